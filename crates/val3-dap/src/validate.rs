@@ -61,7 +61,8 @@ impl SchemaValidator {
             "definitions": definitions,
             "allOf": [{ "$ref": reference }],
         });
-        let validator = jsonschema::validator_for(&schema).map_err(|error| InvalidMessage::Schema(error.to_string()))?;
+        let validator =
+            jsonschema::validator_for(&schema).map_err(|error| InvalidMessage::Schema(error.to_string()))?;
         Ok(entry.insert(validator))
     }
 }

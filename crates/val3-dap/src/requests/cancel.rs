@@ -32,7 +32,9 @@ mod tests {
         client.send(7, "threads", json!({}));
         let messages = client.exchange("cancel", json!({ "requestId": 7 }));
         let [cancelled, cancel] = &messages[..] else { panic!("{messages:?}") };
-        let Content::Response { request_seq: 7, success: false, message, .. } = cancelled else { panic!("{cancelled:?}") };
+        let Content::Response { request_seq: 7, success: false, message, .. } = cancelled else {
+            panic!("{cancelled:?}")
+        };
         assert_eq!(message.as_deref(), Some("cancelled"));
         assert_eq!(*cancel, Content::answer(1, "cancel", None));
     }

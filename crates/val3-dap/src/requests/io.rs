@@ -106,6 +106,9 @@ mod tests {
     #[test]
     fn unknown_arguments_are_rejected() {
         let mut client = TestClient::stopped(EMPTY);
-        assert_eq!(client.failure("val3/io", json!({ "link": "x" })), "the arguments of `val3/io` are wrong: unknown field `link`, there are no fields");
+        assert_eq!(
+            client.failure("val3/io", json!({ "link": "x" })),
+            "the arguments of `val3/io` are wrong: unknown field `link`, there are no fields"
+        );
     }
 }

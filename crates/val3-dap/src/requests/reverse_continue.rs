@@ -40,8 +40,7 @@ mod tests {
         client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
         client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
         let stop = client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
-        let expected =
-            json!({ "reason": "breakpoint", "threadId": MAIN_THREAD, "allThreadsStopped": true, "hitBreakpointIds": [id] });
+        let expected = json!({ "reason": "breakpoint", "threadId": MAIN_THREAD, "allThreadsStopped": true, "hitBreakpointIds": [id] });
         assert_eq!(stop, expected);
         assert_eq!((client.place().1, client.value("nCount")), (FIRST_LINE + 1, json!("1")));
     }

@@ -90,7 +90,10 @@ mod tests {
             message(json!({ "dataId": "main:nCount", "condition": "nCount>1" })),
             "breakpoints on data have no condition: use a number of hits"
         );
-        assert_eq!(message(json!({ "dataId": "main:nCount", "hitCondition": "often" })), "write a number of hits such as 5, >=5 or %5");
+        assert_eq!(
+            message(json!({ "dataId": "main:nCount", "hitCondition": "often" })),
+            "write a number of hits such as 5, >=5 or %5"
+        );
     }
 
     #[test]

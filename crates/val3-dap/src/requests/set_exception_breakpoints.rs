@@ -49,7 +49,11 @@ mod tests {
             json!({ "filters": [], "filterOptions": [{ "filterId": "codes", "condition": "70, 10" }] }),
         ] {
             let mut client = TestClient::stopped(DIVISION);
-            assert_eq!(set(&mut client, filters.clone()), json!({ "breakpoints": [{ "verified": true }] }), "{filters}");
+            assert_eq!(
+                set(&mut client, filters.clone()),
+                json!({ "breakpoints": [{ "verified": true }] }),
+                "{filters}"
+            );
             let expected = json!({
                 "reason": "exception",
                 "description": "Paused on run-time error",

@@ -46,8 +46,7 @@ mod tests {
         let expected = json!({ "id": 1, "verified": true, "line": FIRST_LINE, "source": source("work") });
         assert_eq!(set(&mut client, json!({ "name": "work" })), expected);
         let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
-        let expected =
-            json!({ "reason": "breakpoint", "threadId": MAIN_THREAD, "allThreadsStopped": true, "hitBreakpointIds": [1] });
+        let expected = json!({ "reason": "breakpoint", "threadId": MAIN_THREAD, "allThreadsStopped": true, "hitBreakpointIds": [1] });
         assert_eq!(stop, expected);
         assert_eq!(client.place(), ("main:work()".to_owned(), FIRST_LINE));
     }
@@ -71,8 +70,14 @@ mod tests {
         });
         assert_eq!(set(&mut client, json!({ "name": "other" })), expected);
         let mut message = |breakpoint| set(&mut client, breakpoint)["message"].clone();
-        assert_eq!(message(json!({ "name": "work", "hitCondition": "often" })), "write a number of hits such as 5, >=5 or %5");
-        assert_eq!(message(json!({ "name": "work", "condition": "nOther>1" })), "`nOther` is not declared: no local variable, parameter or data has this name");
+        assert_eq!(
+            message(json!({ "name": "work", "hitCondition": "often" })),
+            "write a number of hits such as 5, >=5 or %5"
+        );
+        assert_eq!(
+            message(json!({ "name": "work", "condition": "nOther>1" })),
+            "`nOther` is not declared: no local variable, parameter or data has this name"
+        );
     }
 
     #[test]

@@ -63,7 +63,10 @@ mod tests {
     fn a_value_of_another_type_is_rejected() {
         let mut client = TestClient::stopped(COUNTER);
         let globals = client.scope("Globals");
-        assert_eq!(client.failure("setVariable", assignment(&globals, "nCount", "true")), "a `bool` cannot be assigned to a `num`");
+        assert_eq!(
+            client.failure("setVariable", assignment(&globals, "nCount", "true")),
+            "a `bool` cannot be assigned to a `num`"
+        );
         assert_eq!(client.value("nCount"), "0");
     }
 

@@ -32,7 +32,7 @@ impl DebugRequest for StepIn {
 mod tests {
     use serde_json::json;
 
-    use crate::test_client::{CALLER, COUNTER, EMPTY, FIRST_LINE, MAIN_THREAD, WORKER, WORKER_THREAD, TestClient};
+    use crate::test_client::{CALLER, COUNTER, EMPTY, FIRST_LINE, MAIN_THREAD, TestClient, WORKER, WORKER_THREAD};
 
     #[test]
     fn a_call_stops_in_the_called_program() {

@@ -43,7 +43,7 @@ fn targets(FrameHandle { task, depth }: FrameHandle, run: &DebuggedRun<'_>) -> V
 mod tests {
     use serde_json::json;
 
-    use crate::test_client::{CALLER, EMPTY, MAIN_THREAD, WORKER, TestClient};
+    use crate::test_client::{CALLER, EMPTY, MAIN_THREAD, TestClient, WORKER};
 
     #[test]
     fn a_call_is_a_target_of_the_innermost_stack_frame() {

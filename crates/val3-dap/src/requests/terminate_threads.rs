@@ -31,7 +31,7 @@ impl DebugRequest for TerminateThreads {
 mod tests {
     use serde_json::{Value, json};
 
-    use crate::test_client::{MAIN_THREAD, WORKER, WORKER_THREAD, TestClient};
+    use crate::test_client::{MAIN_THREAD, TestClient, WORKER, WORKER_THREAD};
 
     fn threads(client: &mut TestClient) -> Vec<Value> {
         let threads = client.body("threads", json!({}))["threads"].clone();

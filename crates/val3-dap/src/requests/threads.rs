@@ -30,7 +30,7 @@ impl DebugRequest for Threads {
 mod tests {
     use serde_json::{Value, json};
 
-    use crate::test_client::{EMPTY, MAIN_THREAD, WORKER, WORKER_THREAD, TestClient};
+    use crate::test_client::{EMPTY, MAIN_THREAD, TestClient, WORKER, WORKER_THREAD};
 
     #[test]
     fn each_task_is_a_thread_with_its_priority() {
