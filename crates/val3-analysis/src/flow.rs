@@ -164,7 +164,7 @@ impl FlowGraph {
 }
 
 impl PointId {
-    /// Returns the index of the node in [`Flow::points`].
+    /// Returns the index of the node in [`FlowGraph::points`].
     pub fn index(self) -> usize {
         self.0 as usize
     }

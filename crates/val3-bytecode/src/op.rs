@@ -54,7 +54,7 @@ impl LineMark {
 #[allow(missing_docs, reason = "the comment of each operation names its operands")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Op {
-    /// Does nothing: for an [operation](Operation) that only begins an instruction line.
+    /// Does nothing: for an [operation](Opcode) that only begins an instruction line.
     Line,
     /// Jumps.
     Jump { to: u32 },

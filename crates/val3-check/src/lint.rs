@@ -1,6 +1,6 @@
 //! Lints: rules about the behaviour of a program, beyond the errors of the controller's compiler.
 //!
-//! A lint is a function of a [`Program`] or a [`ProjectView`]. It only runs on files without faults, so that one
+//! A lint is a function of a [`ProgramView`] or a [`ProjectView`]. It only runs on files without faults, so that one
 //! mistake causes one message.
 
 mod arm;

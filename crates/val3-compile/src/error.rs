@@ -58,7 +58,7 @@ pub enum CompileLimit {
     Unclear,
 }
 
-/// Converts [`Limit::Unclear`] to `None`: the line uses something unresolved.
+/// Converts [`CompileLimit::Unclear`] to `None`: the line uses something unresolved.
 pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
     match made {
         Err(CompileLimit::Unclear) => Ok(None),

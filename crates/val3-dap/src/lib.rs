@@ -1,6 +1,6 @@
 //! The debug adapter: clients of the Debug Adapter Protocol debug runs.
 //!
-//! [`MessageReader`] and [`MessageWriter`] move [`ProtocolMessage`]s over any stream. [`Request::parse`] decodes a
+//! [`MessageReader`] and [`MessageWriter`] move [`ProtocolMessage`]s over any stream. [`StandardRequest::parse`] decodes a
 //! request. The types of [`protocol`] are generated from the schema of the specification.
 //!
 //! A [`Handshake`] handles the messages up to `launch` or `attach`. A [`DebugSession`] then handles the requests between the

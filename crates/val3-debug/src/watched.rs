@@ -62,7 +62,7 @@ pub(crate) struct Digest {
 
 impl WatchedData {
     /// Resolves a data path in a context: `nCount`, `lib:nCount`, `aPoints[3].trsf.x`, `cParts["left"]`. Indexes and
-    /// keys are literals. [`Value::path`](crate::Value::path) and [`Inside::expression`](crate::Inside::expression)
+    /// keys are literals. [`DebugValue::path`](crate::DebugValue::path) and [`Inside::expression`](crate::Inside::expression)
     /// return paths of this form.
     ///
     /// # Errors

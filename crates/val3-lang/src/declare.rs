@@ -10,7 +10,7 @@
 /// a syntax line, `-> type` for a value, `on library` for a form of a library identifier, `since major` for a form in
 /// later versions, `seen in_programs` for a form that the manual does not contain, `= function` for the handler, whose
 /// parameters have the types in the line ([`FromArgument`](crate::call::FromArgument)). In place of a type, a parameter
-/// has `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (a program call).
+/// has `any`, `Whole`, `Slot`, `Item` ([`ArgumentForm`](crate::instruction::ArgumentForm)) or `program` (a program call).
 macro_rules! instruction {
     (
         $(#[doc = $line:literal])*

@@ -1,6 +1,6 @@
 //! Devices of the controller: the ports of the instructions, one file for each port.
 //!
-//! [`State`] is plain data that a snapshot copies. [`Lines`] and the media access the outside, and each result passes
+//! [`DeviceState`] is plain data that a snapshot copies. [`ChannelTable`] and the media access the outside, and each result passes
 //! through the recorder of [`Inputs`].
 
 mod access_time;

@@ -238,7 +238,7 @@ pub enum EventKind {
     },
 }
 
-/// End reason in a run's record: the serialised form of an [`Outcome`].
+/// End reason in a run's record: the serialised form of a [`RunStatus`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {

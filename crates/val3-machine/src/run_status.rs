@@ -14,7 +14,7 @@ pub enum RunStatus {
     Suspended,
     /// A task has reached a line with a stop mark. The next step resumes the cycle, and the task begins the line.
     AtStop(TaskNumber),
-    /// A task that the caller [watches](val3_vm::Watch) has executed a line or failed. The next step resumes the cycle.
+    /// A task that the caller [watches](val3_vm::CycleWatch) has executed a line or failed. The next step resumes the cycle.
     Seen(TaskNumber),
     /// The clock has reached the limit of the run. With a later limit, the next step resumes the cycle.
     Limit,

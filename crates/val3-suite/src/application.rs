@@ -88,7 +88,7 @@ struct ApplicationRun<'c> {
 
 impl ApplicationRun<'_> {
     /// Executes cycles until the application ends, nothing can happen any more, or the clock has reached `end`. Returns
-    /// the reason: [`Outcome::Stuck`] or [`Outcome::Limit`] if the application could not or did not end; `None` if the
+    /// the reason: [`RunStatus::Stuck`] or [`RunStatus::Limit`] if the application could not or did not end; `None` if the
     /// caller has ended the run.
     fn cycles(&mut self, end: Time, may_go_on: &dyn Fn() -> bool) -> Option<RunStatus> {
         self.controller.set_limit(Some(end));

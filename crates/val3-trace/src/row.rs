@@ -33,7 +33,7 @@ pub struct TraceRow {
     pub speed: f64,
 }
 
-/// Precision of the id in a file, with which [`Row::number`] is equal before and after writing.
+/// Precision of the id in a file, with which [`TraceRow::number`] is equal before and after writing.
 const ID_DECIMALS: f64 = 1e6;
 
 impl TraceRow {

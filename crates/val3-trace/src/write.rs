@@ -33,7 +33,7 @@ pub fn head(axes: usize) -> String {
     format!("t,id,phase,{},x,y,z,rx,ry,rz,v", joints.join(","))
 }
 
-/// Returns [`head`] with an additional column for the speed limit. The limit is no part of a [`Row`], so comparisons
+/// Returns [`head`] with an additional column for the speed limit. The limit is no part of a [`TraceRow`], so comparisons
 /// ignore it.
 #[must_use]
 pub fn head_with_limit(axes: usize) -> String {

@@ -55,7 +55,7 @@ pub enum CycleEnd {
     Suspended,
     /// A task has reached a line with a stop mark. The next call resumes the cycle, and the task begins the line.
     AtStop(TaskNumber),
-    /// A task that the caller [watches](crate::Watch) has executed a line or failed. The next call resumes the cycle.
+    /// A task that the caller [watches](crate::CycleWatch) has executed a line or failed. The next call resumes the cycle.
     Seen(TaskNumber),
     /// The clock has reached the limit of the run. With a later limit, the next call resumes the cycle.
     Limit,

@@ -84,7 +84,7 @@ impl ReportFormat {
     }
 }
 
-/// Writes the findings of `report`. `template` is the record template of [`Format::Val3Check`].
+/// Writes the findings of `report`. `template` is the record template of [`ReportFormat::Val3Check`].
 pub(crate) fn write(
     format: ReportFormat,
     report: &CheckReport,

@@ -1,5 +1,5 @@
 //! Text output: the standard output, with or without colours, and files. All text passes through a filter, so that
-//! untrusted names, messages and code cannot control a terminal ([`Content`]).
+//! untrusted names, messages and code cannot control a terminal ([`OutputContent`]).
 
 mod commands;
 mod content;

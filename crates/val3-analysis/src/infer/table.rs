@@ -29,7 +29,7 @@ pub struct AddOnCall {
     pub form: AddOnOverload,
 }
 
-/// Types by expression number; calls sorted by expression number after [`Table::finish`].
+/// Types by expression number; calls sorted by expression number after [`TypeTable::finish`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct TypeTable {
     types: Vec<Ty>,

@@ -12,7 +12,7 @@ pub struct Field {
     /// Unit of the numbers.
     pub unit: NumberUnit,
     /// Value in a variable that the program creates. The default in files may differ:
-    /// [`Attribute::default`](super::Attribute::default).
+    /// [`ValueAttribute::default`](super::ValueAttribute::default).
     pub default: DefaultValue,
     /// Meaning, in one line.
     pub doc: &'static str,

@@ -53,7 +53,7 @@ impl PageContent {
         self.rows.iter().map(ScreenRow::text)
     }
 
-    /// The 14 lines as cells. A line ends after the last written cell; the rest is [`Cell::BLANK`].
+    /// The 14 lines as cells. A line ends after the last written cell; the rest is [`ScreenCell::BLANK`].
     pub fn cells(&self) -> impl Iterator<Item = &[ScreenCell]> {
         self.rows.iter().map(ScreenRow::cells)
     }

@@ -38,7 +38,7 @@ impl Destination {
         Self { is_terminal: out.is_terminal(), reads_commands: commands::are_read() && !is_file(&out) }
     }
 
-    /// The standard error output, to which only [`Content::Words`] are written.
+    /// The standard error output, to which only [`OutputContent::Words`] are written.
     pub(super) fn stderr() -> Self {
         Self { is_terminal: io::stderr().is_terminal(), reads_commands: commands::are_read() }
     }

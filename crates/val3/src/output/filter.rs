@@ -8,7 +8,7 @@ use super::commands::CommandSearch;
 use super::content::{Controls, Destination, OutputContent};
 use crate::printable::{is_unprintable, push_picture};
 
-/// Changes text as its [`Content`] requires.
+/// Changes text as its [`OutputContent`] requires.
 pub(super) struct Filter<'a> {
     out: &'a mut dyn WriteColor,
     controls: Controls,
