@@ -11,7 +11,7 @@ use std::sync::Arc;
 use camino::Utf8Path;
 use val3_config::Config;
 use val3_lang::types::Arm;
-use val3_syntax::TextRange;
+use val3_syntax::{TextRange, apply_edits};
 
 pub use inputs::{CellFolder, Configuration, File, FileStatus, Project, Sources};
 pub use trees::Trees;
@@ -23,6 +23,24 @@ pub struct FileRange {
     pub file: File,
     /// Range in bytes of the decoded UTF-8 text.
     pub range: TextRange,
+}
+
+/// Replacement of a range in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FileEdit {
+    /// The file.
+    pub file: File,
+    /// Replaced range; empty for an insertion.
+    pub range: TextRange,
+    /// New text, encoded like the file: escaped if the code is escaped.
+    pub text: String,
+}
+
+impl FileEdit {
+    /// Returns `text` after these edits of one file, which are sorted, inside the text, and do not overlap.
+    pub fn apply_all<'e>(text: &str, edits: impl IntoIterator<Item = &'e Self>) -> String {
+        apply_edits(text, edits.into_iter().map(|edit| (edit.range, edit.text.as_str())))
+    }
 }
 
 /// Database interface that queries use.

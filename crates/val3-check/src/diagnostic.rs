@@ -1,6 +1,6 @@
 //! A finding with its message and location, independent of output formats.
 
-use val3_analysis::db::{File, FileRange};
+use val3_analysis::db::{File, FileEdit, FileRange};
 
 use crate::rule::{Rule, Severity};
 
@@ -57,28 +57,19 @@ pub struct Fix {
     /// certainly intended.
     pub safe: bool,
     /// Edits, which do not overlap.
-    pub edits: Vec<FixEdit>,
+    pub edits: Vec<FileEdit>,
 }
 
 impl Fix {
     /// A fix that may be applied without confirmation.
-    pub(crate) fn safe(title: impl Into<String>, edits: Vec<FixEdit>) -> Self {
+    pub(crate) fn safe(title: impl Into<String>, edits: Vec<FileEdit>) -> Self {
         Self { title: title.into(), safe: true, edits }
     }
 
     /// A fix that may not be intended.
-    pub(crate) fn guess(title: impl Into<String>, edits: Vec<FixEdit>) -> Self {
+    pub(crate) fn guess(title: impl Into<String>, edits: Vec<FileEdit>) -> Self {
         Self { title: title.into(), safe: false, edits }
     }
-}
-
-/// A replacement of a file range.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct FixEdit {
-    /// Replaced range.
-    pub place: FileRange,
-    /// New text, encoded like the file (escaped if the code is escaped).
-    pub text: String,
 }
 
 /// Maximum number of uses that a finding lists when it represents many.

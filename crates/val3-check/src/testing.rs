@@ -102,8 +102,8 @@ pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
     let offered = |diagnostic: &Diagnostic| {
         let fix = diagnostic.fix.as_ref()?;
         let edits = fix.edits.iter().map(|edit| {
-            let file = shown(edit.place.file.path(&workspace.db).as_str(), files);
-            (file, edit.place.range.into(), edit.text.clone())
+            let file = shown(edit.file.path(&workspace.db).as_str(), files);
+            (file, edit.range.into(), edit.text.clone())
         });
         let edits = edits.collect();
         Some(OfferedFix { code: diagnostic.rule.code, title: fix.title.clone(), safe: fix.safe, edits })

@@ -5,7 +5,7 @@ use val3_syntax::xml::{self, XmlElement};
 use val3_syntax::{TextEdit, TextRange, TextSize};
 
 use crate::declared::elements;
-use crate::edits::{Edits, apply};
+use crate::edits::Edits;
 use crate::layout::DataLayout;
 use crate::tag;
 
@@ -34,8 +34,8 @@ pub fn duplicate(text: &str, root: XmlElement<'_>, data: XmlElement<'_>, name: &
     let layout = DataLayout::of(text, root);
     let range = data.view().range();
     let attribute = data.attribute("name")?;
-    let renamed = TextEdit { range: attribute.range - range.start(), insert: tag::escaped(name, attribute.quote) };
-    let copy = apply(layout.slice(range), &[renamed]);
+    let renamed = TextEdit { range: attribute.range - range.start(), text: tag::escaped(name, attribute.quote) };
+    let copy = TextEdit::apply_all(layout.slice(range), &[renamed]);
     Some(after(text, root, data, &[copy]))
 }
 
@@ -43,14 +43,14 @@ pub fn duplicate(text: &str, root: XmlElement<'_>, data: XmlElement<'_>, name: &
 #[must_use]
 pub fn after(text: &str, root: XmlElement<'_>, data: XmlElement<'_>, lines: &[String]) -> TextEdit {
     let insert = DataLayout::of(text, root).beside(data.tag_range().start(), lines);
-    TextEdit { range: TextRange::empty(data.view().range().end()), insert }
+    TextEdit { range: TextRange::empty(data.view().range().end()), text: insert }
 }
 
 /// Edit that renames the key of a value.
 #[must_use]
 pub fn rename_key(value: XmlElement<'_>, key: &str) -> Option<TextEdit> {
     let attribute = value.attribute("key")?;
-    Some(TextEdit { range: attribute.range, insert: tag::escaped(key, attribute.quote) })
+    Some(TextEdit { range: attribute.range, text: tag::escaped(key, attribute.quote) })
 }
 
 /// Lines of a declaration in the format of the file: the order and the quotes of attributes, the ends of tags, and

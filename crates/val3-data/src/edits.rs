@@ -1,8 +1,6 @@
 //! Text edits.
 
-use std::ops::Range;
-
-use val3_syntax::{TextEdit, TextRange, TextSize, TextSlice};
+use val3_syntax::{TextEdit, TextRange, TextSize};
 
 /// Edits that do not overlap. Edits at the same offset keep their order.
 #[derive(Debug, Default)]
@@ -11,12 +9,12 @@ pub(crate) struct Edits {
 }
 
 impl Edits {
-    pub(crate) fn replace(&mut self, range: TextRange, insert: String) {
-        self.edits.push(TextEdit { range, insert });
+    pub(crate) fn replace(&mut self, range: TextRange, text: String) {
+        self.edits.push(TextEdit { range, text });
     }
 
-    pub(crate) fn insert(&mut self, at: TextSize, insert: String) {
-        self.replace(TextRange::empty(at), insert);
+    pub(crate) fn insert(&mut self, at: TextSize, text: String) {
+        self.replace(TextRange::empty(at), text);
     }
 
     /// Edits sorted by offset.
@@ -24,20 +22,6 @@ impl Edits {
         self.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
         self.edits
     }
-}
-
-/// Applies `edits` to a text. They must be sorted and must not overlap.
-#[must_use]
-pub fn apply(text: &str, edits: &[TextEdit]) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut done = 0;
-    for edit in edits {
-        let range = Range::<usize>::from(edit.range);
-        out.push_str(text.part(done..range.start));
-        out.push_str(&edit.insert);
-        done = range.end;
-    }
-    out + text.part(done..)
 }
 
 /// Combines two lists of edits: `second` applies to the result of `first`. Each list, and the result, is sorted and
@@ -51,7 +35,7 @@ pub fn compose(first: &[TextEdit], second: &[TextEdit]) -> Vec<TextEdit> {
     let (mut at, mut out) = (TextSize::new(0), Vec::new());
     for edit in second {
         take(&mut pieces, edit.range.start() - at, &mut |piece| out.push(piece));
-        out.push(TextPart::New(edit.insert.clone()));
+        out.push(TextPart::New(edit.text.clone()));
         take(&mut pieces, edit.range.len(), &mut |_| {});
         at = edit.range.end();
     }
@@ -94,7 +78,7 @@ fn pieces(edits: &[TextEdit]) -> Vec<TextPart> {
     let (mut pieces, mut at) = (Vec::new(), TextSize::new(0));
     for edit in edits {
         pieces.push(TextPart::Old(TextRange::new(at, edit.range.start())));
-        pieces.push(TextPart::New(edit.insert.clone()));
+        pieces.push(TextPart::New(edit.text.clone()));
         at = edit.range.end();
     }
     pieces.push(TextPart::Old(TextRange::new(at, TextSize::new(u32::MAX))));
@@ -125,10 +109,8 @@ fn edits(pieces: Vec<TextPart>) -> Vec<TextEdit> {
             TextPart::Old(range) if range.is_empty() => {}
             TextPart::Old(range) => {
                 if range.start() > at || !insert.is_empty() {
-                    edits.push(TextEdit {
-                        range: TextRange::new(at, range.start()),
-                        insert: std::mem::take(&mut insert),
-                    });
+                    edits
+                        .push(TextEdit { range: TextRange::new(at, range.start()), text: std::mem::take(&mut insert) });
                 }
                 at = range.end();
             }
@@ -151,7 +133,7 @@ mod tests {
             let start = (at + distance).min(len);
             let end = (start + removed).min(len);
             let range = TextRange::new(u32::try_from(start).unwrap().into(), u32::try_from(end).unwrap().into());
-            edits.push(TextEdit { range, insert: insert.clone() });
+            edits.push(TextEdit { range, text: insert.clone() });
             at = end + 1;
         }
         edits
@@ -165,10 +147,10 @@ mod tests {
             second in proptest::collection::vec((0..8usize, 0..5usize, "[0-9]{0,4}"), 0..5),
         ) {
             let first = some_edits(text.len(), &first);
-            let between = apply(&text, &first);
+            let between = TextEdit::apply_all(&text, &first);
             let second = some_edits(between.len(), &second);
-            let expected = apply(&between, &second);
-            prop_assert_eq!(apply(&text, &compose(&first, &second)), expected);
+            let expected = TextEdit::apply_all(&between, &second);
+            prop_assert_eq!(TextEdit::apply_all(&text, &compose(&first, &second)), expected);
         }
     }
 }

@@ -17,7 +17,7 @@ mod values;
 mod written;
 
 pub use declarations::{after, duplicate, in_style, remove, rename_key};
-pub use edits::{apply, compose};
+pub use edits::compose;
 pub use read::{read, type_name};
 pub use reference::is_old_reference;
 pub use rewrite::{edits, rewrite};

@@ -3,10 +3,10 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_syntax::TextSize;
 use val3_syntax::xml::{self, Attribute, XmlElement};
+use val3_syntax::{TextEdit, TextSize};
 
-use crate::edits::{Edits, apply};
+use crate::edits::Edits;
 use crate::layout::DataLayout;
 use crate::{SavedContainer, SavedContent, SavedData, SavedValue, reference, saved_data, tag};
 
@@ -144,7 +144,7 @@ fn copy(
         edits.replace(attribute.range, index.to_string());
     }
     change(&mut edits, copied, data, value);
-    apply(text, &edits.sorted())
+    TextEdit::apply_all(text, &edits.sorted())
 }
 
 /// Variable to which a variable is relative, with its library: `fTray`, `lib:fTray`.

@@ -9,7 +9,7 @@ use val3_syntax::TextEdit;
 use val3_syntax::xml::{self, XmlElement};
 
 use crate::declared::elements;
-use crate::edits::{Edits, apply};
+use crate::edits::Edits;
 use crate::layout::DataLayout;
 use crate::{SavedData, lists, values};
 
@@ -19,7 +19,7 @@ use crate::{SavedData, lists, values};
 pub fn rewrite(text: &str, data: &[SavedData]) -> String {
     let parse = val3_syntax::parse(text);
     let Some(root) = xml::root(parse.view()) else { return text.to_owned() };
-    apply(text, &edits(text, root, data))
+    TextEdit::apply_all(text, &edits(text, root, data))
 }
 
 /// Edits that [`rewrite`] makes in a text with this root, sorted and without overlap.

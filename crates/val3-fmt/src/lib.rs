@@ -14,18 +14,9 @@ pub use on_type::{TRIGGERS, on_type};
 pub use style::{CodeStyle, Indent, IndentOverride};
 
 use rowan::{TextRange, TextSize};
-use val3_syntax::{Parse, TextSlice};
+use val3_syntax::{Parse, TextEdit, TextSlice};
 
 use pieces::LayoutToken;
-
-/// An edit of the text.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct FormatEdit {
-    /// Replaced range; empty for an insertion.
-    pub range: TextRange,
-    /// New text.
-    pub text: String,
-}
 
 /// Edits that format the code of a file with `text`, sorted and without overlap. Empty if the code is already
 /// formatted.
@@ -33,17 +24,17 @@ pub struct FormatEdit {
 /// Formatting is idempotent, and the program keeps all its tokens. If blocks do not balance, only the indentation shows
 /// their intended ends, so the indentation of all lines in that program is kept. If the XML is malformed, nothing
 /// changes.
-pub fn format(text: &str, parse: &Parse, style: &CodeStyle) -> Vec<FormatEdit> {
+pub fn format(text: &str, parse: &Parse, style: &CodeStyle) -> Vec<TextEdit> {
     if parse.errors().iter().any(|error| error.kind.breaks_structure()) {
         return Vec::new();
     }
-    let mut edits: Vec<FormatEdit> =
+    let mut edits: Vec<TextEdit> =
         pieces::codes(parse, text).iter().flat_map(|pieces| format_code(pieces, parse, text, style)).collect();
     edits.sort_by_key(|edit| edit.range.start());
-    if unchanged::is_same_program(parse, &apply(text, &edits)) { edits } else { Vec::new() }
+    if unchanged::is_same_program(parse, &TextEdit::apply_all(text, &edits)) { edits } else { Vec::new() }
 }
 
-fn format_code(pieces: &[LayoutToken<'_>], parse: &Parse, text: &str, style: &CodeStyle) -> Vec<FormatEdit> {
+fn format_code(pieces: &[LayoutToken<'_>], parse: &Parse, text: &str, style: &CodeStyle) -> Vec<TextEdit> {
     let levels = if blocks_match(pieces, parse) { indentation::levels(pieces, text) } else { vec![None; pieces.len()] };
     let pairs = pieces.iter().zip(pieces.iter().skip(1)).zip(levels.iter().skip(1));
     let gaps = pairs.filter_map(|((before, after), level)| spacing::gap(before, after, *level, text, style));
@@ -59,7 +50,7 @@ fn blocks_match(pieces: &[LayoutToken<'_>], parse: &Parse) -> bool {
 }
 
 /// Like [`format()`], for the lines that `range` touches. A range that ends at the start of a line does not touch it.
-pub fn format_range(text: &str, parse: &Parse, style: &CodeStyle, range: TextRange) -> Vec<FormatEdit> {
+pub fn format_range(text: &str, parse: &Parse, style: &CodeStyle, range: TextRange) -> Vec<TextEdit> {
     let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);
     // An indentation edit includes the line end before the indentation.
@@ -76,18 +67,4 @@ fn whole_lines(text: &str, range: TextRange) -> TextRange {
     let last = end + rest.find(['\n', '\r']).unwrap_or(rest.len());
     let offset = |at: usize| TextSize::try_from(at).unwrap_or(range.end());
     TextRange::new(offset(first), offset(last))
-}
-
-/// Applies the edits to the text. They must be sorted and inside the text.
-pub fn apply(text: &str, edits: &[FormatEdit]) -> String {
-    let mut changed = String::with_capacity(text.len());
-    let mut done = 0;
-    for edit in edits {
-        let (start, end) = (usize::from(edit.range.start()), usize::from(edit.range.end()));
-        changed.push_str(text.part(done..start));
-        changed.push_str(&edit.text);
-        done = end;
-    }
-    changed.push_str(text.part(done..));
-    changed
 }

@@ -5,10 +5,10 @@
 
 use rowan::{TextRange, TextSize};
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::{Parse, TextSlice, text_size};
+use val3_syntax::{Parse, TextEdit, TextSlice, text_size};
 
 use crate::pieces::{self, LayoutToken};
-use crate::{CodeStyle, FormatEdit, spacing};
+use crate::{CodeStyle, spacing};
 
 /// Characters after which [`on_type`] may return edits: the line end, and the last letters of the keywords that end a
 /// block or a part of a block.
@@ -16,7 +16,7 @@ pub const TRIGGERS: [char; 7] = ['\n', 'e', 'f', 'h', 'k', 'l', 'r'];
 
 /// Edits after `typed` was inserted before `offset`. A line end formats the line above and indents the new line. The
 /// last letter of a keyword such as `endIf` indents a line that contains only this keyword.
-pub fn on_type(text: &str, parse: &Parse, style: &CodeStyle, offset: TextSize, typed: char) -> Vec<FormatEdit> {
+pub fn on_type(text: &str, parse: &Parse, style: &CodeStyle, offset: TextSize, typed: char) -> Vec<TextEdit> {
     let codes = pieces::codes(parse, text);
     let Some(pieces) = codes.iter().find(|pieces| contains(pieces, offset)) else { return Vec::new() };
     let lines = lines(text, pieces);
@@ -87,7 +87,7 @@ fn is_first(pieces: &[LayoutToken<'_>], at: usize) -> bool {
     pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
 }
 
-fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &CodeStyle) -> Vec<FormatEdit> {
+fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &CodeStyle) -> Vec<TextEdit> {
     let Some(line) = lines.get(index) else { return Vec::new() };
     let Some(above) = index.checked_sub(1) else { return Vec::new() };
     let mut edits = Vec::new();
@@ -111,7 +111,7 @@ fn after_letter(
     index: usize,
     style: &CodeStyle,
     offset: TextSize,
-) -> Vec<FormatEdit> {
+) -> Vec<TextEdit> {
     let Some(line) = lines.get(index) else { return Vec::new() };
     let Some(word) = line.code().filter(|word| word.range.end() == offset && opener(word.kind).is_some()) else {
         return Vec::new();
@@ -125,23 +125,23 @@ fn after_letter(
 }
 
 /// Edits of whitespace and keywords within a line.
-fn within(text: &str, line: &TypedLine<'_, '_>, style: &CodeStyle) -> Vec<FormatEdit> {
+fn within(text: &str, line: &TypedLine<'_, '_>, style: &CodeStyle) -> Vec<TextEdit> {
     let pairs = line.pieces.iter().zip(line.pieces.iter().skip(1));
     let gaps = pairs.filter_map(|(before, after)| spacing::gap(before, after, None, text, style));
-    let mut edits: Vec<FormatEdit> = gaps.chain(line.pieces.iter().filter_map(spacing::keyword)).collect();
+    let mut edits: Vec<TextEdit> = gaps.chain(line.pieces.iter().filter_map(spacing::keyword)).collect();
     edits.sort_by_key(|edit| edit.range.start());
     edits
 }
 
 /// Edit that indents a line.
-fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<FormatEdit> {
+fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<TextEdit> {
     if line.starts_in_xml() {
         return None;
     }
     let rest = text.get(usize::from(line.start)..)?;
     let found = rest.get(..rest.len() - rest.trim_start_matches([' ', '\t']).len())?;
     let range = TextRange::at(line.start, TextSize::of(found));
-    (found != indent).then(|| FormatEdit { range, text: indent.to_owned() })
+    (found != indent).then(|| TextEdit { range, text: indent.to_owned() })
 }
 
 /// Indentation of a line, computed from the lines above it.

@@ -2,10 +2,10 @@
 
 use rowan::TextRange;
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::TextSlice;
+use val3_syntax::{TextEdit, TextSlice};
 
+use crate::CodeStyle;
 use crate::pieces::{LayoutToken, breaks_line, gap as blanks};
-use crate::{CodeStyle, FormatEdit};
 
 /// Edit of the whitespace between two pieces. `level` is the indentation level of the line that starts with `after`.
 pub(crate) fn gap(
@@ -14,7 +14,7 @@ pub(crate) fn gap(
     level: Option<usize>,
     text: &str,
     style: &CodeStyle,
-) -> Option<FormatEdit> {
+) -> Option<TextEdit> {
     let found = blanks(before, after, text);
     let wanted = if breaks_line(found) {
         line_break(before, after, found, level?, style)?
@@ -22,14 +22,14 @@ pub(crate) fn gap(
         within_line(before, after, style)?.to_owned()
     };
     // Whitespace written as a character reference is intentional.
-    let edit = FormatEdit { range: TextRange::new(before.range.end(), after.range.start()), text: wanted };
+    let edit = TextEdit { range: TextRange::new(before.range.end(), after.range.start()), text: wanted };
     (edit.text != found && !found.contains('&')).then_some(edit)
 }
 
 /// Edit that corrects the letter case of a keyword.
-pub(crate) fn keyword(piece: &LayoutToken<'_>) -> Option<FormatEdit> {
+pub(crate) fn keyword(piece: &LayoutToken<'_>) -> Option<TextEdit> {
     let canonical = piece.kind.keyword_text().filter(|_| !piece.frozen)?;
-    (piece.text != canonical).then(|| FormatEdit { range: piece.range, text: canonical.to_owned() })
+    (piece.text != canonical).then(|| TextEdit { range: piece.range, text: canonical.to_owned() })
 }
 
 /// New whitespace around a line break; `None` if it must be kept. Line ends keep their form, and the style limits their

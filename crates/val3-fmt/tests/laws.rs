@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 use proptest::prelude::*;
-use val3_fmt::{CodeStyle, apply, format, format_range, on_type};
-use val3_syntax::{SyntaxKind, TextRange, TextSize, parse};
+use val3_fmt::{CodeStyle, format, format_range, on_type};
+use val3_syntax::{SyntaxKind, TextEdit, TextRange, TextSize, parse};
 
 /// A program in which `·` marks whitespace of any length.
 fn statement(depth: u32) -> BoxedStrategy<Vec<String>> {
@@ -108,7 +108,7 @@ impl Writing {
 }
 
 fn formatted(text: &str) -> String {
-    apply(text, &format(text, &parse(text), &CodeStyle::default()))
+    TextEdit::apply_all(text, &format(text, &parse(text), &CodeStyle::default()))
 }
 
 /// Tokens without whitespace, in lower case; comments and strings are unchanged.
@@ -188,7 +188,7 @@ proptest! {
         let text = broken(&text, at, 0, &typed.to_string());
         let offset = TextSize::try_from(at % (text.len() - 1) + 1).unwrap();
         let edits = on_type(&text, &parse(&text), &CodeStyle::default(), offset, typed);
-        let after = apply(&text, &edits);
+        let after = TextEdit::apply_all(&text, &edits);
         prop_assert_eq!(tokens(&after), tokens(&text));
     }
 }

@@ -3,13 +3,13 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 use expect_test::{Expect, expect};
-use val3_fmt::{CodeStyle, Indent, apply, format, format_range};
-use val3_syntax::{TextRange, TextSize, parse};
+use val3_fmt::{CodeStyle, Indent, format, format_range};
+use val3_syntax::{TextEdit, TextRange, TextSize, parse};
 
 fn formatted(text: &str, style: &CodeStyle) -> String {
     let parse = parse(text);
-    let once = apply(text, &format(text, &parse, style));
-    let again = apply(&once, &format(&once, &val3_syntax::parse(&once), style));
+    let once = TextEdit::apply_all(text, &format(text, &parse, style));
+    let again = TextEdit::apply_all(&once, &format(&once, &val3_syntax::parse(&once), style));
     assert_eq!(again, once, "formatting twice changes it again");
     once
 }
@@ -252,7 +252,7 @@ fn only_lines_of_the_range_change() {
     let formatted = |part: &str| {
         let start = TextSize::try_from(text.find(part).unwrap()).unwrap();
         let edits = format_range(text, &parse(text), &CodeStyle::default(), TextRange::at(start, TextSize::of(part)));
-        apply(text, &edits).split_once("CDATA[").unwrap().1.replace("]]></Code></Program></Programs>", "")
+        TextEdit::apply_all(text, &edits).split_once("CDATA[").unwrap().1.replace("]]></Code></Program></Programs>", "")
     };
     assert_eq!(formatted("2"), "begin\n a = 1\n  b=2\n c = 3\nend");
     assert_eq!(formatted(" b = 2\n"), "begin\n a = 1\n  b=2\n c = 3\nend");

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail loudly")]
 
 use expect_test::{Expect, expect};
-use val3_fmt::{CodeStyle, Indent, apply, on_type};
-use val3_syntax::{TextSize, parse};
+use val3_fmt::{CodeStyle, Indent, on_type};
+use val3_syntax::{TextEdit, TextSize, parse};
 
 /// Types the character before `$0` in code in a CDATA section.
 fn check(code: &str, expected: Expect) {
@@ -18,7 +18,7 @@ fn check_in(code: &str, style: &CodeStyle, expected: Expect) {
     let text = marked.replacen("$0", "", 1);
     let typed = text[..offset].chars().next_back().unwrap();
     let edits = on_type(&text, &parse(&text), style, TextSize::try_from(offset).unwrap(), typed);
-    let changed = apply(&text, &edits);
+    let changed = TextEdit::apply_all(&text, &edits);
     let code = changed.strip_prefix(head).and_then(|text| text.strip_suffix(tail)).expect("the XML stays");
     expected.assert_eq(&(code.replace(' ', "·").replace('\r', "␍").replace('\t', "→") + "\n"));
 }

@@ -15,7 +15,7 @@ pub use edit::{CellEdit, DataEdit, NewDatum};
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::parse;
 use val3_analysis::xml;
-use val3_data::{apply, compose};
+use val3_data::compose;
 use val3_syntax::TextEdit;
 use val3_syntax::encoding::Encoding;
 
@@ -42,7 +42,7 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         let target = DataFile::new((db, project, file), current, (parse.view(), root))?;
         let new = change(&target, edit).map_err(|problem| without_range(problem, is_first))?;
         if at + 1 < edits.len() {
-            text = apply(current, &new);
+            text = TextEdit::apply_all(current, &new);
         }
         done = compose(&done, &new);
     }
@@ -50,11 +50,11 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
     let edit = |edit: TextEdit| FileEdit {
         file,
         range: edit.range,
-        text: if is_latin1 { with_references(&edit.insert) } else { edit.insert },
+        text: if is_latin1 { with_references(&edit.text) } else { edit.text },
     };
     let is_change = |edit: &TextEdit| {
         let range = std::ops::Range::<usize>::from(edit.range);
-        file.text(db).get(range) != Some(edit.insert.as_str())
+        file.text(db).get(range) != Some(edit.text.as_str())
     };
     Ok(SourceChange::of(done.into_iter().filter(is_change).map(edit)))
 }

@@ -1,6 +1,7 @@
 //! File changes as values.
 
 use camino::Utf8PathBuf;
+pub use val3_analysis::db::FileEdit;
 use val3_analysis::db::{Db, File, FileRange};
 use val3_syntax::{TextRange, TextSize};
 
@@ -19,17 +20,6 @@ pub struct SourceChange {
     pub new_name: Option<FileRange>,
     /// Range of a placeholder expression that the user replaces, in the text after the edits.
     pub placeholder: Option<FileRange>,
-}
-
-/// Replacement of a range in a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct FileEdit {
-    /// The file.
-    pub file: File,
-    /// Replaced range; empty for an insertion.
-    pub range: TextRange,
-    /// New text, already escaped for the file.
-    pub text: String,
 }
 
 impl SourceChange {

@@ -10,8 +10,8 @@ use val3_analysis::items::parse;
 use val3_analysis::system::System;
 use val3_config::{CodeLayout, IndentStyle};
 use val3_files::{FileClass, Unreadable};
-use val3_fmt::{CodeStyle, FormatEdit, IndentOverride};
-use val3_syntax::{TextRange, TextSize};
+use val3_fmt::{CodeStyle, IndentOverride};
+use val3_syntax::{TextEdit, TextRange, TextSize};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
@@ -108,7 +108,7 @@ pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &CodeSt
     of_file(at.file, val3_fmt::on_type(text, &parse(db, at.file), style, at.offset, typed))
 }
 
-fn of_file(file: File, edits: Vec<FormatEdit>) -> Vec<FileEdit> {
+fn of_file(file: File, edits: Vec<TextEdit>) -> Vec<FileEdit> {
     edits.into_iter().map(|edit| FileEdit { file, range: edit.range, text: edit.text }).collect()
 }
 

@@ -37,7 +37,7 @@ impl<'s> TrialProjects<'s> {
         fixes: impl Iterator<Item = &'f Fix>,
         check_cancelled: &'s dyn Fn(),
     ) -> Self {
-        let edited = fixes.flat_map(|fix| &fix.edits).flat_map(|edit| projects_of(db, edit.place.file));
+        let edited = fixes.flat_map(|fix| &fix.edits).flat_map(|edit| projects_of(db, edit.file));
         let edited: FxHashSet<Project> = edited.copied().collect();
         let affected = edited.into_iter().flat_map(|project| projects_using(db, project));
         Self::of(db, system, affected, check_cancelled)

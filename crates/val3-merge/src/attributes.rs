@@ -102,16 +102,16 @@ fn take(ours: &MergeNode<'_>, theirs: &MergeNode<'_>, name: &str) -> Option<Text
     let (to, from) = (ours.element?, theirs.element?);
     match (to.attribute(name), from.attribute(name)) {
         (Some(old), Some(new)) if old.text() == new.text() => None,
-        (Some(old), Some(new)) => Some(TextEdit { range: old.range, insert: written(new, old.quote) }),
+        (Some(old), Some(new)) => Some(TextEdit { range: old.range, text: written(new, old.quote) }),
         (Some(old), None) => {
             let before = ours.source.get(..usize::from(old.name_range.start()))?;
             let blanks = TextSize::of(before) - TextSize::of(before.trim_end());
             let range = TextRange::new(old.name_range.start() - blanks, end(old));
-            Some(TextEdit { range, insert: String::new() })
+            Some(TextEdit { range, text: String::new() })
         }
         (None, Some(new)) => {
             let insert = format!(" {name}={quote}{}{quote}", written(new, new.quote), quote = new.quote);
-            Some(TextEdit { range: TextRange::empty(place(to, from, name)), insert })
+            Some(TextEdit { range: TextRange::empty(place(to, from, name)), text: insert })
         }
         (None, None) => None,
     }

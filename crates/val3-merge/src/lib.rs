@@ -29,6 +29,7 @@ mod tests;
 mod text;
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use val3_syntax::TextEdit;
 use val3_syntax::xml::line_end;
 
 pub use conflict::Conflict;
@@ -101,7 +102,7 @@ fn trees(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> Result<Merge
         Some(base) if kind == MergedKind::Data => plans(base, &our_tree, &their_tree),
         _ => FxHashMap::default(),
     };
-    let renumbered = val3_data::apply(theirs, &renumber::edits(&their_tree, &plans));
+    let renumbered = TextEdit::apply_all(theirs, &renumber::edits(&their_tree, &plans));
     let their_parse = parse(&renumbered);
     let their_tree = tree(kind, &their_parse, &renumbered, "THEIRS")?;
     let merged = merged(kind, &plans, [base_tree.as_ref(), Some(&our_tree), Some(&their_tree)], ours);
@@ -150,7 +151,7 @@ fn merged(
     }
     merger.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
     MergeResult {
-        text: val3_data::apply(text, &merger.edits),
+        text: TextEdit::apply_all(text, &merger.edits),
         conflicts: merger.conflicts,
         moved: moved::of(plans),
         by_lines: None,

@@ -82,7 +82,7 @@ impl Merger<'_> {
     /// Replaces an element of ours, which is unchanged since the base, by the element of theirs.
     pub(crate) fn replace(&mut self, ours: &MergeNode<'_>, theirs: &MergeNode<'_>) {
         let insert = adapted(theirs, ours.line_end, Some(prefix(ours)));
-        self.edits.push(TextEdit { range: ours.range, insert });
+        self.edits.push(TextEdit { range: ours.range, text: insert });
     }
 
     /// Reports a conflict of entire elements. Ours remains, and a comment before it contains the other versions.
@@ -106,8 +106,8 @@ impl Merger<'_> {
     }
 
     /// Replaces a range of ours.
-    pub(crate) fn edit(&mut self, range: TextRange, insert: String) {
-        self.edits.push(TextEdit { range, insert });
+    pub(crate) fn edit(&mut self, range: TextRange, text: String) {
+        self.edits.push(TextEdit { range, text });
     }
 }
 

@@ -61,21 +61,21 @@ pub(crate) fn inside(
     match parent.content {
         // The blanks between the tags keep the end tag on a separate line.
         Some(content) if parent.slice(content).contains('\n') => vec![insert(content.start(), text)],
-        Some(content) => vec![TextEdit { range: content, insert: text + &closing }],
+        Some(content) => vec![TextEdit { range: content, text: text + &closing }],
         None => {
             let range = parent.range;
             let tag = parent.text().trim_end_matches('>').trim_end_matches('/').trim_end();
             let slash = TextRange::new(range.start() + TextSize::of(tag), range.end());
-            vec![TextEdit { range: slash, insert: format!(">{text}{closing}</{}>", parent.name()) }]
+            vec![TextEdit { range: slash, text: format!(">{text}{closing}</{}>", parent.name()) }]
         }
     }
 }
 
 /// Removes an element with its line.
 pub(crate) fn removed(node: &MergeNode<'_>) -> TextEdit {
-    TextEdit { range: whole_line(node.source, node.range), insert: String::new() }
+    TextEdit { range: whole_line(node.source, node.range), text: String::new() }
 }
 
-fn insert(at: TextSize, insert: String) -> TextEdit {
-    TextEdit { range: TextRange::empty(at), insert }
+fn insert(at: TextSize, text: String) -> TextEdit {
+    TextEdit { range: TextRange::empty(at), text }
 }

@@ -42,7 +42,7 @@ fn node(around: &MergeNode<'_>, path: &str, appends: &[&Append], edits: &mut Vec
 fn container(child: &MergeNode<'_>, append: &Append, edits: &mut Vec<TextEdit>) {
     for (value, index) in moved(child, append) {
         if let Some(found) = value.key_name.and_then(|name| value.attribute(name)) {
-            edits.push(TextEdit { range: found.range, insert: joined(&index, ",") });
+            edits.push(TextEdit { range: found.range, text: joined(&index, ",") });
         }
     }
     if let Some(size) = child.attribute("size") {
@@ -50,7 +50,7 @@ fn container(child: &MergeNode<'_>, append: &Append, edits: &mut Vec<TextEdit>) 
         if let Some(size) = sizes.get_mut(append.axis) {
             *size = append.size.to_string();
         }
-        edits.push(TextEdit { range: size.range, insert: sizes.join(" ") });
+        edits.push(TextEdit { range: size.range, text: sizes.join(" ") });
     }
 }
 
@@ -61,7 +61,7 @@ fn reference(attribute: Attribute<'_>, appends: &[&Append]) -> Option<TextEdit> 
     for append in appends {
         text = renumbered(&text, append).unwrap_or(text);
     }
-    (text != old).then(|| TextEdit { range: attribute.range, insert: escaped(&text) })
+    (text != old).then(|| TextEdit { range: attribute.range, text: escaped(&text) })
 }
 
 /// Returns the reference with its new index; `None` if it does not refer to a moved element.
@@ -80,7 +80,7 @@ fn renumbered(text: &str, append: &Append) -> Option<String> {
 fn old_reference(name: &str, index: Attribute<'_>, appends: &[&Append]) -> Option<TextEdit> {
     let append = appends.iter().find(|append| append.path == name)?;
     let at = index.text().trim().parse::<usize>().ok().filter(|at| *at >= append.from)?;
-    Some(TextEdit { range: index.range, insert: (at + append.by).to_string() })
+    Some(TextEdit { range: index.range, text: (at + append.by).to_string() })
 }
 
 fn joined(numbers: &[usize], separator: &str) -> String {

@@ -13,7 +13,7 @@ pub struct TextEdit {
     /// Range in the old text.
     pub range: TextRange,
     /// New text.
-    pub insert: String,
+    pub text: String,
 }
 
 impl TextEdit {
@@ -21,7 +21,12 @@ impl TextEdit {
     pub fn apply(&self, text: &str) -> String {
         let Range { start, end } = self.range_in(text).into();
         let (before, after) = (text.part(..start), text.part(end..));
-        [before, &self.insert, after].concat()
+        [before, &self.text, after].concat()
+    }
+
+    /// Returns `text` after these edits, which are sorted, inside the text, and do not overlap.
+    pub fn apply_all<'e>(text: &str, edits: impl IntoIterator<Item = &'e Self>) -> String {
+        apply_edits(text, edits.into_iter().map(|edit| (edit.range, edit.text.as_str())))
     }
 
     /// Returns the clipped range in `text`.
@@ -29,6 +34,19 @@ impl TextEdit {
         let floor = |at: TextSize| text.floor_char_boundary(usize::from(at).min(text.len()));
         range(floor(self.range.start()), floor(self.range.end()))
     }
+}
+
+/// Returns `text` with new texts in these ranges, which are sorted, inside the text, and do not overlap.
+pub fn apply_edits<'e>(text: &str, edits: impl IntoIterator<Item = (TextRange, &'e str)>) -> String {
+    let mut changed = String::with_capacity(text.len());
+    let mut done = 0;
+    for (range, new) in edits {
+        let Range { start, end } = range.into();
+        changed.push_str(text.part(done..start));
+        changed.push_str(new);
+        done = end;
+    }
+    changed + text.part(done..)
 }
 
 /// Changed range in the old text, and the number of inserted bytes.
@@ -41,7 +59,7 @@ pub(crate) struct Change {
 impl Change {
     /// Returns the change of `text` by `edit`.
     pub(crate) fn of(edit: &TextEdit, text: &str) -> Self {
-        Self { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) }
+        Self { range: edit.range_in(text), inserted: TextSize::of(&edit.text) }
     }
 
     /// Returns the difference of the texts: the part between their common prefix and common suffix.

@@ -23,7 +23,7 @@ pub mod version_file;
 pub mod view;
 pub mod xml;
 
-pub use edit::TextEdit;
+pub use edit::{TextEdit, apply_edits};
 pub use joined::joined;
 pub use kind::{SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use lexer::{decode_entities, resolve_entity};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Database, File, FileRange, FileStatus, Project, Sources};
+use val3_analysis::db::{Database, File, FileEdit, FileRange, FileStatus, Project, Sources};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::paths::path_key;
 use val3_check::diagnostic::{self, Diagnostic, RelatedNote};
@@ -61,15 +61,16 @@ impl<'a> Translator<'a> {
     }
 
     fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> ReportedFix {
-        let mut edit = |edit: &diagnostic::FixEdit| ReportedEdit {
-            place: self.place(edit.place, application),
-            text: edit.text.clone(),
-        };
         ReportedFix {
             title: one_line(&fix.title).into_owned(),
             safe: fix.safe,
-            edits: fix.edits.iter().map(&mut edit).collect(),
+            edits: fix.edits.iter().map(|edit| self.edit(edit, application)).collect(),
         }
+    }
+
+    fn edit(&mut self, edit: &FileEdit, application: Option<File>) -> ReportedEdit {
+        let place = FileRange { file: edit.file, range: edit.range };
+        ReportedEdit { place: self.place(place, application), text: edit.text.clone() }
     }
 
     /// Path of a project file; for a file without a project, the path of the file.

@@ -6,12 +6,11 @@ use std::sync::Arc;
 
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Db, File, FileStatus};
-use val3_syntax::TextSlice;
+use val3_analysis::db::{Db, File, FileEdit, FileStatus};
 use val3_syntax::encoding::Encoding;
 
 use super::guard::NewText;
-use crate::diagnostic::{Fix, FixEdit};
+use crate::diagnostic::Fix;
 
 /// A file before and after fixes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,29 +30,29 @@ pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix
     let mut taken: FxHashMap<File, BTreeMap<u32, u32>> = FxHashMap::default();
     let mut chosen = Vec::new();
     for fix in fixes {
-        let is_free = |edit: &FixEdit| {
+        let is_free = |edit: &FileEdit| {
             let range = range(edit);
-            let before = taken.get(&edit.place.file).and_then(|others| others.range(..=range.end).next_back());
+            let before = taken.get(&edit.file).and_then(|others| others.range(..=range.end).next_back());
             before.is_none_or(|(_, end)| *end < range.start)
         };
         if !fix.edits.is_empty() && fix.edits.iter().all(is_free) {
             chosen.push(fix);
             for edit in &fix.edits {
                 let range = range(edit);
-                taken.entry(edit.place.file).or_default().insert(range.start, range.end);
+                taken.entry(edit.file).or_default().insert(range.start, range.end);
             }
         }
     }
     chosen
 }
 
-fn range(edit: &FixEdit) -> Range<u32> {
-    edit.place.range.start().into()..edit.place.range.end().into()
+fn range(edit: &FileEdit) -> Range<u32> {
+    edit.range.start().into()..edit.range.end().into()
 }
 
 /// Files that `fixes` edit, unchanged.
 pub(super) fn edited_files(db: &dyn Db, fixes: &[&Fix]) -> FxHashMap<File, FixedFile> {
-    let files = fixes.iter().flat_map(|fix| &fix.edits).map(|edit| edit.place.file);
+    let files = fixes.iter().flat_map(|fix| &fix.edits).map(|edit| edit.file);
     files.filter_map(|file| Some((file, unchanged(db, file)?))).collect()
 }
 
@@ -77,40 +76,30 @@ pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
 
 /// Texts of all files that `fixes` edit, in any encoding.
 pub(super) fn new_texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<NewText> {
-    let new = |(file, edits): (File, Vec<&FixEdit>)| {
+    let new = |(file, edits): (File, Vec<&FileEdit>)| {
         let before = Arc::clone(file.text(db));
         NewText { path: file.path(db).clone(), after: edited(&before, edits).into(), before }
     };
     edits_by_file(fixes).into_iter().map(new).collect()
 }
 
-fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f FixEdit>> {
-    let mut edits: FxHashMap<File, Vec<&FixEdit>> = FxHashMap::default();
+fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f FileEdit>> {
+    let mut edits: FxHashMap<File, Vec<&FileEdit>> = FxHashMap::default();
     for edit in fixes.iter().flat_map(|fix| &fix.edits) {
-        edits.entry(edit.place.file).or_default().push(edit);
+        edits.entry(edit.file).or_default().push(edit);
     }
     edits
 }
 
 /// Applies edits that do not overlap to `text`.
-fn edited(text: &str, mut edits: Vec<&FixEdit>) -> String {
-    edits.sort_by_key(|edit| edit.place.range.start());
-    let mut new = String::with_capacity(text.len());
-    let mut rest = 0;
-    for edit in edits {
-        let Range { start, end } = edit.place.range.into();
-        new.push_str(text.part(rest..start));
-        new.push_str(&edit.text);
-        rest = end;
-    }
-    new.push_str(text.part(rest..));
-    new
+fn edited(text: &str, mut edits: Vec<&FileEdit>) -> String {
+    edits.sort_by_key(|edit| edit.range.start());
+    FileEdit::apply_all(text, edits)
 }
 
 #[cfg(test)]
 mod tests {
     use camino::Utf8PathBuf;
-    use val3_analysis::db::FileRange;
     use val3_analysis::load::{Workspace, load};
     use val3_analysis::system::Memory;
     use val3_syntax::TextRange;
@@ -134,7 +123,7 @@ mod tests {
         let edit = |(old, new): &(&str, &str)| {
             let start = u32::try_from(text.find(old).unwrap()).unwrap();
             let range = TextRange::at(start.into(), u32::try_from(old.len()).unwrap().into());
-            FixEdit { place: FileRange { file, range }, text: (*new).to_owned() }
+            FileEdit { file, range, text: (*new).to_owned() }
         };
         Fix::safe("", changes.iter().map(edit).collect())
     }

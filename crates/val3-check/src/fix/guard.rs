@@ -77,14 +77,13 @@ pub(super) struct NewText {
 
 #[cfg(test)]
 mod tests {
-    use val3_analysis::db::{FileRange, Sources};
+    use val3_analysis::db::{FileEdit, Sources};
     use val3_analysis::load::load;
     use val3_analysis::system::Memory;
     use val3_syntax::TextRange;
     use val3_test::{Fixture, ROOT};
 
     use super::*;
-    use crate::diagnostic::FixEdit;
     use crate::testing::MemoryTarget;
 
     #[test]
@@ -97,7 +96,7 @@ mod tests {
         let fix = |old: &str, new: &str| {
             let at = u32::try_from(start.text(&db).find(old).unwrap()).unwrap();
             let range = TextRange::at(at.into(), u32::try_from(old.len()).unwrap().into());
-            Fix::safe("", vec![FixEdit { place: FileRange { file: start, range }, text: new.to_owned() }])
+            Fix::safe("", vec![FileEdit { file: start, range, text: new.to_owned() }])
         };
         let fixes = [fix("nA=1", "nA=10"), fix("nA=2", "nB=2"), fix("nA=3", "nA=30")];
         let mut guard = FixGuard::new(MemoryTarget::new(&files));

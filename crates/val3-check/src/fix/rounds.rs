@@ -230,14 +230,14 @@ impl<T: FixTarget> Round<'_, T> {
     }
 
     fn edits_one_of(&self, fix: &Fix, files: &FxHashSet<Utf8PathBuf>) -> bool {
-        let edited = fix.edits.iter().filter_map(|edit| self.files.get(&edit.place.file));
+        let edited = fix.edits.iter().filter_map(|edit| self.files.get(&edit.file));
         edited.into_iter().any(|file| files.contains(&file.path))
     }
 }
 
 /// Splits the fixes into the first and the second half per file; the second half is empty if no file has two fixes.
 fn halves_of_files(fixes: Vec<&Fix>) -> (Vec<&Fix>, Vec<&Fix>) {
-    let file = |fix: &Fix| fix.edits.first().map(|edit| edit.place.file);
+    let file = |fix: &Fix| fix.edits.first().map(|edit| edit.file);
     let mut counts: FxHashMap<Option<File>, usize> = FxHashMap::default();
     for fix in &fixes {
         *counts.entry(file(fix)).or_default() += 1;

@@ -4,13 +4,13 @@ use std::borrow::Cow;
 use std::ops::Range;
 use val3_lang::foreign_names::remedy;
 
-use val3_analysis::db::{Db, File, FileRange};
+use val3_analysis::db::{Db, File, FileEdit};
 use val3_analysis::items::parse;
 use val3_syntax::view::View;
 use val3_syntax::xml::line_end;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, TextSlice, decode_entities};
 
-use crate::diagnostic::{Fix, FixEdit};
+use crate::diagnostic::Fix;
 
 /// A fault in a file.
 #[derive(Clone, Copy)]
@@ -71,18 +71,18 @@ impl<'a> Site<'a> {
     }
 
     /// Replaces `range` with `text`, which is escaped if the file requires it.
-    pub(crate) fn replace(&self, range: TextRange, text: &str) -> FixEdit {
+    pub(crate) fn replace(&self, range: TextRange, text: &str) -> FileEdit {
         self.write(range, &self.escaped(range.start(), text))
     }
 
     /// Replaces `range` with raw text of the file, without escaping.
-    pub(crate) fn write(&self, range: TextRange, text: &str) -> FixEdit {
-        FixEdit { place: FileRange { file: self.file, range }, text: text.to_owned() }
+    pub(crate) fn write(&self, range: TextRange, text: &str) -> FileEdit {
+        FileEdit { file: self.file, range, text: text.to_owned() }
     }
 
     /// Inserts a line before the line of the marked text, or after the marked position if that is the end of the code.
     /// `None` if the line does not start in the code.
-    pub(crate) fn insert_line(&self, line: &str) -> Option<FixEdit> {
+    pub(crate) fn insert_line(&self, line: &str) -> Option<FileEdit> {
         let start = self.line_start(self.range.start());
         let line_end = self.line_end_before(start);
         let (at, text) = if self.range.is_empty() {
@@ -95,14 +95,14 @@ impl<'a> Site<'a> {
     }
 
     /// Inserts a line of code before the line on which the marked text starts, with the same indentation.
-    pub(crate) fn line_before(&self, code: &str) -> FixEdit {
+    pub(crate) fn line_before(&self, code: &str) -> FileEdit {
         let start = self.line_start(self.range.start());
         let (code, line_end) = (self.escaped(self.range.start(), code), self.line_end_before(start));
         self.write(TextRange::empty(start), &format!("{}{code}{line_end}", self.indentation(self.range)))
     }
 
     /// Inserts a line of code after the marked statement, with the indentation of the statement's first line.
-    pub(crate) fn line_after(&self, code: &str) -> FixEdit {
+    pub(crate) fn line_after(&self, code: &str) -> FileEdit {
         let line_end = self.line_end_before(self.line_start(self.range.start()));
         let code = self.escaped(self.range.end(), code);
         self.write(TextRange::empty(self.range.end()), &format!("{line_end}{}{code}", self.indentation(self.range)))
@@ -110,7 +110,7 @@ impl<'a> Site<'a> {
 
     /// Inserts an element after the marked element. If the marked element has its own line, the new element gets a line
     /// with the same indentation.
-    pub(crate) fn element_after(&self, element: &str) -> FixEdit {
+    pub(crate) fn element_after(&self, element: &str) -> FileEdit {
         let behind = TextRange::empty(self.range.end());
         if !self.before().trim().is_empty() {
             return self.write(behind, element);
@@ -120,7 +120,7 @@ impl<'a> Site<'a> {
     }
 
     /// Removes the line of the marked text with its line end.
-    pub(crate) fn remove_line(&self) -> FixEdit {
+    pub(crate) fn remove_line(&self) -> FileEdit {
         let end = self.range.end() + TextSize::of(self.after());
         let rest = self.slice(end, TextSize::of(self.whole()));
         let line_end = ["\r\n", "\n", "\r"].into_iter().find(|line_end| rest.starts_with(line_end)).unwrap_or("");

@@ -1,10 +1,10 @@
 //! Edits for lint fixes, in addition to [`Site`].
 
 use val3_analysis::body::ExprId;
+use val3_analysis::db::FileEdit;
 use val3_syntax::{TextRange, TextSize};
 
 use super::ProgramView;
-use crate::diagnostic::FixEdit;
 use crate::fix::Site;
 
 impl<'db> ProgramView<'db> {
@@ -14,7 +14,7 @@ impl<'db> ProgramView<'db> {
     }
 
     /// Replaces `range` with raw text of the file, without escaping.
-    pub(crate) fn write(&self, range: TextRange, text: &str) -> FixEdit {
+    pub(crate) fn write(&self, range: TextRange, text: &str) -> FileEdit {
         self.site(range).write(range, text)
     }
 
@@ -30,6 +30,7 @@ impl<'db> ProgramView<'db> {
 #[cfg(test)]
 mod tests {
     use camino::Utf8PathBuf;
+    use val3_analysis::db::FileEdit;
     use val3_analysis::load::load;
     use val3_analysis::system::Memory;
     use val3_test::{Fixture, ROOT};
@@ -52,8 +53,7 @@ mod tests {
         let fix =
             found.filter(|diagnostic| diagnostic.rule.code == rule).find_map(|diagnostic| diagnostic.fix).unwrap();
         let edit = &fix.edits[0];
-        let mut text = edit.place.file.text(db).to_string();
-        text.replace_range(std::ops::Range::<usize>::from(edit.place.range), &edit.text);
+        let text = FileEdit::apply_all(edit.file.text(db), [edit]);
         let start = text.find("begin").unwrap();
         text[start..].split("end]]>").next().unwrap().split("\nend").next().unwrap().to_owned()
     }

@@ -1,9 +1,9 @@
 //! Collects the findings of lints.
 
-use val3_analysis::db::{File, FileRange};
+use val3_analysis::db::{File, FileEdit, FileRange};
 use val3_syntax::TextRange;
 
-use crate::diagnostic::{Diagnostic, Fix, FixEdit, RelatedNote, Wording};
+use crate::diagnostic::{Diagnostic, Fix, RelatedNote, Wording};
 use crate::rule::{Rule, Severity};
 
 /// Findings in one file.
@@ -77,9 +77,9 @@ impl ReportedFinding<'_> {
         mut self,
         title: impl Into<String>,
         safe: bool,
-        edits: impl IntoIterator<Item = FixEdit>,
+        edits: impl IntoIterator<Item = FileEdit>,
     ) -> Self {
-        let edits: Vec<FixEdit> = edits.into_iter().collect();
+        let edits: Vec<FileEdit> = edits.into_iter().collect();
         if let Some(diagnostic) = self.diagnostic.as_mut().filter(|_| !edits.is_empty()) {
             diagnostic.fix = Some(Fix { title: title.into(), safe, edits });
         }

@@ -25,9 +25,9 @@ pub(crate) fn fixed(rule: &Rule, listing: &str) -> String {
         let fixes = found.filter(|found| found.rule == rule).filter_map(|found| found.fix);
         edits.extend(fixes.flat_map(|fix| fix.edits));
     }
-    edits.sort_by_key(|edit| std::cmp::Reverse(edit.place.range.start()));
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.range.start()));
     for edit in edits {
-        text.replace_range(std::ops::Range::<usize>::from(edit.place.range), &edit.text);
+        text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
     }
     let code = text.split_once("begin").unwrap().1;
     code.split_once("]]>").unwrap_or((code, "")).0.trim_start().to_owned()

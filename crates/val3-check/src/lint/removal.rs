@@ -1,17 +1,15 @@
 //! Removes a declaration from a file.
 
-use val3_analysis::db::{Db, File, FileRange};
+use val3_analysis::db::{Db, File, FileEdit};
 use val3_analysis::items::declarations::element_around;
 use val3_analysis::items::parse;
 use val3_analysis::items::unlisted::is_program;
 use val3_syntax::xml::{self, XmlElement};
 use val3_syntax::{TextRange, TextSize, TextSlice};
 
-use crate::diagnostic::FixEdit;
-
 /// Removes an element of a file, with the preceding line end if it has its own line. If it was the last element of a
 /// list, the list becomes an empty tag; in programs, which omit empty lists, it is removed.
-pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> FixEdit {
+pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> FileEdit {
     let text = file.text(db);
     let parse = parse(db, file);
     // Only the last element of a list requires a search: a file may have thousands of unused data.
@@ -22,11 +20,11 @@ pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> FixEdit
         Some(list) if is_program(file.path(db).as_str()) => (with_blanks(text, list.view().range()), ""),
         Some(list) => (after_attributes(list, text), " />"),
     };
-    FixEdit { place: FileRange { file, range }, text: text.to_owned() }
+    FileEdit { file, range, text: text.to_owned() }
 }
 
 /// Removes the element that contains a name.
-pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<FixEdit> {
+pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<FileEdit> {
     Some(of_element(db, file, element_around(db, file, name)?))
 }
 

@@ -1,11 +1,12 @@
 //! V0309: an empty loop used for waiting.
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::db::FileEdit;
 use val3_lang::instructions::WAIT;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_syntax::TextRange;
 
-use crate::diagnostic::{FixEdit, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
@@ -49,7 +50,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 }
 
 /// Edits that replace the loop by a `wait`. Empty if they would remove a comment.
-fn edits(program: &ProgramView<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<FixEdit> {
+fn edits(program: &ProgramView<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<FileEdit> {
     let condition = program.body.without_parentheses(condition);
     let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
     let (kept, open, close) = match negation {
@@ -74,7 +75,7 @@ enum Negation {
     /// Use this expression, which is the opposite.
     Of(ExprId),
     /// Replace the operator by its opposite.
-    Flipped(FixEdit),
+    Flipped(FileEdit),
     /// Write `!` and put the condition in brackets.
     Around,
 }

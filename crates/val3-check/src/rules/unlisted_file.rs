@@ -1,10 +1,11 @@
 //! V0531: a program or data file in the application's folder that the project does not list.
 
 use smol_str::SmolStr;
+use val3_analysis::db::FileEdit;
 use val3_analysis::items::declarations::{FileList, file_list};
 use val3_analysis::items::unlisted::{Unlisted, unlisted, unlisted_in_shared_folder};
 
-use crate::diagnostic::{FixEdit, Wording};
+use crate::diagnostic::Wording;
 use crate::fix::Site;
 use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
@@ -82,7 +83,7 @@ fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, unlis
 }
 
 /// Inserts an entry after the last entry, in the same form and on a separate line.
-fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<FixEdit> {
+fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<FileEdit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
     let last = Site::new(view.db, view.project.manifest(view.db), list.last.filter(|_| is_plain)?, None);
     Some(last.element_after(&format!("<{} file=\"{name}\" />", list.item)))

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use rowan::NodeOrToken;
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileEdit};
 use val3_analysis::items::suppressions::{Suppression, SuppressionExtent, suppressions};
 use val3_analysis::items::unlisted::is_program;
 use val3_analysis::items::{parse, program};
@@ -12,7 +12,7 @@ use val3_syntax::view::View;
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::can_be_silenced;
-use crate::diagnostic::{Diagnostic, Fix, FixEdit};
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::fix::Site;
 
 /// Changes that silence findings: one for each code line with findings, and one for a program with findings outside of
@@ -80,7 +80,7 @@ fn begin(code: View<'_>) -> Option<TextRange> {
 
 impl SilencedCode {
     /// Edit that silences these rules: they are added to a comment that applies here, or to a new comment.
-    fn comment(&self, db: &dyn Db, codes: &str) -> Option<FixEdit> {
+    fn comment(&self, db: &dyn Db, codes: &str) -> Option<FileEdit> {
         let site = Site::new(db, self.file, self.range, None);
         if let Some(last) =
             suppressions(db, self.file).iter().find(|it| self.is_under(it)).and_then(|it| it.rules.last())

@@ -1,6 +1,6 @@
 //! Faults of the comments themselves.
 
-use val3_analysis::db::{Db, File, FileRange, Project};
+use val3_analysis::db::{Db, File, FileEdit, FileRange, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::program;
 use val3_analysis::items::suppressions::{SuppressedRule, Suppression, SuppressionExtent, suppressions};
@@ -8,7 +8,7 @@ use val3_lang::suggest::nearest;
 use val3_syntax::{TextRange, TextSize};
 
 use super::{UsedComments, can_be_silenced};
-use crate::diagnostic::{Diagnostic, Fix, FixEdit, Wording};
+use crate::diagnostic::{Diagnostic, Fix, Wording};
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 use crate::settings::Settings;
@@ -100,7 +100,7 @@ fn entry(suppression: &Suppression, place: usize) -> TextRange {
 }
 
 fn removal(file: File, range: TextRange) -> Fix {
-    let edit = FixEdit { place: FileRange { file, range }, text: String::new() };
+    let edit = FileEdit { file, range, text: String::new() };
     Fix { title: "remove what silences nothing".to_owned(), safe: true, edits: vec![edit] }
 }
 

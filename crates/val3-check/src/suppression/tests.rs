@@ -1,5 +1,6 @@
 use camino::Utf8PathBuf;
 use expect_test::{Expect, expect};
+use val3_analysis::db::FileEdit;
 use val3_analysis::load::load;
 use val3_analysis::system::Memory;
 use val3_test::Fixture;
@@ -123,8 +124,7 @@ fn fixed(listing: &str, expected: Expect) {
     let findings = finish(db, &units, &settings, checked).findings;
     let edits = findings.iter().filter_map(|finding| finding.fix.as_ref()).flat_map(|fix| &fix.edits);
     let fixed = edits.map(|edit| {
-        let mut text = edit.place.file.text(db).to_string();
-        text.replace_range(std::ops::Range::<usize>::from(edit.place.range), &edit.text);
+        let text = FileEdit::apply_all(edit.file.text(db), [edit]);
         let lines = text.lines().filter(|line| line.contains("//") && !line.contains('<'));
         lines.map(|line| format!("{}\n", line.trim())).chain(["-\n".to_owned()]).collect::<String>()
     });

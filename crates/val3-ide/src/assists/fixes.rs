@@ -2,7 +2,7 @@
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::system::System;
-use val3_check::diagnostic::{Diagnostic, Fix, FixEdit};
+use val3_check::diagnostic::{Diagnostic, Fix};
 use val3_check::fix::{AddedError, FixGuard};
 
 use crate::edit::{FileEdit, SourceChange};
@@ -60,7 +60,7 @@ pub fn quick_fixes<'d>(context: FixContext<'_>, diagnostics: &'d [Diagnostic], a
 
 /// Safe fixes of a file that can be applied together without adding an error and do not overlap.
 pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) -> SourceChange {
-    let of_file = |fix: &&Fix| fix.safe && fix.edits.iter().all(|edit| edit.place.file == file);
+    let of_file = |fix: &&Fix| fix.safe && fix.edits.iter().all(|edit| edit.file == file);
     let fixes: Vec<&Fix> =
         diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref()).filter(of_file).collect();
     let guard = guard(context, fixes.iter().copied());
@@ -70,9 +70,7 @@ pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) 
 
 /// First error that a change would add anywhere, as a reason for the user.
 pub(crate) fn added_error(context: FixContext<'_>, change: &SourceChange) -> Option<String> {
-    let place = |edit: &FileEdit| FileRange { file: edit.file, range: edit.range };
-    let edits = change.edits.iter().map(|edit| FixEdit { place: place(edit), text: edit.text.clone() }).collect();
-    let fix = Fix { title: String::new(), safe: true, edits };
+    let fix = Fix { title: String::new(), safe: true, edits: change.edits.clone() };
     let added = guard(context, std::iter::once(&fix))?.added_error(context.db, &[&fix]);
     added.map(|error| reason(&error))
 }
@@ -90,7 +88,7 @@ fn reason(error: &AddedError) -> String {
 }
 
 fn edits(fix: &Fix) -> impl Iterator<Item = FileEdit> {
-    fix.edits.iter().map(|edit| FileEdit { file: edit.place.file, range: edit.place.range, text: edit.text.clone() })
+    fix.edits.iter().cloned()
 }
 
 fn capitalised(title: &str) -> String {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 use val3_analysis::db::File;
 use val3_check::fix::TrialWorkspace as _;
-use val3_data::apply;
 use val3_syntax::TextEdit;
 
 use crate::assists::FixContext;
@@ -22,8 +21,8 @@ pub fn added_data_findings(
     before: &[DataFinding],
 ) -> Vec<DataFinding> {
     let db = context.db;
-    let edits = change.edits.iter().map(|edit| TextEdit { range: edit.range, insert: edit.text.clone() });
-    let text: Arc<str> = apply(file.text(db), &edits.collect::<Vec<_>>()).into();
+    let edits = change.edits.iter().map(|edit| TextEdit { range: edit.range, text: edit.text.clone() });
+    let text: Arc<str> = TextEdit::apply_all(file.text(db), &edits.collect::<Vec<_>>()).into();
     let projects = projects_of(db, file).iter().copied();
     let mut trial = TrialProjects::of(db, context.system, projects, context.check_cancelled);
     trial.set_texts([(file.path(db).as_path(), &text)].into_iter());

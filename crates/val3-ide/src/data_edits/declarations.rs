@@ -34,8 +34,8 @@ pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<TextEdit>, 
         return Ok(vec![val3_data::after(file.text, file.root, neighbour, &lines)]);
     }
     let edit = data_list(file.text, file.root, &variable.type_name, &lines);
-    let (range, insert) = edit.ok_or_else(|| refusal("the file has no place for new data"))?;
-    Ok(vec![TextEdit { range, insert }])
+    let (range, text) = edit.ok_or_else(|| refusal("the file has no place for new data"))?;
+    Ok(vec![TextEdit { range, text }])
 }
 
 fn check_type(file: &DataFile<'_>, new: &NewDatum) -> Result<(), DataProblem> {
@@ -76,7 +76,7 @@ pub(super) fn access(file: &DataFile<'_>, names: &[String], public: bool) -> Res
     let changed = elements?.into_iter().filter(|element| access::is_public(*element) != public);
     let mut edits: Vec<TextEdit> = changed
         .filter_map(|element| access::set(file.text, element, public))
-        .map(|(range, insert)| TextEdit { range, insert })
+        .map(|(range, text)| TextEdit { range, text })
         .collect();
     edits.sort_by_key(|edit| edit.range.start());
     edits.dedup();

@@ -3,7 +3,7 @@
 use serde_json::json;
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::{File, FileRange};
-use val3_ide::SourceChange;
+use val3_ide::{FileEdit, SourceChange};
 use val3_lines::LineIndex;
 
 use super::edits;
@@ -56,10 +56,8 @@ pub(crate) fn completion(snapshot: &Snapshot, change: &SourceChange) -> Option<C
     let placeholder = change.placeholder.filter(|_| commands.selects);
     let placeholder = placeholder.map(|place| ("Select", ClientCommands::SELECT, place));
     let (title, command, FileRange { file, range }) = name.or(placeholder)?;
-    let mut text = file.text(snapshot.db()).to_string();
-    for edit in change.edits.iter().rev().filter(|edit| edit.file == file) {
-        text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
-    }
+    let edits = change.edits.iter().filter(|edit| edit.file == file);
+    let text = FileEdit::apply_all(file.text(snapshot.db()), edits);
     let index = LineIndex::for_protocol(&text);
     let range = snapshot.lines_of(file, &text, &index).range(range);
     let arguments = vec![json!(snapshot.uri(file)), json!(range)];

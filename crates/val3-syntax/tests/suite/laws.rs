@@ -176,7 +176,7 @@ fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(
     for (at, len, insert) in edits {
         let size = |offset: usize| TextSize::try_from(offset).unwrap();
         let start = at.index(text.len() + 1);
-        let edit = TextEdit { range: TextRange::new(size(start), size(start + len)), insert };
+        let edit = TextEdit { range: TextRange::new(size(start), size(start + len)), text: insert };
         let new_text = edit.apply(&text);
         // The next tree shares nodes with a tree that has its rowan tree.
         before.green();
@@ -241,7 +241,7 @@ fn an_edit_of_a_body_keeps_the_rest_of_the_tree() {
     };
     let known = tag(&before);
     let at = TextSize::try_from(text.find("x=").unwrap()).unwrap();
-    let edit = TextEdit { range: TextRange::empty(at), insert: "y=".to_owned() };
+    let edit = TextEdit { range: TextRange::empty(at), text: "y=".to_owned() };
     let after = before.reparse(&edit);
     assert_eq!(after, parse(&edit.apply(&text)));
     assert_eq!(tag(&after.reparse(&edit)), known);
@@ -258,6 +258,6 @@ fn no_edit_keeps_the_tree() {
 
 #[test]
 fn edits_outside_of_the_text_are_cut_to_it() {
-    let edit = TextEdit { range: TextRange::new(2.into(), 900.into()), insert: "!".to_owned() };
+    let edit = TextEdit { range: TextRange::new(2.into(), 900.into()), text: "!".to_owned() };
     assert_eq!(edit.apply("aé"), "a!");
 }

@@ -1,8 +1,8 @@
 //! Formats code without XML, from `begin` to `end`, as copied from an editor or a chat.
 
 use val3_fmt::CodeStyle;
-use val3_syntax::decode_entities;
 use val3_syntax::xml::escaped;
+use val3_syntax::{TextEdit, decode_entities};
 
 /// XML that encloses code of the old dialect, in which code may contain any character.
 const HEAD: &str = "<programList xmlns=\"ProgramNameSpace\"><program name=\"program\"><source><code>";
@@ -24,7 +24,7 @@ pub(super) fn format(text: &str, style: &CodeStyle) -> Option<(String, bool)> {
     }
     let wrapped = [HEAD, &escaped(code), TAIL].concat();
     let parse = val3_syntax::parse(&wrapped);
-    let formatted = val3_fmt::apply(&wrapped, &val3_fmt::format(&wrapped, &parse, style));
+    let formatted = TextEdit::apply_all(&wrapped, &val3_fmt::format(&wrapped, &parse, style));
     let code = formatted.strip_prefix(HEAD)?.strip_suffix(TAIL)?;
     Some((decode_entities(code).into_owned(), !parse.errors().is_empty()))
 }

@@ -2,10 +2,10 @@
 
 use camino::Utf8PathBuf;
 use val3_files::{FileClass, replace_unchanged};
-use val3_fmt::{CodeStyle, apply, format};
-use val3_syntax::document;
+use val3_fmt::{CodeStyle, format};
 use val3_syntax::encoding::{Encoding, decode};
 use val3_syntax::foreign::ForeignContent;
+use val3_syntax::{TextEdit, document};
 
 use super::bare;
 use crate::fixing::{encoded, unencodable};
@@ -42,7 +42,7 @@ impl Formatted {
             let error = UserError::new(format!("cannot format `{shown}`: {fault}"));
             return Err(error.with_help("`val3 check` shows the place"));
         }
-        let after = apply(&decoded.text, &format(&decoded.text, &parse, style));
+        let after = TextEdit::apply_all(&decoded.text, &format(&decoded.text, &parse, style));
         let left_alone = !parse.errors().is_empty();
         Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })
     }

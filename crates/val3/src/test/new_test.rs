@@ -81,10 +81,7 @@ fn write(db: &Database, change: &SourceChange, shown: &Paths) -> Result<(), User
 /// Returns a file and its bytes after edits.
 fn edited(db: &Database, edits: &[FileEdit], shown: &Paths) -> Result<(File, Vec<u8>), UserError> {
     let file = edits.first().map(|edit| edit.file).ok_or_else(|| UserError::new("a file without an edit"))?;
-    let mut text = file.text(db).to_string();
-    for edit in edits.iter().rev() {
-        text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
-    }
+    let text = FileEdit::apply_all(file.text(db), edits);
     let bytes = encoded(encoding(db, file), &text).ok_or_else(|| unencodable(&shown.shown(file.path(db))))?;
     Ok((file, bytes))
 }
