@@ -3,7 +3,6 @@
 //! A lint is a function of a [`ProgramView`] or a [`ProjectView`]. It only runs on files without faults, so that one
 //! mistake causes one message.
 
-mod arm;
 mod call;
 mod choices;
 mod corners;
@@ -12,6 +11,7 @@ mod edit;
 mod findings;
 #[cfg(test)]
 pub(crate) mod fix_testing;
+mod flow_queries;
 mod locals;
 mod locations;
 mod motion;
@@ -19,10 +19,10 @@ mod motion;
 pub(crate) mod motion_testing;
 pub(crate) mod naming;
 mod paths;
-mod points;
 mod program;
 mod project;
 pub(crate) mod ranges;
+mod reachability;
 pub(crate) mod removal;
 mod run;
 mod same;
@@ -33,7 +33,6 @@ pub(crate) mod testing;
 pub(crate) mod unused_data;
 mod variable_use;
 
-pub(crate) use arm::{ArmReach, FlangeTool, of_project as arm_of_project, range as range_of};
 pub(crate) use call::Call;
 pub(crate) use choices::Choices;
 pub(crate) use descriptors::descriptor_numbers;
@@ -43,4 +42,5 @@ pub(crate) use motion::{ArmActivity, MotionFacts};
 pub(crate) use paths::{ImpossibleMove, UnreachablePath, impossible_moves};
 pub(crate) use program::ProgramView;
 pub(crate) use project::{DataFile, ProjectView, is_library};
+pub(crate) use reachability::{ArmReach, FlangeTool, of_project as arm_of_project, range as range_of};
 pub(crate) use run::{data, member, program, project, versions};

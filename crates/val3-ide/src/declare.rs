@@ -1,11 +1,11 @@
 //! Insertion of declarations into files: locals, parameters, global data, programs.
 
+mod manifest_entries;
 mod new_program;
 pub(crate) mod old_data;
-mod project_entries;
 
+pub(crate) use manifest_entries::{data_entries, library, program_entries, user_type, user_types};
 pub(crate) use new_program::{NewProgram, free_program_name, programs};
-pub(crate) use project_entries::{data_entries, library, program_entries, user_type, user_types};
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::data_files;

@@ -7,13 +7,13 @@ mod blocks;
 mod bracket;
 mod call;
 mod expected;
-mod types;
+mod token_types;
 
 pub(crate) use blocks::{Block, CodePart, code_part, open_blocks};
 pub(crate) use bracket::Bracket;
 pub(crate) use call::{CallSite, Callee, takes_program};
 pub(crate) use expected::{Expected, ends_value, expected};
-pub(crate) use types::VisibleNames;
+pub(crate) use token_types::VisibleNames;
 
 use rowan::TokenAtOffset;
 use val3_syntax::SyntaxKind::{self, *};

@@ -3,7 +3,6 @@
 //! [`DeviceState`] is plain data that a snapshot copies. [`ChannelTable`] and the media access the outside, and each result passes
 //! through the recorder of [`Inputs`].
 
-mod access_time;
 mod blends;
 mod cell;
 mod cycle;
@@ -12,6 +11,7 @@ mod limits;
 mod lines;
 mod loaded;
 mod media;
+mod media_cost;
 mod motion;
 mod outside;
 mod part_events;
@@ -210,7 +210,7 @@ impl Devices {
         self.state.record.resume(aside.record);
         self.state.lacks = aside.lacks;
         self.signal_reads = aside.signal_reads;
-        self.state.access_time.take();
+        self.state.media_cost.take();
     }
 
     /// Time of the current instruction.

@@ -11,7 +11,7 @@ import { SCHEME } from "./codeView/uris";
 import { RENAME, SELECT } from "./commands/rename";
 import { SHOW_REFERENCES } from "./commands/showReferences";
 import { DEBUG, RUN } from "./debug/lenses";
-import { Deaths, TOO_MANY } from "./deaths";
+import { CrashLimit, TOO_MANY } from "./crashLimit";
 import { encodingMiddleware, withOpenFiles } from "./encoding/middleware";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
@@ -41,10 +41,10 @@ export class Client implements vscode.Disposable {
   readonly onDidTellChange = this.contents.event;
   private running: LanguageClient | undefined;
   /** Current server process. */
-  private life: Life | undefined;
+  private serverProcess: ServerProcess | undefined;
   /** Serialises starts and stops. */
   private turns: Promise<void> = Promise.resolve();
-  private readonly deaths = new Deaths();
+  private readonly crashLimit = new CrashLimit();
   /** Command of the server, once it was found. */
   command: string | undefined;
 
@@ -57,7 +57,7 @@ export class Client implements vscode.Disposable {
 
   /** Starts or restarts the server. Errors are shown to the user, not thrown. */
   async restart(): Promise<void> {
-    this.deaths.forget();
+    this.crashLimit.reset();
     await this.startAnew();
   }
 
@@ -131,38 +131,38 @@ export class Client implements vscode.Disposable {
     }
     this.command = found.command;
     const server = { command: found.command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] };
-    const life = new Life();
-    this.life = life;
-    const running = new QuietClient("val3", "VAL 3", server, this.options(life));
+    const serverProcess = new ServerProcess();
+    this.serverProcess = serverProcess;
+    const running = new QuietClient("val3", "VAL 3", server, this.options(serverProcess));
     this.running = running;
     running.onDidChangeState(({ newState }) => {
       this.states.fire(newState);
-      life.hasRun ||= newState === State.Running;
+      serverProcess.hasRun ||= newState === State.Running;
     });
     // Deferred until the client has handled the end of the connection.
-    life.death.catch(() => setTimeout(() => life.hasRun && this.mourn(life)));
+    serverProcess.crash.catch(() => setTimeout(() => serverProcess.hasRun && this.reportCrash(serverProcess)));
     try {
       // The client would wait forever if the server crashes during its start.
-      await Promise.race([running.start(), life.death]);
+      await Promise.race([running.start(), serverProcess.crash]);
     } catch (fault) {
-      if (life.hasRun && (life.hasDied || isGone(fault))) {
+      if (serverProcess.hasRun && (serverProcess.hasCrashed || isGone(fault))) {
         // The crash was so early that the client regards the server as not started.
-        this.mourn(life);
+        this.reportCrash(serverProcess);
         return;
       }
-      const reason = life.hasDied || isGone(fault) ? "it ended before it answered" : fault instanceof Error ? fault.message : String(fault);
+      const reason = serverProcess.hasCrashed || isGone(fault) ? "it ended before it answered" : fault instanceof Error ? fault.message : String(fault);
       this.output.error(`${found.command}: ${reason}`);
       offer(`The VAL 3 server ${found.command} does not start: ${reason}.`, RESTART, SHOW_OUTPUT, OPEN_SETTINGS);
     }
   }
 
   /** Handles a crash of the running server, which is reported in several ways. */
-  private mourn(life: Life): void {
-    if (life.isMourned) {
+  private reportCrash(serverProcess: ServerProcess): void {
+    if (serverProcess.isReported) {
       return;
     }
-    life.isMourned = true;
-    if (this.deaths.add(Date.now()) === "again") {
+    serverProcess.isReported = true;
+    if (this.crashLimit.add(Date.now()) === "again") {
       this.output.warn("The server ended by itself and is started again.");
       offerCalmly("The VAL 3 server ended unexpectedly. It is started again.", SHOW_OUTPUT);
       void this.startAnew();
@@ -177,7 +177,7 @@ export class Client implements vscode.Disposable {
   private async halt(): Promise<void> {
     const running = this.running;
     this.running = undefined;
-    this.life = undefined;
+    this.serverProcess = undefined;
     try {
       await running?.dispose();
     } catch (fault) {
@@ -186,7 +186,7 @@ export class Client implements vscode.Disposable {
     }
   }
 
-  private options(life: Life): LanguageClientOptions {
+  private options(serverProcess: ServerProcess): LanguageClientOptions {
     const files = LANGUAGES.flatMap((language) => ["file", "untitled"].map((scheme) => ({ scheme, language })));
     return {
       documentSelector: [...files, PAGES, { scheme: SCHEME, language: "val3-code" }],
@@ -199,12 +199,12 @@ export class Client implements vscode.Disposable {
       diagnosticCollectionProvider: this.findings,
       // `begin` reports the failure once.
       initializationFailedHandler: () => false,
-      errorHandler: noteDeath(life),
-      middleware: { ...codeViewMiddleware(this.views), ...encodingMiddleware, ...this.changeMiddleware(life) },
+      errorHandler: crashHandler(serverProcess),
+      middleware: { ...codeViewMiddleware(this.views), ...encodingMiddleware, ...this.changeMiddleware(serverProcess) },
     };
   }
 
-  private changeMiddleware(life: Life): Middleware {
+  private changeMiddleware(serverProcess: ServerProcess): Middleware {
     return {
       didChange: async (event, next) => {
         await next(event);
@@ -214,7 +214,7 @@ export class Client implements vscode.Disposable {
         didChangeConfiguration: async (sections, next) => {
           // Some settings start another server, which reads all settings, so the old server needs no notification.
           await this.turns;
-          if (this.life === life && this.state === State.Running) {
+          if (this.serverProcess === serverProcess && this.state === State.Running) {
             await next(sections);
           }
         },
@@ -229,35 +229,35 @@ export class Client implements vscode.Disposable {
 }
 
 /** State of a server process. */
-class Life {
+class ServerProcess {
   /** Whether the server has responded. */
   hasRun = false;
   /** Whether the server closed the connection without a request to do so. */
-  hasDied = false;
+  hasCrashed = false;
   /** Whether the crash was reported to the user. */
-  isMourned = false;
+  isReported = false;
   /** Rejects when the server crashes. */
-  readonly death: Promise<never>;
+  readonly crash: Promise<never>;
   private fail: (reason: Error) => void = () => undefined;
 
   constructor() {
-    this.death = new Promise((_, fail) => (this.fail = fail));
+    this.crash = new Promise((_, fail) => (this.fail = fail));
     // The rejection is handled only by callers that await it.
-    this.death.catch(() => undefined);
+    this.crash.catch(() => undefined);
   }
 
   end(): void {
-    this.hasDied = true;
+    this.hasCrashed = true;
     this.fail(new Error("The server closed the connection."));
   }
 }
 
 /** Disables the client's restarts and messages, because `Client` handles a crash. */
-function noteDeath(life: Life): ErrorHandler {
+function crashHandler(serverProcess: ServerProcess): ErrorHandler {
   return {
     error: () => ({ action: ErrorAction.Continue, handled: true }),
     closed: (): CloseHandlerResult => {
-      life.end();
+      serverProcess.end();
       return { action: CloseAction.DoNotRestart, message: "The connection to the server was closed.", handled: true };
     },
   };

@@ -3,7 +3,7 @@ import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
-import { Deaths, PERIOD, TOO_MANY } from "../src/deaths";
+import { CrashLimit, PERIOD, TOO_MANY } from "../src/crashLimit";
 import { findServer } from "../src/server";
 
 const folder = mkdtempSync(join(tmpdir(), "val3-server-"));
@@ -54,13 +54,13 @@ test("a server of a relative folder of the PATH is that of whoever wrote the fol
   }
 });
 
-test("a server that dies often is left alone, unless it took its time", () => {
-  const deaths = new Deaths();
-  for (let death = 1; death < TOO_MANY; death += 1) {
-    assert.equal(deaths.add(death), "again");
+test("a server that crashes four times within three minutes is not restarted", () => {
+  const crashLimit = new CrashLimit();
+  for (let crash = 1; crash < TOO_MANY; crash += 1) {
+    assert.equal(crashLimit.add(crash), "again");
   }
-  assert.equal(deaths.add(TOO_MANY), "enough");
-  assert.equal(deaths.add(PERIOD + TOO_MANY), "again");
-  deaths.forget();
-  assert.equal(deaths.add(PERIOD + TOO_MANY), "again");
+  assert.equal(crashLimit.add(TOO_MANY), "enough");
+  assert.equal(crashLimit.add(PERIOD + TOO_MANY), "again");
+  crashLimit.reset();
+  assert.equal(crashLimit.add(PERIOD + TOO_MANY), "again");
 });

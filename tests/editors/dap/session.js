@@ -8,7 +8,7 @@ const { DebugClient } = require("@vscode/debugadapter-testsupport");
 const specification = require(join(process.env.VAL3_ROOT, "crates/val3-dap/schema/debugAdapterProtocol.json"));
 
 /** Longest wait for a response or an event, in ms. */
-const PATIENCE = 60_000;
+const TIMEOUT = 60_000;
 
 const ajv = new Ajv({ strict: false, validateFormats: false, allErrors: true });
 ajv.addSchema({ definitions: specification.definitions }, "dap");
@@ -31,7 +31,7 @@ function validate(message) {
 async function inTime(promise, what) {
   let timer;
   const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`no ${what} within ${PATIENCE} ms`)), PATIENCE).unref();
+    timer = setTimeout(() => reject(new Error(`no ${what} within ${TIMEOUT} ms`)), TIMEOUT).unref();
   });
   return Promise.race([promise, late]).finally(() => clearTimeout(timer));
 }

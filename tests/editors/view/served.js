@@ -8,7 +8,7 @@ const { after, before } = require("node:test");
 const { chromium } = require("playwright-core");
 
 const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 60_000;
+const TIMEOUT = 60_000;
 
 let browser;
 before(async () => {
@@ -44,7 +44,7 @@ class Served {
   async open(role = 0) {
     this.pages ??= await this.addresses();
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-    page.setDefaultTimeout(PATIENCE);
+    page.setDefaultTimeout(TIMEOUT);
     page.on("pageerror", (fault) => this.faults.push(String(fault)));
     page.on("console", (message) => message.type() === "error" && this.faults.push(message.text()));
     await page.goto(this.pages[role]);
@@ -84,7 +84,7 @@ const until = (page, time) => page.waitForFunction((time) => window.val3View.sto
 /** Opens a page that needs no server. */
 async function openFile(path) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-  page.setDefaultTimeout(PATIENCE);
+  page.setDefaultTimeout(TIMEOUT);
   await page.goto(`file://${path}`);
   return page;
 }

@@ -4,7 +4,7 @@ const { chromium } = require("playwright-core");
 // Software rendering, with emulation of a graphics card only where a page needs it, saves a third of the work.
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--disable-gpu", "--enable-unsafe-swiftshader"];
-const PATIENCE = 60_000;
+const TIMEOUT = 60_000;
 const FOCUSED_EDITOR = ".editor-group-container.active .editor-instance .monaco-editor.focused";
 /** Rows of the view *Variables*. */
 const VARIABLE = ".debug-variables .monaco-list-row";
@@ -25,7 +25,7 @@ class User {
   static async open(address, query) {
     const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args: FLAGS });
     const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
-    page.setDefaultTimeout(PATIENCE);
+    page.setDefaultTimeout(TIMEOUT);
     const user = new User(browser, page, address);
     await user.opens(query);
     return user;
@@ -263,7 +263,7 @@ class User {
   /** Returns the frame of the web view that shows this text. */
   async frameWith(text) {
     const shows = (frame) => frame.evaluate((text) => document.body?.textContent.includes(text) === true, text).catch(() => false);
-    for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
+    for (const end = Date.now() + TIMEOUT; Date.now() < end; await this.page.waitForTimeout(50)) {
       const frames = this.page.frames().filter((frame) => frame !== this.page.mainFrame());
       const showing = await Promise.all(frames.map(shows));
       const found = frames[showing.lastIndexOf(true)];
@@ -321,7 +321,7 @@ class User {
 
   /** Returns the frame of a web view with an element. */
   async frame(selector) {
-    for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
+    for (const end = Date.now() + TIMEOUT; Date.now() < end; await this.page.waitForTimeout(50)) {
       for (const frame of this.page.frames()) {
         if ((await frame.$(selector).catch(() => null)) !== null) {
           return frame;
@@ -347,7 +347,7 @@ class User {
   }
 
   /** Waits for a variable with this value in the sidebar. */
-  async variable(name, value, timeout = PATIENCE) {
+  async variable(name, value, timeout = TIMEOUT) {
     const row = this.page.locator(VARIABLE, { hasText: `${name} =` }).filter({ hasText: value }).first();
     await row.waitFor({ timeout });
   }

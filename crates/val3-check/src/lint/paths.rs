@@ -20,8 +20,8 @@ use val3_motion::{
     SpeedLimits, blend_fault,
 };
 
-use super::arm::{is_for, of_project, root};
 use super::motion::{ArmCall, ArmState, MoveCorner};
+use super::reachability::{is_for, of_project, root};
 use super::{Call, ProgramView};
 
 /// A move that the arm cannot make from any possible start.

@@ -15,7 +15,7 @@ use crate::panics::{self, contained};
 use crate::reply::Reply;
 
 /// Time limit for the client's response to the progress request.
-const PATIENCE: Duration = Duration::from_secs(1);
+const TIMEOUT: Duration = Duration::from_secs(1);
 
 impl ServerState {
     /// Processes messages until the inbox is closed.
@@ -44,7 +44,7 @@ impl ServerState {
             return inbox.recv().ok();
         }
         if self.awaits_progress() {
-            match inbox.recv_timeout(PATIENCE) {
+            match inbox.recv_timeout(TIMEOUT) {
                 Err(RecvTimeoutError::Timeout) => self.end_progress(),
                 answer => return answer.ok(),
             }

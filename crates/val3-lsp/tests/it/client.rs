@@ -9,7 +9,7 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 /// Time limit for a message, sufficient on a busy machine.
-pub const PATIENCE: Duration = Duration::from_secs(30);
+pub const TIMEOUT: Duration = Duration::from_secs(30);
 
 /// A client and its server.
 pub struct Client {
@@ -204,7 +204,7 @@ impl Client {
             return self.passed.remove(at).unwrap();
         }
         loop {
-            let message = self.from_server.recv_timeout(PATIENCE).unwrap_or_else(|_| panic!("no {what} came"));
+            let message = self.from_server.recv_timeout(TIMEOUT).unwrap_or_else(|_| panic!("no {what} came"));
             if is_meant(&message) {
                 return message;
             }

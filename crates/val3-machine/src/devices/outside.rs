@@ -6,7 +6,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_vm::LoadedLibrary;
 
-use super::access_time::AccessTime;
+use super::media_cost::MediaCost;
 use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, OpenFiles, Overlay, Roots};
 use crate::inputs::{Answer, Inputs};
 
@@ -106,7 +106,7 @@ impl Outside {
     /// Finds and compiles the library that a program of `from` names. Returns it with its files.
     pub(super) fn load(
         &mut self,
-        time: &mut AccessTime,
+        time: &mut MediaCost,
         (from, path): (&str, &str),
         password: &str,
     ) -> Result<(LoadedLibrary, LibraryFiles), LoadFault> {

@@ -3,21 +3,21 @@
 //! The loaded files of applications and libraries stay in memory, so that saving is possible after the files were
 //! deleted or changed. Bytes of unchanged values do not change.
 
-mod chosen;
 mod links;
+mod operator_edits;
 mod values;
 
 use val3_vm::{InstanceId, Space};
 
-use super::access_time::AccessTime;
 use super::lines::ChannelTable;
 use super::loaded::LoadedProjects;
+use super::media_cost::MediaCost;
 use super::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
-pub use chosen::SavedValues;
-pub(super) use chosen::save;
 use links::LoadedLinks;
+pub use operator_edits::SavedValues;
+pub(super) use operator_edits::save;
 use values::Saver;
 
 /// Returns the size of an application's or library's global data, in bytes.
@@ -44,7 +44,7 @@ impl<'s> Saving<'s> {
         &self,
         to: Option<&str>,
         loaded: &LoadedProjects,
-        time: &mut AccessTime,
+        time: &mut MediaCost,
         outside: &mut Outside,
     ) -> Result<(), FileFault> {
         time.access(0);

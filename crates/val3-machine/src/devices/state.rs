@@ -4,8 +4,8 @@ use val3_kinematics::Arm;
 use val3_lang::components::Component;
 use val3_lang::ports::Time;
 
-use super::access_time::AccessTime;
 use super::loaded::LoadedProjects;
+use super::media_cost::MediaCost;
 use super::questions::Questions;
 use super::record::Record;
 use crate::arm::{ArmHold, RobotArm};
@@ -43,7 +43,7 @@ pub struct DeviceState {
     /// Questions on the pendant for which tasks wait.
     pub(super) questions: Questions,
     /// Time that the last instruction has spent outside the program.
-    pub(super) access_time: AccessTime,
+    pub(super) media_cost: MediaCost,
     /// Whether a task has reached an instruction that this controller does not support.
     pub(super) lacks: bool,
 }

@@ -62,7 +62,7 @@ impl Ports for Devices {
 
 impl Host for Devices {
     fn take_elapsed(&mut self) -> Time {
-        self.state.access_time.take()
+        self.state.media_cost.take()
     }
 
     fn is_interrupted(&self) -> bool {
@@ -85,7 +85,7 @@ impl Host for Devices {
 
     fn load(&mut self, from: &str, library: LibraryRequest<'_>) -> Result<LoadedLibrary, u16> {
         let path = self.stand_ins.path(from, library);
-        match self.outside.load(&mut self.state.access_time, (from, path), library.password) {
+        match self.outside.load(&mut self.state.media_cost, (from, path), library.password) {
             Ok((library, files)) => {
                 self.state.loaded.keep_read(&library.image, files);
                 Ok(library)
@@ -99,9 +99,9 @@ impl Host for Devices {
     }
 
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
-        let DeviceState { io, loaded, access_time, .. } = &mut self.state;
+        let DeviceState { io, loaded, media_cost, .. } = &mut self.state;
         let saving = Saving { space, from, saved, io, lines: &self.lines, limit: self.limits.saved };
-        let code = saving.save(to, loaded, access_time, &mut self.outside).err().map_or(0, FileFault::code);
+        let code = saving.save(to, loaded, media_cost, &mut self.outside).err().map_or(0, FileFault::code);
         self.reported(code)
     }
 

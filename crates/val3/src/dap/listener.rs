@@ -11,7 +11,7 @@ use val3_dap::{Client, read_messages};
 use crate::user_error::UserError;
 
 /// Write timeout for a client that does not read.
-const PATIENCE: Duration = Duration::from_secs(5);
+const TIMEOUT: Duration = Duration::from_secs(5);
 
 /// First bytes of every client's first header, in lower case.
 const GREETING: &[u8; 8] = b"content-";
@@ -60,7 +60,7 @@ pub(super) fn client(stream: TcpStream) -> io::Result<Client> {
 /// Both directions of a connection. Dropping the output closes the connection.
 pub(super) fn streams(stream: TcpStream) -> io::Result<(TcpStream, Connection)> {
     stream.set_nodelay(true)?;
-    stream.set_write_timeout(Some(PATIENCE))?;
+    stream.set_write_timeout(Some(TIMEOUT))?;
     Ok((stream.try_clone()?, Connection(stream)))
 }
 

@@ -17,8 +17,8 @@ use super::guide::{ATTENTION, Guide};
 use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;
-use super::patience::Patience;
 use super::replay::RunRecording;
+use super::silence::Silence;
 use super::tempo::Tempo;
 use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
@@ -41,7 +41,7 @@ pub(super) struct Course<'a> {
     viewers: Option<Viewers>,
     export: Option<Export>,
     tempo: Tempo,
-    patience: Patience,
+    silence: Silence,
     announcements: Rc<Announcements>,
     /// Debugged test.
     test: Option<Stages>,
@@ -67,7 +67,7 @@ impl<'a> Course<'a> {
             viewers,
             export,
             tempo,
-            patience: Patience::new(Instant::now()),
+            silence: Silence::new(Instant::now()),
             announcements: ready.announcements,
             test: ready.test,
             has_failed_test: None,
@@ -146,11 +146,11 @@ impl<'a> Course<'a> {
         }
         let controller = &self.debugger.controller;
         if !self.tempo.pace.real_time
-            && let Some(note) = self.patience.note_on_time(controller)
+            && let Some(note) = self.silence.note_on_time(controller)
         {
             self.observers.console().note(&note);
         }
-        if let Some(head) = self.patience.note_on_waits(Instant::now(), controller) {
+        if let Some(head) = self.silence.note_on_waits(Instant::now(), controller) {
             self.observers.console().list_waits(&head, controller);
         }
     }
@@ -198,7 +198,7 @@ impl<'a> Course<'a> {
         self.motion.follow(&events);
         self.observers.notify(&events)?;
         if events.iter().any(|event| is_shown(&event.kind)) {
-            self.patience.see_output(Instant::now());
+            self.silence.see_output(Instant::now());
         }
         if let Some(test) = &mut self.test {
             test.see_part(start, &events, &self.debugger.controller);

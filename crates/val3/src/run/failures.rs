@@ -4,7 +4,7 @@ use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
 /// Time in seconds on the controller's clock after which an error counts as unhandled while the run continues.
-const PATIENCE: f64 = 1.0;
+const NOTE_DELAY: f64 = 1.0;
 
 /// A run-time error that has stopped a task.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,10 +87,10 @@ impl Failures {
         Some(path.clone())
     }
 
-    /// Returns the unhandled errors that were not yet shown: the errors that occurred at least `PATIENCE` before `now`,
+    /// Returns the unhandled errors that were not yet shown: the errors that occurred at least `NOTE_DELAY` before `now`,
     /// or all errors if the run has ended.
     pub(super) fn take_unhandled(&mut self, now: Option<f64>) -> Vec<Failure> {
-        let is_old = |failure: &Failure| now.is_none_or(|now| now >= failure.at + PATIENCE);
+        let is_old = |failure: &Failure| now.is_none_or(|now| now >= failure.at + NOTE_DELAY);
         let due = self.unhandled.iter_mut().filter(|failure| !failure.is_shown && is_old(failure));
         due.map(|failure| {
             failure.is_shown = true;

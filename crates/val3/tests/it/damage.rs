@@ -15,7 +15,7 @@ use crate::dap_client::Session;
 use crate::support::{CommandOutput, Folder};
 
 /// Timeout above the duration of any command on a busy machine. A slower command hangs.
-const PATIENCE: Duration = Duration::from_secs(120);
+const TIMEOUT: Duration = Duration::from_secs(120);
 
 /// A cell with all file types.
 const CELL: &str = r#"
@@ -178,7 +178,7 @@ fn ends(folder: &Folder, args: &[&str]) -> CommandOutput {
             let _ = sender.send(text);
         });
     }
-    let texts: Vec<String> = (0..2).map_while(|_| receiver.recv_timeout(PATIENCE).ok()).collect();
+    let texts: Vec<String> = (0..2).map_while(|_| receiver.recv_timeout(TIMEOUT).ok()).collect();
     if texts.len() < 2 {
         child.kill().unwrap();
         panic!("{args:?} hangs");
@@ -349,7 +349,7 @@ fn published(folder: &Folder, is_expected: impl Fn(&str) -> bool) -> bool {
     });
     let mut found = false;
     while !found {
-        let Ok(message) = receiver.recv_timeout(PATIENCE) else { break };
+        let Ok(message) = receiver.recv_timeout(TIMEOUT) else { break };
         found = is_expected(&message);
     }
     server.kill().unwrap();

@@ -13,7 +13,7 @@ use val3_dap::{Incoming, read_messages};
 use crate::support::add_stops;
 
 /// Timeout above the duration of any response on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// Path in the shipped example.
 pub(crate) fn example(path: &str) -> String {
@@ -161,7 +161,7 @@ impl Session {
     }
 
     fn next(&mut self) -> Value {
-        let Incoming::Message(message) = self.inbox.recv_timeout(PATIENCE).unwrap() else { panic!("no message") };
+        let Incoming::Message(message) = self.inbox.recv_timeout(TIMEOUT).unwrap() else { panic!("no message") };
         let message = serde_json::to_value(message).unwrap();
         self.validator.validate(&message).unwrap();
         message

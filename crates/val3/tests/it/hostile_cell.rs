@@ -19,7 +19,7 @@ use rustix::fs::{Mode, mkfifoat};
 use crate::support::Folder;
 
 /// Timeout above the duration of any command on a busy machine. A slower command hangs.
-const PATIENCE: Duration = Duration::from_secs(120);
+const TIMEOUT: Duration = Duration::from_secs(120);
 
 /// Maximum address space of a command, in KiB.
 const MEMORY: u64 = 4 << 20;
@@ -192,7 +192,7 @@ impl HostileCell {
             if let Some(status) = child.try_wait().unwrap() {
                 break status.code();
             }
-            if started.elapsed() > PATIENCE {
+            if started.elapsed() > TIMEOUT {
                 child.kill().unwrap();
                 panic!("`val3 {}` hangs", args.join(" "));
             }

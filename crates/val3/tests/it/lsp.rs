@@ -5,7 +5,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Timeout above the shutdown time of a server on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(30);
+const TIMEOUT: Duration = Duration::from_secs(30);
 
 fn server(arguments: &[&str]) -> Child {
     Command::new(env!("CARGO_BIN_EXE_val3"))
@@ -26,7 +26,7 @@ fn send(server: &mut Child, message: &str) {
 /// Exit code of a server that ends although its input is open.
 fn exit_code(server: &mut Child) -> Option<i32> {
     let started = Instant::now();
-    while started.elapsed() < PATIENCE {
+    while started.elapsed() < TIMEOUT {
         if let Some(status) = server.try_wait().unwrap() {
             return status.code();
         }

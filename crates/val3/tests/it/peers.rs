@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use crate::support::{CommandOutput, Folder};
 
 /// Timeout of a peer that waits for the run.
-const PATIENCE: Duration = Duration::from_secs(20);
+const TIMEOUT: Duration = Duration::from_secs(20);
 
 const DATA: &str = r#"
 === main/main.dtx
@@ -47,10 +47,10 @@ fn call(port: u16) -> TcpStream {
     loop {
         match TcpStream::connect((Ipv4Addr::LOCALHOST, port)) {
             Ok(stream) => {
-                stream.set_read_timeout(Some(PATIENCE)).unwrap();
+                stream.set_read_timeout(Some(TIMEOUT)).unwrap();
                 return stream;
             }
-            Err(error) if started.elapsed() > PATIENCE => panic!("nobody listens at {port}: {error}"),
+            Err(error) if started.elapsed() > TIMEOUT => panic!("nobody listens at {port}: {error}"),
             Err(_) => sleep(Duration::from_millis(5)),
         }
     }
@@ -111,7 +111,7 @@ fn a_server_is_recorded_and_replayed() {
 fn host(listener: TcpListener, calls: usize) -> JoinHandle<Vec<String>> {
     spawn(move || {
         let answer = |(stream, _): (TcpStream, _)| {
-            stream.set_read_timeout(Some(PATIENCE)).unwrap();
+            stream.set_read_timeout(Some(TIMEOUT)).unwrap();
             let mut line = Vec::new();
             BufReader::new(&stream).read_until(b'\r', &mut line).unwrap();
             let mut out = &stream;
@@ -162,7 +162,7 @@ fn datagrams_are_recorded_and_replayed() {
         for text in ["one\r", "end\r"] {
             // Datagrams are lost until the run listens.
             let heard = loop {
-                assert!(started.elapsed() < PATIENCE);
+                assert!(started.elapsed() < TIMEOUT);
                 let _ = socket.send(text.as_bytes());
                 match socket.recv(&mut answer) {
                     Ok(count) => break answer[..count].to_vec(),
@@ -273,7 +273,7 @@ end
     let peer = spawn(move || {
         let mut stream = call(port);
         stream.write_all(b"?").unwrap();
-        let _ = wait.recv_timeout(PATIENCE);
+        let _ = wait.recv_timeout(TIMEOUT);
     });
     let line = format!(r"--line=Socket\host=server:{port}");
     let first = folder.val3(&["run", &line, "--time", "real", "--until", "60"]);
@@ -301,7 +301,7 @@ fn a_reset_ends_only_its_connection() {
             let mut answer = [0; 4];
             match stream.write_all(b"end\r").and_then(|()| stream.read_exact(&mut answer)) {
                 Ok(()) => return stream.shutdown(Shutdown::Both).unwrap_or_default(),
-                Err(error) => assert!(started.elapsed() < PATIENCE && error.kind() != ErrorKind::TimedOut, "{error}"),
+                Err(error) => assert!(started.elapsed() < TIMEOUT && error.kind() != ErrorKind::TimedOut, "{error}"),
             }
         }
     });

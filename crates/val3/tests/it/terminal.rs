@@ -10,7 +10,7 @@ use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 
 /// Timeout for expected output, after which the test fails.
-const PATIENCE: Duration = Duration::from_secs(20);
+const TIMEOUT: Duration = Duration::from_secs(20);
 
 /// A terminal with a running command.
 pub(crate) struct Terminal {
@@ -38,7 +38,7 @@ impl Terminal {
     /// Reads until the output contains a text after the text of the previous call.
     pub(crate) fn wait_for(&mut self, text: &str) {
         while !self.seen.contains(text) {
-            match self.picture.recv_timeout(PATIENCE) {
+            match self.picture.recv_timeout(TIMEOUT) {
                 Ok(part) => self.seen += &part,
                 Err(_) => panic!("{text} is not in {:?}; {:?}", self.seen, self.child.try_wait()),
             }

@@ -10,7 +10,7 @@ use crate::support::{CLEAN, FAULTY, Folder};
 use crate::terminal::Terminal;
 
 /// Timeout far above the duration on any machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// A command with `--watch`, killed on drop.
 pub(crate) struct Watching {
@@ -37,7 +37,7 @@ impl Watching {
     pub(crate) fn wait_for(&self, text: &str) {
         let mut seen = Vec::new();
         while !seen.last().is_some_and(|line: &String| line.contains(text)) {
-            match self.lines.recv_timeout(PATIENCE) {
+            match self.lines.recv_timeout(TIMEOUT) {
                 Ok(line) => seen.push(line),
                 Err(error) => panic!("no `{text}`: {error}, {seen:#?}"),
             }

@@ -8,7 +8,7 @@ import { frame, MessageReader } from "./frames";
 import type { SourceTranslator } from "./sources";
 
 /** Milliseconds after the end of a session before the process is killed. */
-const PATIENCE = 2000;
+const TIMEOUT = 2000;
 
 export class Adapter extends vscode.Disposable implements vscode.DebugAdapter {
   private readonly messages = new vscode.EventEmitter<vscode.DebugProtocolMessage>();
@@ -50,7 +50,7 @@ export class Adapter extends vscode.Disposable implements vscode.DebugAdapter {
     if (this.process.pid === undefined || this.process.exitCode !== null) {
       return;
     }
-    const kill = setTimeout(() => this.process.kill(), PATIENCE);
+    const kill = setTimeout(() => this.process.kill(), TIMEOUT);
     this.process.once("close", () => clearTimeout(kill));
   }
 

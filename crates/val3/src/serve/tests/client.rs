@@ -11,7 +11,7 @@ use super::super::limits::ServerLimits;
 use super::super::{Server, StoredMessage};
 
 /// Timeout that is longer than every test.
-const PATIENCE: Duration = Duration::from_secs(20);
+const TIMEOUT: Duration = Duration::from_secs(20);
 
 /// Starts a server on a free port.
 pub(super) fn server(limits: ServerLimits) -> Server {
@@ -30,7 +30,7 @@ pub(super) fn text(text: &str) -> StoredMessage {
 
 pub(super) fn stream(address: &str) -> TcpStream {
     let stream = TcpStream::connect(address).unwrap();
-    stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    stream.set_read_timeout(Some(TIMEOUT)).unwrap();
     stream
 }
 

@@ -11,7 +11,7 @@ import struct
 import sys
 import time
 
-PATIENCE = 20
+TIMEOUT = 20
 HEADER = struct.Struct("<4i")
 BODIES = {
     10: ("joints", struct.Struct("<i10f")),
@@ -26,10 +26,10 @@ END = -3
 
 def connect(port):
     """The server opens its socket when its program first uses it."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while True:
         try:
-            return socket.create_connection(("127.0.0.1", port), PATIENCE)
+            return socket.create_connection(("127.0.0.1", port), TIMEOUT)
         except ConnectionRefusedError:
             if time.monotonic() > end:
                 raise
@@ -76,7 +76,7 @@ def at_rest(stream, port):
     """The joints once the arm has moved, and nothing is left to do."""
     port.sendall(b"\n")
     joints, seen = None, 0
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while time.monotonic() < end:
         name, _, _, values = message(stream)
         if name == "joints":

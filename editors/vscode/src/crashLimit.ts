@@ -4,7 +4,7 @@
 export const TOO_MANY = 4;
 export const PERIOD = 3 * 60 * 1000;
 
-export class Deaths {
+export class CrashLimit {
   private times: number[] = [];
 
   /** Adds a crash, at a time in milliseconds. Returns whether the server may be restarted. */
@@ -14,7 +14,7 @@ export class Deaths {
   }
 
   /** Resets the count after a restart by the user. */
-  forget(): void {
+  reset(): void {
     this.times = [];
   }
 }

@@ -8,7 +8,7 @@ use val3_machine::controller::{Controller, TaskPosition};
 use val3_machine::event::seconds;
 
 /// Real time without output after which a run lists what its tasks wait for.
-const PATIENCE: Duration = Duration::from_secs(3);
+const NOTE_DELAY: Duration = Duration::from_secs(3);
 
 /// Polling interval of the tasks in real time.
 const INTERVAL: Duration = Duration::from_millis(250);
@@ -18,7 +18,7 @@ type WaitState = (String, u32, String);
 
 /// Output and notes that the user has received.
 #[derive(Debug)]
-pub(super) struct Patience {
+pub(super) struct Silence {
     /// Time of the last output or note.
     last_output: Instant,
     last_look: Instant,
@@ -30,7 +30,7 @@ pub(super) struct Patience {
     has_noted_time: bool,
 }
 
-impl Patience {
+impl Silence {
     pub(super) fn new(now: Instant) -> Self {
         Self { last_output: now, last_look: now, waits: BTreeMap::new(), noted: None, has_noted_time: false }
     }
@@ -51,7 +51,7 @@ impl Patience {
         Some(format!("note: {user} has a peer on `{link}`: time is real; `receive` in a script keeps it virtual"))
     }
 
-    /// Returns the first line of a note on waiting tasks, if the run has had no output for `PATIENCE` and its waits
+    /// Returns the first line of a note on waiting tasks, if the run has had no output for `NOTE_DELAY` and its waits
     /// differ from the last note.
     pub(super) fn note_on_waits(&mut self, now: Instant, controller: &Controller) -> Option<String> {
         if now.duration_since(self.last_look) < INTERVAL {
@@ -59,10 +59,10 @@ impl Patience {
         }
         self.last_look = now;
         self.look(now, &controller.task_positions());
-        if now.duration_since(self.last_output) < PATIENCE {
+        if now.duration_since(self.last_output) < NOTE_DELAY {
             return None;
         }
-        let lasting = self.waits.iter().filter(|(_, (_, since))| now.duration_since(*since) >= PATIENCE);
+        let lasting = self.waits.iter().filter(|(_, (_, since))| now.duration_since(*since) >= NOTE_DELAY);
         let lasting: BTreeSet<_> = lasting.map(|(task, (state, _))| (task.clone(), state.clone())).collect();
         if self.noted.as_ref().is_some_and(|noted| lasting.is_subset(noted)) {
             return None;
@@ -103,14 +103,14 @@ mod tests {
     #[test]
     fn a_wait_lasts_while_its_place_and_reason_are_the_same() {
         let start = Instant::now();
-        let mut patience = Patience::new(start);
-        let since = |patience: &Patience| patience.waits.get("work").map(|(_, since)| *since - start);
-        patience.look(start, &waiting(3, Activity::AwaitsCondition));
-        patience.look(start + INTERVAL, &waiting(3, Activity::AwaitsCondition));
-        assert_eq!(since(&patience), Some(Duration::ZERO));
-        patience.look(start + PATIENCE, &waiting(4, Activity::AwaitsCondition));
-        assert_eq!(since(&patience), Some(PATIENCE));
-        patience.look(start + PATIENCE, &waiting(4, Activity::Running));
-        assert_eq!(since(&patience), None);
+        let mut silence = Silence::new(start);
+        let since = |silence: &Silence| silence.waits.get("work").map(|(_, since)| *since - start);
+        silence.look(start, &waiting(3, Activity::AwaitsCondition));
+        silence.look(start + INTERVAL, &waiting(3, Activity::AwaitsCondition));
+        assert_eq!(since(&silence), Some(Duration::ZERO));
+        silence.look(start + NOTE_DELAY, &waiting(4, Activity::AwaitsCondition));
+        assert_eq!(since(&silence), Some(NOTE_DELAY));
+        silence.look(start + NOTE_DELAY, &waiting(4, Activity::Running));
+        assert_eq!(since(&silence), None);
     }
 }

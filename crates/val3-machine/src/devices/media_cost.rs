@@ -14,11 +14,11 @@ const PER_BYTE: Time = 250;
 
 /// Time that the last instruction has spent outside the program.
 #[derive(Debug, Clone, Default)]
-pub(super) struct AccessTime {
+pub(super) struct MediaCost {
     elapsed: Time,
 }
 
-impl AccessTime {
+impl MediaCost {
     /// Adds the time for a path on a medium, and for the bytes read or written there, to the current instruction.
     pub(super) fn access(&mut self, bytes: usize) {
         self.spend(ACCESS, bytes);
