@@ -110,6 +110,11 @@ export interface DataMessage {
   t: number;
 }
 
+/** Element index or key. */
+export type ElementKey =
+  | number
+  | string;
+
 /** End of the run. */
 export interface End {
   /** Exit code of the command. */
@@ -174,11 +179,6 @@ export interface JointValue {
   /** Positions of the axes, in degrees or mm. */
   values: readonly number[];
 }
-
-/** Element index or key. */
-export type Key =
-  | number
-  | string;
 
 /** Serial line or socket. */
 export interface LineInfo {
@@ -411,7 +411,7 @@ export interface Select {
 /** Arguments of `setPoint`. */
 export interface SetPoint {
   /** Index or key; `null` for data with a single value. */
-  key?: Key | null;
+  key?: ElementKey | null;
   /** New pose relative to the father. */
   local: readonly number[];
   /** Data name, prefixed by the library. */
@@ -517,7 +517,7 @@ export interface TaskState {
 /** Arguments of `teach`. */
 export interface Teach {
   /** Index or key; `null` for data with a single value. */
-  key?: Key | null;
+  key?: ElementKey | null;
   /** Data name, prefixed by the library. */
   name: string;
 }

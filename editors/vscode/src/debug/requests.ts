@@ -100,7 +100,7 @@ export interface DebugRequests {
   /** Request `val3/userPage`. */
   "val3/userPage": {
     arguments: NoArguments;
-    body: UserPage;
+    body: ShownUserPage;
   };
   /** Request `val3/view`. */
   "val3/view": {
@@ -257,6 +257,16 @@ export interface QueuedMove {
   type: string | null;
 }
 
+/** Shown user page. */
+export interface ShownUserPage {
+  /** The 14 lines. */
+  lines: readonly string[];
+  /** Name of the page. */
+  screen: string;
+  /** Title of the page. */
+  title: string | null;
+}
+
 /** An input or output. */
 export interface Signal {
   /** `input` or `output`. */
@@ -292,16 +302,6 @@ export interface SubscribeArguments {
   userPage?: boolean | null;
   /** Whether `val3/view` is sent. */
   view?: boolean | null;
-}
-
-/** Shown user page. */
-export interface UserPage {
-  /** The 14 lines. */
-  lines: readonly string[];
-  /** Name of the page. */
-  screen: string;
-  /** Title of the page. */
-  title: string | null;
 }
 
 /** Command with its arguments. */

@@ -10,7 +10,7 @@ export type Source = requests.CodeLine;
 export type Sample = requests.ArmSample;
 export type Move = requests.QueuedMove;
 export type Signal = requests.Signal;
-export type UserPage = requests.UserPage;
+export type UserPage = requests.ShownUserPage;
 export type MotionMode = requests.MotionModeName;
 
 /** Requests `val3/…`, and the requests of the protocol that views send. */
