@@ -16,7 +16,7 @@ export interface AddLibraryParams {
 
 /** Element of a variable, with one string per column. */
 export interface CellValue {
-  fields?: readonly Datum[];
+  fields?: readonly FieldContent[];
   key: string;
   /** Strings by column; `null` for the default. */
   texts: readonly (string | null)[];
@@ -194,14 +194,13 @@ export interface DataType {
   name: string;
 }
 
-/** A variable, or a field of a user type. */
+/** A variable. */
 export interface Datum {
-  /** Omitted for fields, like the range. */
-  access?: Access;
+  access: Access;
   container: Container;
   name: string;
   /** Range of the name in the file. */
-  range?: Range;
+  range: Range;
   /** Array size, by dimension; for a collection the number of keys. */
   size: readonly number[];
   type: string;
@@ -258,6 +257,17 @@ export interface EditVariablesResult {
   edit: WorkspaceEdit | null;
   /** Reason as a sentence for users. */
   refused: string | null;
+}
+
+/** Field of a value of a user type. */
+export interface FieldContent {
+  container: Container;
+  name: string;
+  /** Array size, by dimension; for a collection the number of keys. */
+  size: readonly number[];
+  type: string;
+  /** Values that the file contains; complete for a collection. */
+  values: readonly CellValue[];
 }
 
 /** Field of a user type. */

@@ -1,7 +1,5 @@
 //! Messages of the data editor.
 
-use std::hash::{Hash, Hasher};
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{Range, Url, WorkspaceEdit};
@@ -151,33 +149,35 @@ pub(super) enum Access {
     Private,
 }
 
-/// A variable, or a field of a user type.
+/// A variable.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "Datum")]
 pub(super) struct WireItem {
     pub(super) name: String,
-    /// Omitted for fields, like the range.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Access")]
-    pub(super) access: Option<Access>,
+    pub(super) access: Access,
     #[serde(rename = "type")]
     pub(super) type_name: String,
     pub(super) container: Container,
     /// Array size, by dimension; for a collection the number of keys.
     pub(super) size: Vec<u32>,
     /// Range of the name in the file.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "protocol::RangeSchema")]
-    pub(super) range: Option<Range>,
+    pub(super) range: Range,
     /// Values that the file contains; complete for a collection.
     pub(super) values: Vec<CellValue>,
 }
 
-/// The location in the file is not hashed, because an edit before the datum shifts it.
-impl Hash for WireItem {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        (&self.name, self.access, &self.type_name, self.container, &self.size, &self.values).hash(state);
-    }
+/// Field of a value of a user type.
+#[derive(Debug, Hash, Serialize, Deserialize, JsonSchema)]
+pub(super) struct FieldContent {
+    pub(super) name: String,
+    #[serde(rename = "type")]
+    pub(super) type_name: String,
+    pub(super) container: Container,
+    /// Array size, by dimension; for a collection the number of keys.
+    pub(super) size: Vec<u32>,
+    /// Values that the file contains; complete for a collection.
+    pub(super) values: Vec<CellValue>,
 }
 
 /// Element of a variable, with one string per column.
@@ -187,7 +187,7 @@ pub(super) struct CellValue {
     /// Strings by column; `null` for the default.
     pub(super) texts: Vec<Option<String>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) fields: Vec<WireItem>,
+    pub(super) fields: Vec<FieldContent>,
 }
 
 /// A variable, an element, or a value within the fields of an element.
