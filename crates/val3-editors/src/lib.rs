@@ -52,6 +52,7 @@ pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
     ];
     files.extend(wire::view_messages()?);
     files.extend(wire::debug_requests()?);
+    files.extend(wire::server_requests()?);
     Ok(files)
 }
 

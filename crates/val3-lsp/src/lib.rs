@@ -30,6 +30,7 @@ mod reply;
 mod requests;
 mod router;
 mod routes;
+mod schema;
 mod server;
 mod server_state;
 mod session;
@@ -40,6 +41,7 @@ mod uri;
 mod watching;
 mod workspace_folders;
 
+pub use requests::server_requests_schema;
 pub use server::{ServerOptions, run};
 
 #[cfg(test)]

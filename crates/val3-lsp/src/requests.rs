@@ -37,12 +37,14 @@ mod workspace_tree;
 
 pub(crate) use capabilities::{add_capabilities_without_type, capabilities};
 
+use serde_json::Value;
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;
 
 use crate::job::OnEdit::{Refuse, Retry};
 use crate::pool::Priority::{Background, Latency};
 use crate::routes::Routes;
+use crate::schema::{MethodSchema, of_methods, protocol};
 use crate::{initialize, sync, watching, workspace_folders};
 
 /// All handlers by method.
@@ -53,6 +55,29 @@ pub(crate) fn routes() -> Routes {
     navigation(&mut routes);
     writing(&mut routes);
     routes
+}
+
+/// Returns the JSON schema of all requests `val3/…`: parameters and results, by method.
+#[must_use]
+pub fn server_requests_schema() -> Value {
+    of_methods(server_request_schemas())
+}
+
+/// Schemas of the requests `val3/…`.
+pub(crate) fn server_request_schemas() -> Vec<MethodSchema> {
+    vec![
+        // The parameters are ignored.
+        MethodSchema::described::<workspace_tree::WorkspaceTree, (), Vec<workspace_tree::TreeProject>>(),
+        MethodSchema::of::<libraries::Libraries>(),
+        MethodSchema::described::<libraries::AddLibrary, libraries::AddLibraryParams, protocol::WorkspaceEditSchema>(),
+        MethodSchema::described::<delete_item::Delete, protocol::DocumentPositionSchema, delete_item::Deletion>(),
+        MethodSchema::of::<page::DocPage>(),
+        MethodSchema::of::<variables::VariablesOfProgram>(),
+        MethodSchema::of::<edit_variables::EditVariables>(),
+        MethodSchema::of::<data::DataRequest>(),
+        MethodSchema::of::<data::EditData>(),
+        MethodSchema::of::<data::DataPoses>(),
+    ]
 }
 
 /// Features that show information in or next to the text.

@@ -87,6 +87,12 @@ impl Routes {
         self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
     }
 
+    /// Methods with a handler, in any order.
+    #[cfg(test)]
+    pub(crate) fn methods(&self) -> impl Iterator<Item = &'static str> {
+        self.0.keys().copied()
+    }
+
     /// Handler of a method.
     pub(crate) fn get(&self, method: &str) -> Option<&Route> {
         self.0.get(method)

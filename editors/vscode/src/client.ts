@@ -3,7 +3,8 @@
 import * as vscode from "vscode";
 import {
   CloseAction, type CloseHandlerResult, ErrorAction, ErrorCodes, type ErrorHandler, LanguageClient, type LanguageClientOptions,
-  type Middleware, ResponseError, State, type WorkspaceEdit,
+  type Location, type Middleware, type ReferenceParams, type RenameParams, ResponseError, State, type TextDocumentPositionParams,
+  type WorkspaceEdit,
 } from "vscode-languageclient/node";
 import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
@@ -15,6 +16,7 @@ import { CrashLimit, TOO_MANY } from "./crashLimit";
 import { encodingMiddleware, withOpenFiles } from "./encoding/middleware";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
+import type { ServerRequests } from "./serverRequests";
 import { DEBUG_TEST, RUN_TEST } from "./testing/commands";
 
 /** Commands that the server may use in code lenses and code actions: commands/. */
@@ -32,6 +34,16 @@ class QuietClient extends LanguageClient {
     super.error(message, data, this.state === State.Running ? showNotification : false);
   }
 }
+
+/** Requests `val3/…`, and the requests of the protocol that views send. */
+interface Requests extends ServerRequests {
+  "textDocument/prepareRename": { params: TextDocumentPositionParams; result: unknown };
+  "textDocument/references": { params: ReferenceParams; result: Location[] | null };
+  "textDocument/rename": { params: RenameParams; result: WorkspaceEdit };
+}
+
+/** Arguments after the method: none for a request without parameters. */
+type Params<Method extends keyof Requests> = Requests[Method]["params"] extends null ? [] : [params: Requests[Method]["params"]];
 
 export class Client implements vscode.Disposable {
   private readonly states = new vscode.EventEmitter<State>();
@@ -65,13 +77,13 @@ export class Client implements vscode.Disposable {
     await this.turn(() => this.halt());
   }
 
-  /** Sends a request that is not part of the protocol. Throws while no server runs. */
-  async request<Answer>(method: string, params?: unknown): Promise<Answer> {
+  /** Sends a request. Throws while no server runs. */
+  async request<Method extends keyof Requests>(method: Method, ...[params]: Params<Method>): Promise<Requests[Method]["result"]> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
     }
     // An undefined parameter would be sent as null.
-    return params === undefined ? this.running.sendRequest<Answer>(method) : this.running.sendRequest<Answer>(method, params);
+    return params === undefined ? this.running.sendRequest(method) : this.running.sendRequest(method, params);
   }
 
   /** Returns the URI that the server uses for a file. */

@@ -8,14 +8,15 @@ import { test } from "node:test";
 import * as vscode from "vscode";
 import type { Client } from "../src/client";
 import { Edits } from "../src/dataEditor/edits";
-import { changed, datumAt, type EditAnswer, Requests } from "../src/dataEditor/requests";
+import { changed, datumAt, Requests } from "../src/dataEditor/requests";
+import type { DataFinding, EditDataResult } from "../src/serverRequests";
 import type { TextDocument } from "./documents";
 
 const CONTENT_MODIFIED = -32801;
 const folder = mkdtempSync(join(tmpdir(), "val3-tables-"));
 let count = 0;
 
-type Answer = (version: number, check: boolean) => EditAnswer;
+type Answer = (version: number, check: boolean) => EditDataResult;
 
 /** Creates a document, and a server with this response. */
 async function made(answer: Answer): Promise<{ document: TextDocument; edits: Edits; uri: string }> {
@@ -32,9 +33,9 @@ async function made(answer: Answer): Promise<{ document: TextDocument; edits: Ed
   return { document: document as unknown as TextDocument, edits: new Edits(document, new Requests(client, uri)), uri: uri.toString() };
 }
 
-const replacing = (uri: string, text: string): EditAnswer => {
+const replacing = (uri: string, text: string): EditDataResult => {
   const range = { start: { line: 0, character: 2 }, end: { line: 0, character: 3 } };
-  return { edit: { documentChanges: [{ textDocument: { uri }, edits: [{ range, newText: text }] }] }, refused: null, findings: [] };
+  return { edit: { documentChanges: [{ textDocument: { uri, version: null }, edits: [{ range, newText: text }] }] }, refused: null, findings: [] };
 };
 
 test("an edit changes the document", async () => {
@@ -44,7 +45,7 @@ test("an edit changes the document", async () => {
 });
 
 test("a check and a refusal change nothing", async () => {
-  const finding = { message: "Wrong." };
+  const finding: DataFinding = { place: { name: "a" }, column: null, severity: "error", code: "V0203", message: "Wrong." };
   const { document, edits, uri } = await made((_, check) => (check ? { ...replacing(uri, "2"), findings: [finding] } : { edit: null, refused: "No.", findings: [] }));
   assert.deepEqual(await edits.check([]), { refused: null, findings: [finding] });
   assert.deepEqual(await edits.apply([]), { refused: "No.", findings: [] });

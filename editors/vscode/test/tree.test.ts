@@ -2,21 +2,22 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import type { LibraryCandidate, TreeData, TreeProgram, TreeProject, TreeReference } from "../src/serverRequests";
 import { sections } from "../src/tree/candidates";
+import type { Item } from "../src/tree/graph";
 import { dataIcon, programIcon } from "../src/tree/icons";
 import { TreeModel, type TreeNode } from "../src/tree/nodes";
-import type { Candidate, Data, Item, Program, Project, Reference } from "../src/tree/protocol";
 
 const range = { start: { line: 0, character: 0 }, end: { line: 0, character: 1 } };
 const uriOf = (name: string): string => `file:///${name}/${name}.pjx`;
 const item = (name: string, detail: string): Item => ({ name, detail, range, location: { uri: "file:///x", range } });
-const program = (name: string, isPublic = false): Program => ({ ...item(name, "()"), public: isPublic, runs: name === "start" });
-const datum = (name: string, value: string | null, type = "num"): Data =>
+const program = (name: string, isPublic = false): TreeProgram => ({ ...item(name, "()"), public: isPublic, runs: name === "start" });
+const datum = (name: string, value: string | null, type = "num"): TreeData =>
   ({ ...item(name, type), public: false, type, sizes: [1], isCollection: false, value });
-const reference = (name: string, target: string, ...loaded: string[]): Reference =>
+const reference = (name: string, target: string, ...loaded: string[]): TreeReference =>
   ({ ...item(name, `Disk://${target}`), project: uriOf(target), loaded: loaded.map(uriOf) });
 
-function project(name: string, kind: Project["kind"], parts: Partial<Project>): Project {
+function project(name: string, kind: TreeProject["kind"], parts: Partial<TreeProject>): TreeProject {
   return { name, uri: uriOf(name), kind, hasTypes: true, programs: [], data: [], libraries: [], types: [], ...parts };
 }
 
@@ -35,7 +36,7 @@ const CELL = [
   project("mainTest", "tests", { programs: [program("start")], libraries: [reference("main", "main")] }),
 ];
 
-const roots = (projects: Project[], filter = ""): TreeNode[] => new TreeModel(projects, filter, () => "folder").roots();
+const roots = (projects: TreeProject[], filter = ""): TreeNode[] => new TreeModel(projects, filter, () => "folder").roots();
 
 /** Formats the labels of items, with two spaces per level. */
 function drawn(nodes: readonly TreeNode[], indent = ""): string[] {
@@ -133,7 +134,7 @@ test("names that are declared twice have ids of their own", () => {
   assert.notEqual(first?.id, second?.id);
 });
 
-const candidate = (name: string, parts: Partial<Candidate>): Candidate => ({
+const candidate = (name: string, parts: Partial<LibraryCandidate>): LibraryCandidate => ({
   uri: uriOf(name), kind: "library", name, path: `Disk://${name}`, libraries: [], types: [],
   publicPrograms: 1, publicData: 0, fits: [], libraryCircle: false, typeCircle: false, ...parts,
 });

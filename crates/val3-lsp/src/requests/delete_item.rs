@@ -1,11 +1,13 @@
 //! `val3/delete`: the edit that deletes a program, data, a library or a type, and the remaining uses.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Location, TextDocumentPositionParams, WorkspaceEdit};
 use val3_ide::DeleteError;
 
 use crate::convert::workspace_edit;
+use crate::schema::protocol;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The request. Its parameters are the position of the name in its declaration.
@@ -18,9 +20,12 @@ impl Request for Delete {
 }
 
 /// The edit, and the remaining uses.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct Deletion {
+    #[schemars(with = "protocol::WorkspaceEditSchema")]
     edit: WorkspaceEdit,
+    /// Locations that use the deleted item.
+    #[schemars(with = "Vec<protocol::LocationSchema>")]
     uses: Vec<Location>,
 }
 

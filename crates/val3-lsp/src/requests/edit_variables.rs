@@ -1,5 +1,6 @@
 //! `val3/editVariables`: replaces the parameters and locals of a program, and changes all affected calls and uses.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Url, WorkspaceEdit};
@@ -9,6 +10,7 @@ use val3_lang::types::Container;
 
 use super::variables::{ContainerKind, Passing};
 use crate::convert::workspace_edit;
+use crate::schema::protocol;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The request.
@@ -21,47 +23,58 @@ impl Request for EditVariables {
 }
 
 /// A program with its new variables.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct EditVariablesParams {
+    /// URI of the program's file.
+    #[schemars(with = "String")]
     uri: Url,
     /// Document version on which the edit is based; `null` for a file that is not open.
     version: Option<i32>,
+    /// Program name.
     program: String,
     edits: VariableEdits,
 }
 
 /// All parameters and all locals, in order. A missing list is unchanged.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 struct VariableEdits {
     parameters: Option<Vec<ParameterEdit>>,
     locals: Option<Vec<LocalEdit>>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+/// Parameter after the edit.
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 struct ParameterEdit {
     /// Previous index; missing for a new parameter.
     from: Option<usize>,
     name: String,
     r#type: String,
     container: ContainerKind,
+    /// Number of array dimensions, by default 1.
     dimensions: Option<u8>,
     passing: Passing,
     /// Expression that callers pass for a new parameter.
     argument: Option<String>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+/// Local variable after the edit.
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 struct LocalEdit {
+    /// Previous index; missing for a new variable.
     from: Option<usize>,
     name: String,
     r#type: String,
+    /// Array size, by dimension; empty for a collection.
     size: Vec<u32>,
 }
 
 /// The edits, or the reason why there are none.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct EditVariablesResult {
+    /// Edit of the program and its callers; `null` if it is rejected.
+    #[schemars(with = "Option<protocol::WorkspaceEditSchema>")]
     edit: Option<WorkspaceEdit>,
+    /// Reason as a sentence for users.
     refused: Option<String>,
 }
 

@@ -1,5 +1,6 @@
 //! `val3/libraries` and `val3/addLibrary`: projects that can be added as a library or type, and the edit that adds one.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Url, WorkspaceEdit};
@@ -9,7 +10,7 @@ use val3_ide::{
     reference_candidates, takes_types,
 };
 
-use super::workspace_tree::kind_name;
+use super::workspace_tree::WireProjectKind;
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 
@@ -23,14 +24,15 @@ impl Request for Libraries {
 }
 
 /// Project to which a library or type is added.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct LibrariesParams {
     /// The project's `.pjx`, or any other project file.
+    #[schemars(with = "String")]
     uri: Url,
 }
 
-/// Available libraries and types for a project.
-#[derive(Debug, Serialize, Deserialize)]
+/// Libraries and types that can be added to a project.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct LibraryList {
     /// Whether the dialect of the project has user types.
@@ -39,20 +41,23 @@ pub(crate) struct LibraryList {
 }
 
 /// A project that can be added.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct LibraryCandidate {
+    #[schemars(with = "String")]
     uri: Url,
-    /// `application`, `tests`, `library` or `type`.
-    kind: String,
+    kind: WireProjectKind,
     /// An unused name.
     name: String,
+    /// Path in the dialect of the project.
     path: String,
     /// Library identifiers that already refer to the candidate.
     libraries: Vec<String>,
     /// Type names that already refer to the candidate.
     types: Vec<String>,
+    /// Number of public programs.
     public_programs: usize,
+    /// Number of public data.
     public_data: usize,
     /// Library identifiers under which it can be loaded.
     fits: Vec<String>,
@@ -72,16 +77,18 @@ impl Request for AddLibrary {
 }
 
 /// A new element of a `.pjx`.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct AddLibraryParams {
     /// The `.pjx`, or another file of the project.
+    #[schemars(with = "String")]
     uri: Url,
     kind: LibraryKind,
     name: String,
     path: String,
 }
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+/// Kind of a new element.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 enum LibraryKind {
     Library,
@@ -105,7 +112,7 @@ fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) 
     };
     LibraryCandidate {
         uri: snapshot.uri(found.project.manifest(snapshot.db())),
-        kind: kind_name(kind).to_owned(),
+        kind: kind.into(),
         libraries: present(ReferenceKind::Library),
         types: present(ReferenceKind::Type),
         name: found.name,

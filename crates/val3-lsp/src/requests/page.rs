@@ -1,5 +1,6 @@
 //! `val3/page`: the page of a rule, an instruction, a type or another topic, in Markdown.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use val3_check::topics;
@@ -16,7 +17,7 @@ impl Request for DocPage {
 }
 
 /// Topic of the request.
-#[derive(Debug, Deserialize, Serialize)]
+#[derive(Debug, Deserialize, Serialize, JsonSchema)]
 pub(crate) struct PageParams {
     /// A word that `val3 explain` accepts, for example a code (`V0203`), an instruction, a type or a run-time error
     /// number.
@@ -24,7 +25,7 @@ pub(crate) struct PageParams {
 }
 
 /// The page.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct PageResult {
     /// Topic name in `val3 explain`.
     title: String,

@@ -1,5 +1,6 @@
 //! `val3/variables`: the parameters and locals of a program, for a table.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Range, Url};
@@ -7,6 +8,7 @@ use val3_analysis::db::File;
 use val3_ide::{ProgramVariable, Variables};
 use val3_lang::types::Container;
 
+use crate::schema::protocol;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The request.
@@ -19,23 +21,29 @@ impl Request for VariablesOfProgram {
 }
 
 /// Program of the request.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct VariablesParams {
     /// URI of the program's file.
+    #[schemars(with = "String")]
     uri: Url,
     /// Program name; may be omitted if the file contains only one program.
     program: Option<String>,
 }
 
 /// Parameters and locals.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct VariablesResult {
+    /// URI of the program's file.
+    #[schemars(with = "String")]
     uri: Url,
     /// Document version on which they are based; `null` for a file that is not open.
     version: Option<i32>,
+    /// Program name.
     program: String,
+    /// Parameters in order.
     parameters: Vec<WireParameter>,
+    /// Local variables in order.
     locals: Vec<Local>,
     /// Names of the types that variables may have.
     types: Vec<String>,
@@ -45,7 +53,9 @@ pub(crate) struct VariablesResult {
     fixed: Option<String>,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Parameter of a program.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Parameter")]
 struct WireParameter {
     name: String,
     r#type: String,
@@ -54,24 +64,29 @@ struct WireParameter {
     dimensions: u8,
     passing: Passing,
     /// Range of the name in the declaration.
+    #[schemars(with = "protocol::RangeSchema")]
     range: Range,
     /// Number of uses in the code.
     uses: usize,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Local variable of a program.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 struct Local {
     name: String,
     r#type: String,
     container: ContainerKind,
     /// Sizes of the dimensions; empty for a collection.
     size: Vec<u32>,
+    /// Range of the name in the declaration.
+    #[schemars(with = "protocol::RangeSchema")]
     range: Range,
+    /// Number of uses in the code.
     uses: usize,
 }
 
 /// Container kind of a variable.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum ContainerKind {
     Element,
@@ -80,7 +95,7 @@ pub(super) enum ContainerKind {
 }
 
 /// Passing of a parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Passing {
     Value,

@@ -1,5 +1,6 @@
 //! `val3/workspaceTree`: the projects of the workspace and their contents, for a tree view.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use tower_lsp::lsp_types::request::Request;
@@ -8,6 +9,7 @@ use val3_analysis::db::Project;
 use val3_ide::{ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds};
 use val3_lang::types::Container;
 
+use crate::schema::protocol;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The request, without parameters.
@@ -20,13 +22,14 @@ impl Request for WorkspaceTree {
 }
 
 /// A project: an application, a library or a user type.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct TreeProject {
     name: String,
+    /// URI of the `.pjx`.
+    #[schemars(with = "String")]
     uri: Url,
-    /// `application`, `tests`, `library` or `type`.
-    kind: String,
+    kind: WireProjectKind,
     /// Whether the project's dialect has user types.
     has_types: bool,
     programs: Vec<Item<ProgramNode>>,
@@ -35,22 +38,37 @@ pub(crate) struct TreeProject {
     types: Vec<Item<ReferenceNode>>,
 }
 
+/// Project kind, by its use in the workspace.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+#[schemars(rename = "ProjectKind")]
+pub(super) enum WireProjectKind {
+    Application,
+    Tests,
+    Library,
+    Type,
+}
+
 /// An item of a project.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Tree{T}")]
 pub(crate) struct Item<T> {
     name: String,
     /// Type, signature or path; may be empty.
     detail: String,
     /// Location of the name.
+    #[schemars(with = "protocol::LocationSchema")]
     location: Location,
     /// Range of the entire declaration.
+    #[schemars(with = "protocol::RangeSchema")]
     range: Range,
     #[serde(flatten)]
     what: T,
 }
 
 /// A program.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Program")]
 pub(crate) struct ProgramNode {
     public: bool,
     /// Whether the program can be started without a caller.
@@ -58,8 +76,9 @@ pub(crate) struct ProgramNode {
 }
 
 /// Global data.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
+#[schemars(rename = "Data")]
 pub(crate) struct DataNode {
     public: bool,
     /// Type name as spelled in the file, for example `pointRx`.
@@ -73,11 +92,14 @@ pub(crate) struct DataNode {
 }
 
 /// A library identifier or a user type.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Reference")]
 pub(crate) struct ReferenceNode {
     /// The `.pjx` to which it resolves; `null` if unresolved.
+    #[schemars(with = "Option<String>")]
     project: Option<Url>,
     /// The `.pjx` files of the libraries that programs load under this identifier.
+    #[schemars(with = "Vec<String>")]
     loaded: Vec<Url>,
 }
 
@@ -93,7 +115,7 @@ fn tree(snapshot: &Snapshot, project: Project, kind: ProjectKind) -> TreeProject
     TreeProject {
         name: content.name.to_string(),
         uri: snapshot.uri(project.manifest(snapshot.db())),
-        kind: kind_name(kind).to_owned(),
+        kind: kind.into(),
         has_types: content.has_types,
         programs: items(snapshot, content.programs, |TreeProgram { public, runs }| ProgramNode { public, runs }),
         data: items(snapshot, content.data, data),
@@ -102,13 +124,14 @@ fn tree(snapshot: &Snapshot, project: Project, kind: ProjectKind) -> TreeProject
     }
 }
 
-/// Name of a project kind in the protocol.
-pub(super) fn kind_name(kind: ProjectKind) -> &'static str {
-    match kind {
-        ProjectKind::Application => "application",
-        ProjectKind::Tests => "tests",
-        ProjectKind::Library => "library",
-        ProjectKind::Type => "type",
+impl From<ProjectKind> for WireProjectKind {
+    fn from(kind: ProjectKind) -> Self {
+        match kind {
+            ProjectKind::Application => Self::Application,
+            ProjectKind::Tests => Self::Tests,
+            ProjectKind::Library => Self::Library,
+            ProjectKind::Type => Self::Type,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 import type { GridColumn } from "./columns";
 import { placeId } from "./place";
-import type { Column, DataEdit } from "./protocol";
+import type { Access, Column, DataEdit } from "./protocol";
 import { isScalar, keyOf, type Row } from "./rows";
 
 /** Cell content. */
@@ -22,7 +22,8 @@ export function contentOf(row: Row, column: GridColumn): CellContent {
   switch (column.kind) {
     case "name": return { text: row.label, isDefault: false };
     case "type": return isContainer ? { text: datum.type, isDefault: false } : EMPTY;
-    case "access": return kind === "datum" ? { text: datum.access, isDefault: false } : EMPTY;
+    // Only fields have no access.
+    case "access": return kind === "datum" ? { text: datum.access as Access, isDefault: false } : EMPTY;
     case "container": return isContainer ? { text: datum.container, isDefault: isScalar(datum) } : EMPTY;
     case "size": return isContainer ? { text: sizeText(row), isDefault: isScalar(datum) } : EMPTY;
     case "value": return element === undefined ? EMPTY : valueContent(row, column.value ?? 0);

@@ -17,8 +17,8 @@ export interface Draft {
 
 interface NewVariableProps {
   list: List;
-  types: string[];
-  shapes: string[] | undefined;
+  types: readonly string[];
+  shapes: readonly string[] | undefined;
   /** Identifier of the message about it, if there is one. */
   fault: string | undefined;
   onAdd: (draft: Draft) => void;
@@ -48,7 +48,7 @@ export function NewVariable({ list, types, shapes, fault, onAdd, onCancel }: New
       ref={part === "name" ? name : null} value={draft[part]} onInput={({ currentTarget }) => change({ [part]: currentTarget.value })}
     />
   );
-  const choice = (label: string, value: string, choices: string[], onChoose: (chosen: string) => void): JSX.Element => (
+  const choice = (label: string, value: string, choices: readonly string[], onChoose: (chosen: string) => void): JSX.Element => (
     <select aria-label={label} value={value} onChange={({ currentTarget }) => onChoose(currentTarget.value)}>
       {choices.map((choice) => <option key={choice} value={choice}>{choice}</option>)}
     </select>

@@ -21,10 +21,10 @@ interface RowProps {
   count: number;
   name: string;
   type: string;
-  types: string[];
+  types: readonly string[];
   /** Passing of a parameter, with its choices, or size of a local. */
   shape: string;
-  shapes: string[] | undefined;
+  shapes: readonly string[] | undefined;
   uses: number;
   actions: RowActions;
 }

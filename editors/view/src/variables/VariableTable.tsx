@@ -9,8 +9,8 @@ import { Reason, sentence } from "./VariableRow";
 interface TableProps {
   model: VariablesModel;
   list: List;
-  types: string[];
-  shapes: string[] | undefined;
+  types: readonly string[];
+  shapes: readonly string[] | undefined;
   /** Number of rows; a row for a new variable follows. */
   count: number;
   /** Reason why nothing can be added. */

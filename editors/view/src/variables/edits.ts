@@ -2,11 +2,11 @@
 
 import type { Local, LocalEdit, Parameter, ParameterEdit } from "./messages";
 
-export function keptParameters(parameters: Parameter[]): ParameterEdit[] {
+export function keptParameters(parameters: readonly Parameter[]): ParameterEdit[] {
   return parameters.map(({ name, type, container, dimensions, passing }, from) => ({ from, name, type, container, dimensions, passing }));
 }
 
-export function keptLocals(locals: Local[]): LocalEdit[] {
+export function keptLocals(locals: readonly Local[]): LocalEdit[] {
   return locals.map(({ name, type, size }, from) => ({ from, name, type, size }));
 }
 

@@ -53,7 +53,7 @@ export function TextField({ field, label, value, fault, onCommit, onRevert }: Fi
 }
 
 interface ChoiceProps extends FieldProps {
-  choices: string[];
+  choices: readonly string[];
 }
 
 export function ChoiceField({ field, label, value, choices, fault, onCommit }: ChoiceProps): JSX.Element {

@@ -1,53 +1,15 @@
 // Messages between the page and the editor around it. docs/src/language-server.md describes the variables.
 
-export type Container = "element" | "array" | "collection";
-export type Passing = "value" | "reference";
+import type * as server from "../serverRequests";
 
-export interface Parameter {
-  name: string;
-  type: string;
-  container: Container;
-  dimensions: number;
-  passing: Passing;
-  uses: number;
-}
+export type { ContainerKind as Container, LocalEdit, ParameterEdit, Passing } from "../serverRequests";
 
-export interface Local {
-  name: string;
-  type: string;
-  container: Container;
-  size: number[];
-  uses: number;
-}
+export type Edits = server.VariableEdits;
+export type Parameter = Omit<server.Parameter, "range">;
+export type Local = Omit<server.Local, "range">;
 
-export interface Variables {
-  uri: string;
-  version: number | null;
-  program: string;
-  parameters: Parameter[];
-  locals: Local[];
-  types: string[];
-  isOld: boolean;
-  /** Reason why the parameters cannot be changed. */
-  fixed: string | null;
-}
-
-/** Parameter in the list after an edit. */
-export interface ParameterEdit extends Omit<Parameter, "uses"> {
-  /** Previous index; absent for a new parameter. */
-  from?: number;
-  /** Expression that callers pass for a new parameter. */
-  argument?: string;
-}
-
-export interface LocalEdit extends Omit<Local, "uses" | "container"> {
-  from?: number;
-}
-
-export interface Edits {
-  parameters?: ParameterEdit[];
-  locals?: LocalEdit[];
-}
+/** The editor reads the ranges, which the page ignores. */
+export type Variables = Omit<server.VariablesResult, "parameters" | "locals"> & { parameters: readonly Parameter[]; locals: readonly Local[] };
 
 export type ToPage =
   | { kind: "variables"; variables: Variables | null; hasProgram: boolean }
@@ -55,4 +17,4 @@ export type ToPage =
 
 export type FromPage =
   | { command: "ready" }
-  | { command: "edit"; id: number; uri: string; version: number | null; program: string; edits: Edits };
+  | ({ command: "edit"; id: number } & server.EditVariablesParams);

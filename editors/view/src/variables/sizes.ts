@@ -1,6 +1,6 @@
 // Size of a local: `3`, or `3 x 4` for two dimensions.
 
-export function shownSize(size: number[]): string {
+export function shownSize(size: readonly number[]): string {
   return size.join(" x ");
 }
 

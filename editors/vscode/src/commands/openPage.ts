@@ -19,7 +19,7 @@ export function registerPages(client: Client): vscode.Disposable[] {
 
 async function page(client: Client, uri: vscode.Uri): Promise<string> {
   const topic = uri.path.replace(/\.md$/, "");
-  const page = await client.request<{ markdown: string } | null>("val3/page", { topic });
+  const page = await client.request("val3/page", { topic });
   return page?.markdown ?? `There is no page about \`${topic}\`.`;
 }
 

@@ -3,13 +3,11 @@
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
 import { withOpenFiles } from "../encoding/middleware";
+import type { DataEdit, EditDataResult } from "../serverRequests";
 import { type Requests, workspaceEdit } from "./requests";
 
 /** Edit result for the page. */
-export interface Outcome {
-  refused: string | null;
-  findings: unknown[];
-}
+export type Outcome = Pick<EditDataResult, "refused" | "findings">;
 
 /** Largest number of attempts, in case the user types in the same file meanwhile. */
 const ATTEMPTS = 5;
@@ -20,14 +18,14 @@ export class Edits {
   constructor(private readonly document: vscode.TextDocument, private readonly requests: Requests) {}
 
   /** Computes an edit for the present text and applies it. */
-  apply(edits: unknown): Promise<Outcome> {
+  apply(edits: readonly DataEdit[]): Promise<Outcome> {
     const outcome = this.turn.then(() => this.attempt(edits, false));
     this.turn = outcome.catch(() => undefined);
     return outcome;
   }
 
   /** Returns the findings that an edit would add. */
-  check(edits: unknown): Promise<Outcome> {
+  check(edits: readonly DataEdit[]): Promise<Outcome> {
     return this.attempt(edits, true);
   }
 
@@ -41,7 +39,7 @@ export class Edits {
     }
   }
 
-  private async attempt(edits: unknown, check: boolean): Promise<Outcome> {
+  private async attempt(edits: readonly DataEdit[], check: boolean): Promise<Outcome> {
     // An edit of a file that was read in another encoding would keep its lost characters.
     await openDocument(this.document.uri);
     for (let attempt = 0; attempt < ATTEMPTS; attempt += 1) {

@@ -6,6 +6,7 @@ import { openDocument } from "../encoding/documents";
 import { Conflicts } from "./conflict";
 import { Edits, type Outcome } from "./edits";
 import { rangeOf } from "../ranges";
+import type { DataEdit } from "../serverRequests";
 import { areChanges, changed, datumAt, Requests, type Tables } from "./requests";
 import { openUse, type Use, usesOf } from "./uses";
 
@@ -141,10 +142,10 @@ export class DataPanel implements vscode.Disposable {
 
   private async answer({ command, edits, check, name, as, names }: FromPage): Promise<unknown> {
     switch (command) {
-      case "edit": return check === true ? this.edits.check(edits) : this.withTables(this.edits.apply(edits));
+      case "edit": return check === true ? this.edits.check(edits as readonly DataEdit[]) : this.withTables(this.edits.apply(edits as readonly DataEdit[]));
       case "rename": return this.withTables(this.rename(name as string, as as string));
       case "uses": return usesOf(this.document.uri, await this.present(), names as string[]);
-      case "poses": return this.requests.poses(names);
+      case "poses": return this.requests.poses(names as string[]);
       default: throw new Error(`The page has sent an unknown request: ${command}.`);
     }
   }

@@ -1,64 +1,19 @@
 // Requests of the tables to the server. Only the page reads their remaining content.
 
 import * as vscode from "vscode";
+import type { Position, TextEdit, WorkspaceEdit } from "vscode-languageclient/node";
 import type { Client } from "../client";
 import { rangeOf } from "../ranges";
+import type { DataChanges, DataEdit, DataPose, DataResult, Datum, EditDataResult } from "../serverRequests";
 
 /** Error code of the protocol for a request about a changed text. */
 const CONTENT_MODIFIED = -32801;
 
-interface Position {
-  line: number;
-  character: number;
-}
-
-export interface Range {
-  start: Position;
-  end: Position;
-}
-
-interface Datum {
-  name: string;
-  range: Range;
-}
-
+/** Tables to which changes are applied: the state of the page, without the content that only the page reads. */
 export interface Tables {
   resultId: string;
   version: number | null;
-  data: Datum[];
-}
-
-/** Replacement of items in a list. */
-interface Replacement<Item> {
-  start: number;
-  deleteCount: number;
-  items: Item[];
-}
-
-/** Difference between the tables and an earlier result. */
-export interface Changes {
-  resultId: string;
-  version: number | null;
-  data: Replacement<Datum>;
-  /** Number to add to the lines of all data after the replaced ones. */
-  lineShift: number;
-}
-
-interface TextEdit {
-  range: Range;
-  newText: string;
-}
-
-/** Workspace edit of the protocol, without file operations. */
-export interface ProtocolEdit {
-  changes?: Record<string, TextEdit[]>;
-  documentChanges?: { textDocument: { uri: string }; edits: TextEdit[] }[];
-}
-
-export interface EditAnswer {
-  edit: ProtocolEdit | null;
-  refused: string | null;
-  findings: unknown[];
+  data: readonly Pick<Datum, "name" | "range">[];
 }
 
 export class Requests {
@@ -71,14 +26,14 @@ export class Requests {
   /**
    * Requests the changes since an earlier result, or the tables. `null` if the file is not a data file to the server.
    */
-  tables(previousResultId: string | undefined, withoutFindings: boolean): Promise<Tables | Changes | null> {
+  tables(previousResultId: string | undefined, withoutFindings: boolean): Promise<DataResult | null> {
     return this.client.request("val3/data", { uri: this.uri, ...(previousResultId !== undefined && { previousResultId, withoutFindings }) });
   }
 
   /** Requests an edit. `undefined` if the file has changed meanwhile. */
-  async edit(version: number, edits: unknown, check: boolean): Promise<EditAnswer | undefined> {
+  async edit(version: number, edits: readonly DataEdit[], check: boolean): Promise<EditDataResult | undefined> {
     try {
-      return await this.client.request<EditAnswer>("val3/editData", { uri: this.uri, version, edits, check });
+      return await this.client.request("val3/editData", { uri: this.uri, version, edits, check });
     } catch (fault) {
       if ((fault as { code?: unknown }).code === CONTENT_MODIFIED) {
         return undefined;
@@ -87,26 +42,35 @@ export class Requests {
     }
   }
 
-  poses(names: unknown): Promise<unknown> {
+  poses(names: readonly string[]): Promise<readonly DataPose[]> {
     return this.client.request("val3/dataPoses", { uri: this.uri, names });
   }
 }
 
-export function workspaceEdit({ changes = {}, documentChanges = [] }: ProtocolEdit): vscode.WorkspaceEdit {
+/** Converts a workspace edit of the protocol without file operations. */
+export function workspaceEdit({ changes = {}, documentChanges = [] }: WorkspaceEdit): vscode.WorkspaceEdit {
   const edit = new vscode.WorkspaceEdit();
-  const files: [string, TextEdit[]][] = [...Object.entries(changes), ...documentChanges.map(({ textDocument: { uri }, edits }): [string, TextEdit[]] => [uri, edits])];
+  const files: [string, TextEdit[]][] = [...Object.entries(changes), ...documentChanges.flatMap(textEdits)];
   for (const [uri, edits] of files) {
     edit.set(vscode.Uri.parse(uri), edits.map(({ range, newText }) => vscode.TextEdit.replace(rangeOf(range), newText)));
   }
   return edit;
 }
 
-export function areChanges(result: Tables | Changes): result is Changes {
+/** Returns the file and the text edits of a change; file operations have none. */
+function textEdits(change: NonNullable<WorkspaceEdit["documentChanges"]>[number]): [string, TextEdit[]][] {
+  return "edits" in change ? [[change.textDocument.uri, change.edits.filter((edit) => "newText" in edit)]] : [];
+}
+
+export function areChanges(result: DataResult): result is DataChanges {
   return "lineShift" in result;
 }
 
+/** Properties of changes that apply to `Tables`. */
+export type TableChanges = Pick<DataChanges, "resultId" | "version" | "lineShift"> & { data: Omit<DataChanges["data"], "items"> & { items: Tables["data"] } };
+
 /** Applies changes to tables. */
-export function changed({ data }: Tables, { resultId, version, data: { start, deleteCount, items }, lineShift }: Changes): Tables {
+export function changed({ data }: Tables, { resultId, version, data: { start, deleteCount, items }, lineShift }: TableChanges): Tables {
   const rest = data.slice(start + deleteCount);
   const moved = lineShift === 0 ? rest : rest.map((datum) => ({ ...datum, range: { start: shifted(datum.range.start, lineShift), end: shifted(datum.range.end, lineShift) } }));
   return { resultId, version, data: [...data.slice(0, start), ...items, ...moved] };

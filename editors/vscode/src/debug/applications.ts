@@ -13,15 +13,8 @@ export interface Application {
   folder: vscode.Uri;
 }
 
-/** Element of the response to `val3/workspaceTree`. */
-interface Project {
-  name: string;
-  uri: string;
-  programs: { name: string }[];
-}
-
 export async function applications(client: Client): Promise<Application[]> {
-  const projects = client.state === State.Running ? await client.request<Project[]>("val3/workspaceTree") : [];
+  const projects = client.state === State.Running ? await client.request("val3/workspaceTree") : [];
   const started = projects.filter(({ programs }) => programs.some(({ name }) => name === START));
   const found = started.map(({ name, uri }) => ({ name, folder: vscode.Uri.joinPath(vscode.Uri.parse(uri), "..") }));
   return found.sort((left, right) => left.name.localeCompare(right.name));

@@ -3,12 +3,12 @@
 import * as vscode from "vscode";
 import type { WorkspaceEdit } from "vscode-languageclient/node";
 import type { Client } from "../client";
-import { type Choice, type ReferenceKind, sections } from "./candidates";
+import type { LibraryKind, TreeProject } from "../serverRequests";
+import { type Choice, sections } from "./candidates";
 import { apply, reason } from "./changes";
-import type { LibraryList, Project } from "./protocol";
 
-export async function addReference(client: Client, { name, uri }: Project, kind: ReferenceKind): Promise<void> {
-  const { candidates } = await client.request<LibraryList>("val3/libraries", { uri });
+export async function addReference(client: Client, { name, uri }: TreeProject, kind: LibraryKind): Promise<void> {
+  const { candidates } = await client.request("val3/libraries", { uri });
   const items = sections(candidates, kind).flatMap(({ heading, choices }): (vscode.QuickPickItem | Choice)[] => [
     { label: heading, kind: vscode.QuickPickItemKind.Separator },
     ...choices,
@@ -26,7 +26,7 @@ export async function addReference(client: Client, { name, uri }: Project, kind:
 }
 
 /** Prompts for the name, which the server checks, and adds the entry. */
-async function addAs(client: Client, uri: string, kind: ReferenceKind, { candidate, label }: Choice): Promise<void> {
+async function addAs(client: Client, uri: string, kind: LibraryKind, { candidate, label }: Choice): Promise<void> {
   const request = (name: string): Promise<WorkspaceEdit> =>
     client.request("val3/addLibrary", { uri, kind, name, path: candidate.path });
   // A circular reference and a project file with errors are rejected before the prompt.

@@ -1,14 +1,12 @@
 // Choice of a library or type, independent of VS Code.
 
-import type { Candidate, ProjectKind } from "./protocol";
-
-export type ReferenceKind = "library" | "type";
+import type { LibraryCandidate, LibraryKind, ProjectKind } from "../serverRequests";
 
 export interface Choice {
   label: string;
   description: string;
   detail: string;
-  candidate: Candidate;
+  candidate: LibraryCandidate;
 }
 
 /** Choices under a heading. Sections are ordered by probability. */
@@ -20,12 +18,12 @@ export interface Section {
 const KINDS: Record<ProjectKind, string> = { application: "application", tests: "tests", library: "library", type: "user type" };
 
 /** Returns the cell's projects that can be added. A type needs public data, which are its fields. */
-export function sections(candidates: readonly Candidate[], kind: ReferenceKind): Section[] {
+export function sections(candidates: readonly LibraryCandidate[], kind: LibraryKind): Section[] {
   const fitting = kind === "type" ? candidates.filter(({ publicData }) => publicData > 0) : [...candidates];
-  const present = kind === "type" ? ({ types }: Candidate): string[] => types : ({ libraries }: Candidate): string[] => libraries;
-  const isCircle = (candidate: Candidate): boolean => (kind === "type" ? candidate.typeCircle : candidate.libraryCircle);
-  const isOther = ({ kind: other }: Candidate): boolean => other === "application" || other === "tests";
-  const heading = (candidate: Candidate): number =>
+  const present = kind === "type" ? ({ types }: LibraryCandidate): readonly string[] => types : ({ libraries }: LibraryCandidate): readonly string[] => libraries;
+  const isCircle = (candidate: LibraryCandidate): boolean => (kind === "type" ? candidate.typeCircle : candidate.libraryCircle);
+  const isOther = ({ kind: other }: LibraryCandidate): boolean => other === "application" || other === "tests";
+  const heading = (candidate: LibraryCandidate): number =>
     isCircle(candidate) ? 3 : present(candidate).length > 0 ? 2 : isOther(candidate) ? 1 : 0;
   const title = kind === "type" ? "User Types" : "Libraries";
   const headings = [title, "Applications", "Already There", "Would Use This Project in a Circle"];
@@ -36,7 +34,7 @@ export function sections(candidates: readonly Candidate[], kind: ReferenceKind):
   return found.filter(({ choices }) => choices.length > 0);
 }
 
-function choice(candidate: Candidate, kind: ReferenceKind, present: readonly string[]): Choice {
+function choice(candidate: LibraryCandidate, kind: LibraryKind, present: readonly string[]): Choice {
   const { uri, path, publicPrograms, publicData, fits } = candidate;
   const parts = [
     KINDS[candidate.kind],

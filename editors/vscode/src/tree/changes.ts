@@ -1,19 +1,13 @@
 // Renames and deletes items of the view, and finds their uses.
 
 import * as vscode from "vscode";
-import type { WorkspaceEdit } from "vscode-languageclient/node";
+import type { Location, TextDocumentPositionParams, WorkspaceEdit } from "vscode-languageclient/node";
 import type { Client } from "../client";
 import { SHOW_REFERENCES } from "../commands/showReferences";
 import { openDocument } from "../encoding/documents";
 import { rangeOf } from "../ranges";
+import type { Item } from "./graph";
 import type { TreeNode } from "./nodes";
-import type { Deletion, Item, Location, Position } from "./protocol";
-
-/** Position of a name, as request parameters. */
-interface At {
-  textDocument: { uri: string };
-  position: Position;
-}
 
 export async function rename(client: Client, { item, label }: TreeNode): Promise<void> {
   const at = item && (await place(item));
@@ -40,7 +34,7 @@ export async function remove(client: Client, { item, label, context }: TreeNode)
   if (at === undefined) {
     return;
   }
-  const { edit, uses } = await client.request<Deletion<WorkspaceEdit>>("val3/delete", at);
+  const { edit, uses } = await client.request("val3/delete", at);
   const what = context.includes("program") ? "program" : context.includes("data") ? "data" : "entry";
   const count = uses.length === 1 ? "1 place uses" : `${uses.length} places use`;
   const detail = uses.length === 0 ? "Nothing uses it." : `${count} it and will have an error.`;
@@ -58,7 +52,7 @@ export async function findUses(client: Client, { item, label }: TreeNode): Promi
   if (at === undefined) {
     return;
   }
-  const uses = await client.request<Location[] | null>("textDocument/references", { ...at, context: { includeDeclaration: false } });
+  const uses = await client.request("textDocument/references", { ...at, context: { includeDeclaration: false } });
   if (uses === null || uses.length === 0) {
     void vscode.window.showInformationMessage(`Nothing uses ${label}.`);
   } else {
@@ -66,7 +60,7 @@ export async function findUses(client: Client, { item, label }: TreeNode): Promi
   }
 }
 
-async function show({ textDocument, position }: At, uses: Location[]): Promise<void> {
+async function show({ textDocument, position }: TextDocumentPositionParams, uses: readonly Location[]): Promise<void> {
   await vscode.commands.executeCommand(SHOW_REFERENCES, textDocument.uri, position, uses);
 }
 
@@ -88,7 +82,7 @@ export async function apply(client: Client, edit: WorkspaceEdit): Promise<void> 
  * Returns the position of the name, if the file still contains it there. The file may have been edited since the view
  * was filled.
  */
-async function place({ name, location: { uri, range } }: Item): Promise<At> {
+async function place({ name, location: { uri, range } }: Item): Promise<TextDocumentPositionParams> {
   const document = await openDocument(vscode.Uri.parse(uri));
   // Some entries list a program by its file.
   if (document.getText(rangeOf(range)) !== name) {

@@ -1,7 +1,7 @@
 // Names that match a text in any letter case, and the projects that contain or reach such a name.
 
-import type { Graph } from "./graph";
-import type { Item, Project } from "./protocol";
+import type { TreeProject } from "../serverRequests";
+import type { Graph, Item } from "./graph";
 
 export class Filter {
   private readonly text: string;
@@ -27,7 +27,7 @@ export class Filter {
   }
 
   /** Whether the project contains a matching item, or reaches a project that does. */
-  reaches(project: Project): boolean {
+  reaches(project: TreeProject): boolean {
     let known = this.reaching.get(project.uri);
     if (known === undefined) {
       known = [...this.graph.reachable([project])].some((uri) => this.own.has(uri));
@@ -36,8 +36,8 @@ export class Filter {
     return known;
   }
 
-  private countIn({ name, programs, data, libraries, types }: Project): number {
-    const items: Item[][] = [programs, data, libraries, types];
+  private countIn({ name, programs, data, libraries, types }: TreeProject): number {
+    const items: (readonly Item[])[] = [programs, data, libraries, types];
     const matching = items.flat().filter((item) => this.matches(item.name)).length;
     return matching + Number(this.matches(name));
   }

@@ -1,25 +1,28 @@
-// Projects by URI, and the references between them.
+// Projects by URI, their items, and the references between them.
 
-import type { Project, Reference } from "./protocol";
+import type { TreeProgram, TreeProject, TreeReference } from "../serverRequests";
+
+/** Properties that all items of a project have. */
+export type Item = Pick<TreeProgram, "name" | "detail" | "location" | "range">;
 
 export class Graph {
-  private readonly byUri: Map<string, Project>;
+  private readonly byUri: Map<string, TreeProject>;
 
-  constructor(readonly projects: readonly Project[]) {
+  constructor(readonly projects: readonly TreeProject[]) {
     this.byUri = new Map(projects.map((project) => [project.uri, project]));
   }
 
-  find(uri: string | null): Project | undefined {
+  find(uri: string | null): TreeProject | undefined {
     return uri === null ? undefined : this.byUri.get(uri);
   }
 
   /** Returns the projects to which an entry refers: the declared one, and replacements that programs load. */
-  targets({ project, loaded }: Reference): Project[] {
+  targets({ project, loaded }: TreeReference): TreeProject[] {
     return [project, ...loaded].map((uri) => this.find(uri)).filter((found) => found !== undefined);
   }
 
   /** Returns the URIs of these projects and of all projects that they use. */
-  reachable(from: readonly Project[]): Set<string> {
+  reachable(from: readonly TreeProject[]): Set<string> {
     const found = new Set<string>();
     const next = [...from];
     for (let project = next.pop(); project !== undefined; project = next.pop()) {

@@ -1,6 +1,6 @@
 // Icons of the view: one for each kind of item. Items that other projects can use have a colour.
 
-import type { ProjectKind } from "./protocol";
+import type { ProjectKind } from "../serverRequests";
 
 export interface Icon {
   /** Name of a codicon. */

@@ -1,9 +1,9 @@
 // Converts nodes to items of VS Code.
 
 import * as vscode from "vscode";
+import type { Location } from "vscode-languageclient/node";
 import { rangeOf } from "../ranges";
 import type { TreeNode } from "./nodes";
-import type { Location } from "./protocol";
 
 export function treeItem(node: TreeNode): vscode.TreeItem {
   const { None, Collapsed, Expanded } = vscode.TreeItemCollapsibleState;

@@ -1,9 +1,10 @@
 // Nodes of the view "VAL 3", computed from the projects that the server lists.
 
+import type { Location } from "vscode-languageclient/node";
+import type { TreeData, TreeProgram, TreeProject, TreeReference } from "../serverRequests";
 import { Filter } from "./filter";
-import { Graph } from "./graph";
+import { Graph, type Item } from "./graph";
 import { dataIcon, GROUP, type Icon, MISSING, programIcon, projectIcon } from "./icons";
-import type { Data, Item, Location, Program, Project, Reference } from "./protocol";
 import { dataTexts, missingTexts, programTexts, projectTexts, referenceTexts, type Texts } from "./texts";
 
 /** Node of the view. */
@@ -15,7 +16,7 @@ export interface TreeNode extends Texts {
   /** Words by which the menus choose their entries. */
   context: string[];
   /** Project file for additions. */
-  project: Project | undefined;
+  project: TreeProject | undefined;
   /** Item for rename, delete and find uses. */
   item: Item | undefined;
   /** Location that a click opens. */
@@ -39,7 +40,7 @@ const FILE_START = { start: { line: 0, character: 0 }, end: { line: 0, character
 /** Branch of the tree: its project, and the projects that enclose it. */
 interface Branch {
   id: string;
-  project: Project;
+  project: TreeProject;
   around: string[];
   /** Whether all items are shown, because only the name of the project matches the filter. */
   isWhole: boolean;
@@ -49,7 +50,7 @@ export class TreeModel {
   private readonly graph: Graph;
   private readonly filter: Filter;
 
-  constructor(projects: readonly Project[], private readonly text: string, private readonly folderOf: (uri: string) => string) {
+  constructor(projects: readonly TreeProject[], private readonly text: string, private readonly folderOf: (uri: string) => string) {
     this.graph = new Graph(projects);
     this.filter = new Filter(text, this.graph);
   }
@@ -62,7 +63,7 @@ export class TreeModel {
   /** Returns applications, then tests, then projects that neither uses. */
   roots(): TreeNode[] {
     const { projects } = this.graph;
-    const ofKind = (kind: string): Project[] => sorted(projects.filter((project) => project.kind === kind));
+    const ofKind = (kind: string): TreeProject[] => sorted(projects.filter((project) => project.kind === kind));
     const starting = [...ofKind("application"), ...ofKind("tests")];
     const used = this.graph.reachable(starting);
     const unused = [...ofKind("library"), ...ofKind("type")].filter(({ uri }) => !used.has(uri));
@@ -71,7 +72,7 @@ export class TreeModel {
   }
 
   /** Returns the nodes of projects that pass the filter. */
-  private shown(projects: readonly Project[], place: string): TreeNode[] {
+  private shown(projects: readonly TreeProject[], place: string): TreeNode[] {
     const found = projects.filter((project) => this.filter.reaches(project));
     return found.map((project) => this.projectNode(project, this.id(`${place}:${project.uri}`), []));
   }
@@ -81,7 +82,7 @@ export class TreeModel {
     return this.filter.isOn ? `${this.text}?${id}` : id;
   }
 
-  private projectNode(project: Project, id: string, around: string[]): TreeNode {
+  private projectNode(project: TreeProject, id: string, around: string[]): TreeNode {
     const runs = project.programs.some(({ name }) => name === "start");
     const branch = this.branch(project, id, around);
     return {
@@ -98,7 +99,7 @@ export class TreeModel {
     };
   }
 
-  private branch(project: Project, id: string, around: string[]): Branch {
+  private branch(project: TreeProject, id: string, around: string[]): Branch {
     const branch = { id, project, around: [...around, project.uri], isWhole: false };
     return { ...branch, isWhole: this.filter.isOn && this.content(branch).length === 0 };
   }
@@ -133,7 +134,7 @@ export class TreeModel {
   private byType(id: string, nodes: TreeNode[]): TreeNode[] {
     const types = new Map<string, TreeNode[]>();
     for (const node of nodes) {
-      const { type } = node.item as Data;
+      const { type } = node.item as TreeData;
       types.set(type, [...(types.get(type) ?? []), node]);
     }
     const names = [...types.keys()].sort(byName);
@@ -144,14 +145,14 @@ export class TreeModel {
   }
 
   private references(branch: Branch, kind: "libraries" | "types"): TreeNode[] {
-    const isShown = (entry: Reference): boolean =>
+    const isShown = (entry: TreeReference): boolean =>
       branch.isWhole || this.filter.matches(entry.name) || this.graph.targets(entry).some((project) => this.filter.reaches(project));
     const unique = uniqueIds(`${branch.id}#${kind}/`);
     const entries = branch.project[kind].filter(isShown);
     return sorted(entries).map((entry) => this.referenceNode(branch, entry, kind, unique(entry.name)));
   }
 
-  private referenceNode({ project: owner, around }: Branch, entry: Reference, kind: "libraries" | "types", id: string): TreeNode {
+  private referenceNode({ project: owner, around }: Branch, entry: TreeReference, kind: "libraries" | "types", id: string): TreeNode {
     const project = this.graph.find(entry.project);
     const of = kind === "libraries" ? "library" : "type";
     const isInside = project === undefined || around.includes(project.uri);
@@ -171,7 +172,7 @@ export class TreeModel {
     };
   }
 
-  private loaded(entry: Reference, id: string, around: string[]): TreeNode[] {
+  private loaded(entry: TreeReference, id: string, around: string[]): TreeNode[] {
     const projects = entry.loaded.map((uri) => this.graph.find(uri)).filter((found) => found !== undefined);
     const others = projects.filter((project) => !around.includes(project.uri) && this.filter.reaches(project));
     const nodes = sorted(others).map((project) => this.projectNode(project, `${id}#loaded:${project.uri}`, around));
@@ -179,7 +180,7 @@ export class TreeModel {
   }
 
   /** Returns a group, or an empty list if it has no nodes. */
-  private group(id: string, label: string, nodes: TreeNode[], context: string[] = [], project?: Project, count = nodes.length): TreeNode[] {
+  private group(id: string, label: string, nodes: TreeNode[], context: string[] = [], project?: TreeProject, count = nodes.length): TreeNode[] {
     if (nodes.length === 0) {
       return [];
     }
@@ -191,12 +192,12 @@ export class TreeModel {
 
 type Leaf = Texts & Pick<TreeNode, "icon" | "context">;
 
-function programNode(program: Program): Leaf {
+function programNode(program: TreeProgram): Leaf {
   const context = ["program", "named", "file", ...(program.runs ? ["runs"] : [])];
   return { icon: programIcon(program.public), context, ...programTexts(program) };
 }
 
-function dataNode(data: Data): Leaf {
+function dataNode(data: TreeData): Leaf {
   return { icon: dataIcon(data.type, data.public), context: ["data", "named", "file"], ...dataTexts(data) };
 }
 

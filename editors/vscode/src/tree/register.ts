@@ -6,10 +6,10 @@ import type { Client } from "../client";
 import { newProgram } from "../commands/newProgram";
 import { DEBUG, RUN } from "../debug/lenses";
 import { rangeOf } from "../ranges";
+import type { TreeProject } from "../serverRequests";
 import { addReference } from "./additions";
 import { findUses, reason, remove, rename } from "./changes";
 import type { TreeNode } from "./nodes";
-import type { Project } from "./protocol";
 import { WorkspaceTree } from "./view";
 
 /** Command of the data editor. */
@@ -58,7 +58,7 @@ function isNode(argument: unknown): argument is TreeNode {
 /** Key bindings apply to every item; items without the necessary property remain unchanged. */
 const ofNamed = (action: Action): Action => async (node) => node.item && action(node);
 
-function ofProject(action: (project: Project) => Promise<unknown>): Action {
+function ofProject(action: (project: TreeProject) => Promise<unknown>): Action {
   return async ({ project }) => project && action(project);
 }
 

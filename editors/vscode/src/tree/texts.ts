@@ -1,6 +1,6 @@
 // Texts of the view: descriptions, tooltips, and labels for screen readers.
 
-import type { Data, Program, Project, ProjectKind, Reference } from "./protocol";
+import type { ProjectKind, TreeData, TreeProgram, TreeProject, TreeReference } from "../serverRequests";
 
 export interface Texts {
   description: string;
@@ -15,17 +15,17 @@ const KINDS: Record<ProjectKind, string> = { application: "application", tests: 
 
 const access = (isPublic: boolean): string => (isPublic ? "public" : "private");
 
-export function projectTexts({ name, kind }: Project, folder: string): Texts {
+export function projectTexts({ name, kind }: TreeProject, folder: string): Texts {
   return { description: folder, tooltip: `${KINDS[kind]} ${name}\n${folder}`, spoken: `${name}, ${KINDS[kind]}, ${folder}` };
 }
 
-export function programTexts({ name, detail, public: isPublic }: Program): Texts {
+export function programTexts({ name, detail, public: isPublic }: TreeProgram): Texts {
   const signature = detail.replace(/^public /, "");
   const what = `${access(isPublic)} program`;
   return { description: detail, tooltip: `${what} ${name}${signature}`, spoken: `${name}, ${what}, ${signature}` };
 }
 
-export function dataTexts({ name, detail, public: isPublic, type, value }: Data): Texts {
+export function dataTexts({ name, detail, public: isPublic, type, value }: TreeData): Texts {
   const shape = detail.replace(/^public /, "");
   const shown = value === null ? "" : type === "string" ? `"${value}"` : value;
   const assigned = (text: string): string => (text === "" ? "" : ` = ${text}`);
@@ -36,11 +36,11 @@ export function dataTexts({ name, detail, public: isPublic, type, value }: Data)
   };
 }
 
-export function referenceTexts({ name, detail }: Reference, kind: "library" | "type"): Texts {
+export function referenceTexts({ name, detail }: TreeReference, kind: "library" | "type"): Texts {
   return { description: detail, tooltip: `${KINDS[kind]} ${name}\n${detail}`, spoken: `${name}, ${KINDS[kind]}, ${detail}` };
 }
 
-export function missingTexts(entry: Reference, kind: "library" | "type"): Texts {
+export function missingTexts(entry: TreeReference, kind: "library" | "type"): Texts {
   const { description, tooltip, spoken } = referenceTexts(entry, kind);
   const fault = "there is no project at this path";
   return { description, tooltip: `${tooltip}\n${fault}`, spoken: `${spoken}, ${fault}` };

@@ -3,9 +3,9 @@
 import * as vscode from "vscode";
 import { State } from "vscode-languageclient/node";
 import type { Client } from "../client";
+import type { TreeProject } from "../serverRequests";
 import { treeItem } from "./items";
 import { TreeModel, type TreeNode } from "./nodes";
-import type { Project } from "./protocol";
 
 export const VIEW = "val3.workspace";
 
@@ -24,7 +24,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
   private pause: NodeJS.Timeout | undefined;
   /** Whether something may have changed while the view was hidden. */
   private isStale = false;
-  private projects: Project[] | undefined;
+  private projects: readonly TreeProject[] | undefined;
   /** Last response from the server, to detect that nothing has changed. */
   private answer = "";
 
@@ -98,7 +98,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
   private async read(): Promise<boolean> {
     try {
       const isRunning = this.client.state === State.Running;
-      const projects = isRunning ? await this.client.request<Project[]>("val3/workspaceTree") : [];
+      const projects = isRunning ? await this.client.request("val3/workspaceTree") : [];
       const answer = JSON.stringify(projects);
       const isNew = answer !== this.answer || this.projects === undefined;
       this.projects = projects;

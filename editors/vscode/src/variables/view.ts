@@ -2,24 +2,18 @@
 
 import { readFile } from "node:fs/promises";
 import * as vscode from "vscode";
-import { LSPErrorCodes, ResponseError, type WorkspaceEdit } from "vscode-languageclient/node";
+import { LSPErrorCodes, ResponseError } from "vscode-languageclient/node";
 import type { Client } from "../client";
 import type { CodeFiles } from "../codeView/files";
 import { withPolicy } from "../debug/view/page";
+import type { EditVariablesParams, VariablesResult } from "../serverRequests";
 import { programFile } from "./program";
 
 /** Milliseconds without a change after which the view is updated. */
 const PAUSE = 200;
 
-/** Properties of the response to `val3/variables` that are read here. The page reads all others. */
-interface Variables {
-  uri: string;
-  version: number | null;
-  program: string;
-}
-
 /** Message from the page: it is ready to receive messages, or the user has changed something. */
-type FromPage = { command: "ready" } | { command: "edit"; id: number; uri: string; version: number | null; program: string; edits: object };
+type FromPage = { command: "ready" } | ({ command: "edit"; id: number } & EditVariablesParams);
 
 export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposable {
   private readonly subscription: vscode.Disposable;
@@ -77,7 +71,7 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
     await this.settled(vscode.Uri.parse(uri, true));
     try {
       const params = { uri, version, program, edits };
-      const { edit, refused } = await this.client.request<{ edit: WorkspaceEdit | null; refused: string | null }>("val3/editVariables", params);
+      const { edit, refused } = await this.client.request("val3/editVariables", params);
       if (edit === null) {
         return refused;
       }
@@ -112,10 +106,10 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
     }
   }
 
-  private async variables(file: vscode.Uri): Promise<Variables | null> {
+  private async variables(file: vscode.Uri): Promise<VariablesResult | null> {
     await this.settled(file);
     // Without a server the view is empty, and the status item shows why.
-    return this.client.request<Variables | null>("val3/variables", { uri: this.client.addressOf(file) }).catch(() => null);
+    return this.client.request("val3/variables", { uri: this.client.addressOf(file) }).catch(() => null);
   }
 
   private post(message: object): void {

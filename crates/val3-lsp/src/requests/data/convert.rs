@@ -24,7 +24,7 @@ pub(super) fn data_types(types: Vec<ide::DataType>) -> Vec<DataType> {
 
 /// Variables of a file.
 pub(super) fn data(lines: &PositionConverter<'_>, data: Vec<ide::TableVariable>) -> Vec<WireItem> {
-    data.into_iter().map(|data| datum(data, Some(lines))).collect()
+    data.into_iter().map(|data| datum(lines, data)).collect()
 }
 
 /// Reason as a sentence with its line number.
@@ -77,21 +77,28 @@ fn container(container: types::Container) -> Container {
     }
 }
 
-/// A variable, or a field, which has no location in the file.
-fn datum(data: ide::TableVariable, lines: Option<&PositionConverter<'_>>) -> WireItem {
-    let access = if data.public { Access::Public } else { Access::Private };
-    let value = |value: ide::DatumValue| CellValue {
-        key: value.key,
-        texts: value.texts,
-        fields: value.fields.into_iter().map(|field| datum(field, None)).collect(),
-    };
+fn datum(lines: &PositionConverter<'_>, data: ide::TableVariable) -> WireItem {
     WireItem {
         name: data.name.to_string(),
-        access: lines.map(|_| access),
+        access: if data.public { Access::Public } else { Access::Private },
         type_name: data.type_name.to_string(),
         container: container(data.container),
         size: data.sizes,
-        range: lines.map(|lines| lines.range(data.range)),
+        range: lines.range(data.range),
+        values: data.values.into_iter().map(value).collect(),
+    }
+}
+
+fn value(value: ide::DatumValue) -> CellValue {
+    CellValue { key: value.key, texts: value.texts, fields: value.fields.into_iter().map(field).collect() }
+}
+
+fn field(data: ide::TableVariable) -> FieldContent {
+    FieldContent {
+        name: data.name.to_string(),
+        type_name: data.type_name.to_string(),
+        container: container(data.container),
+        size: data.sizes,
         values: data.values.into_iter().map(value).collect(),
     }
 }

@@ -1,14 +1,17 @@
 //! Messages of the data editor.
 
-use std::hash::{Hash, Hasher};
-
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{Range, Url, WorkspaceEdit};
 
+use crate::schema::protocol;
+
 /// Data file of a request.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct DataParams {
+    /// URI of the `.dtx`.
+    #[schemars(with = "String")]
     pub(super) uri: Url,
     /// Earlier result that the client has; only the changes since then are sent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -19,7 +22,7 @@ pub(crate) struct DataParams {
 }
 
 /// Tables, or their changes since an earlier result.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub(crate) enum DataResult {
     Tables(DataTables),
@@ -27,7 +30,7 @@ pub(crate) enum DataResult {
 }
 
 /// Difference between two results.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct DataChanges {
     pub(super) result_id: String,
@@ -44,8 +47,9 @@ pub(crate) struct DataChanges {
 }
 
 /// New items that replace a range of a list.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
+#[schemars(rename = "Replaced{T}")]
 pub(super) struct Replacement<T> {
     pub(super) start: usize,
     pub(super) delete_count: usize,
@@ -53,7 +57,7 @@ pub(super) struct Replacement<T> {
 }
 
 /// Range of the earlier datum's values that is replaced.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct ReplacedValues {
     pub(super) start: usize,
@@ -61,7 +65,7 @@ pub(super) struct ReplacedValues {
 }
 
 /// A data file as tables.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct DataTables {
     pub(super) result_id: String,
@@ -75,22 +79,27 @@ pub(crate) struct DataTables {
     pub(super) findings: Vec<DataFinding>,
 }
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+/// Dialect of a data file: `old` is that of s5 and s6.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Dialect {
     Old,
     New,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Type of data, with its columns or fields.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(super) struct DataType {
     pub(super) name: String,
     pub(super) columns: Vec<Column>,
+    /// Fields of a user type, which has no columns.
     pub(super) fields: Vec<FieldType>,
+    /// Containers in which the type can be declared.
     pub(super) containers: Vec<Container>,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Field of a user type.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(super) struct FieldType {
     pub(super) name: String,
     #[serde(rename = "type")]
@@ -99,24 +108,29 @@ pub(super) struct FieldType {
     pub(super) size: Vec<u32>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// Container of data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Container {
     Array,
     Collection,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Column of a table.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Column {
     pub(super) id: String,
     pub(super) title: String,
     pub(super) unit: Option<String>,
     pub(super) kind: ColumnKind,
+    /// Strings that fit the project.
     pub(super) choices: Vec<String>,
+    /// Meaning of `null`.
     pub(super) default: String,
 }
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+/// Kind of a column's cells.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum ColumnKind {
     Number,
@@ -127,60 +141,80 @@ pub(super) enum ColumnKind {
     Link,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// Access to data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Access {
     Public,
     Private,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// A variable.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Datum")]
 pub(super) struct WireItem {
     pub(super) name: String,
-    /// Omitted for fields, like the range.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) access: Option<Access>,
+    pub(super) access: Access,
     #[serde(rename = "type")]
     pub(super) type_name: String,
     pub(super) container: Container,
+    /// Array size, by dimension; for a collection the number of keys.
     pub(super) size: Vec<u32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) range: Option<Range>,
+    /// Range of the name in the file.
+    #[schemars(with = "protocol::RangeSchema")]
+    pub(super) range: Range,
+    /// Values that the file contains; complete for a collection.
     pub(super) values: Vec<CellValue>,
 }
 
-/// The location in the file is not hashed, because an edit before the datum shifts it.
-impl Hash for WireItem {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        (&self.name, self.access, &self.type_name, self.container, &self.size, &self.values).hash(state);
-    }
+/// Field of a value of a user type.
+#[derive(Debug, Hash, Serialize, Deserialize, JsonSchema)]
+pub(super) struct FieldContent {
+    pub(super) name: String,
+    #[serde(rename = "type")]
+    pub(super) type_name: String,
+    pub(super) container: Container,
+    /// Array size, by dimension; for a collection the number of keys.
+    pub(super) size: Vec<u32>,
+    /// Values that the file contains; complete for a collection.
+    pub(super) values: Vec<CellValue>,
 }
 
-#[derive(Debug, Hash, Serialize, Deserialize)]
+/// Element of a variable, with one string per column.
+#[derive(Debug, Hash, Serialize, Deserialize, JsonSchema)]
 pub(super) struct CellValue {
     pub(super) key: String,
+    /// Strings by column; `null` for the default.
     pub(super) texts: Vec<Option<String>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) fields: Vec<WireItem>,
+    pub(super) fields: Vec<FieldContent>,
 }
 
-#[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// A variable, an element, or a value within the fields of an element.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 pub(super) struct DataLocation {
     pub(super) name: String,
+    /// Element index or key; missing for the container.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
     pub(super) key: Option<String>,
+    /// Path to a value within the fields of a user type.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) within: Vec<PlacementStep>,
 }
 
-#[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// Field on the path to a value.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 pub(super) struct PlacementStep {
     pub(super) name: String,
+    /// Index or key in the field; empty or missing for the field itself.
     #[serde(default)]
+    #[schemars(skip_serializing_if = "String::is_empty")]
     pub(super) key: String,
 }
 
-#[derive(Debug, Hash, Serialize, Deserialize)]
+/// Finding in a table cell.
+#[derive(Debug, Hash, Serialize, Deserialize, JsonSchema)]
 pub(super) struct DataFinding {
     pub(super) place: DataLocation,
     pub(super) column: Option<String>,
@@ -189,7 +223,8 @@ pub(super) struct DataFinding {
     pub(super) message: String,
 }
 
-#[derive(Debug, Clone, Copy, Hash, Serialize, Deserialize)]
+/// Severity of a finding.
+#[derive(Debug, Clone, Copy, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum DataSeverity {
     Error,
@@ -199,8 +234,10 @@ pub(super) enum DataSeverity {
 }
 
 /// Edits of a data file.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct EditDataParams {
+    /// URI of the `.dtx`.
+    #[schemars(with = "String")]
     pub(super) uri: Url,
     /// Document version that the client shows; `null` for a file that is not open.
     pub(super) version: Option<i32>,
@@ -211,7 +248,8 @@ pub(crate) struct EditDataParams {
     pub(super) check: bool,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// Edit of the tables.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "camelCase")]
 pub(super) enum DataEdit {
     Set {
@@ -259,7 +297,8 @@ pub(super) enum DataEdit {
     },
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// New string of a cell.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(super) struct TableCell {
     pub(super) place: DataLocation,
     pub(super) column: String,
@@ -268,8 +307,10 @@ pub(super) struct TableCell {
 }
 
 /// Text edit of the file, or the reason why there is none.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct EditDataResult {
+    /// `null` if the edit is rejected or has no effect.
+    #[schemars(with = "Option<protocol::WorkspaceEditSchema>")]
     pub(super) edit: Option<WorkspaceEdit>,
     /// Reason as a sentence for users.
     pub(super) refused: Option<String>,
@@ -278,14 +319,16 @@ pub(crate) struct EditDataResult {
 }
 
 /// Points, frames and tools whose poses are requested.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct DataPosesParams {
+    /// URI of the `.dtx`.
+    #[schemars(with = "String")]
     pub(super) uri: Url,
     pub(super) names: Vec<String>,
 }
 
 /// Pose of a value.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct DataPose {
     pub(super) name: String,
     pub(super) key: String,
@@ -303,7 +346,8 @@ pub(crate) struct DataPose {
     pub(super) joints: Option<Vec<f64>>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+/// Whether the arm reaches a pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum RequestedExtent {
     Reachable,
