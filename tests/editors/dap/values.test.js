@@ -161,7 +161,7 @@ test("the console completes names of the frame, members and instructions", async
     assert.deepEqual(locals.filter((label) => label.startsWith("x_n")), ["x_nCell", "x_nCopy"]);
     assert.ok((await complete("pHole.trsf.")).some(({ label }) => label === "rz"));
     const [item] = (await complete("nGrid[0,1]+x_nCo")).filter(({ label }) => label === "x_nCopy");
-    assert.deepEqual([item.start, item.length], [12, 5]);
+    assert.deepEqual([item.start, item.length], [11, 5]);
     assert.ok((await complete("waitEnd")).some(({ label }) => label.startsWith("waitEndMove")));
     assert.deepEqual((await complete("1+1\nsNa", 4)).length, 0, "the line of the cursor counts");
     assert.ok((await session.ask("completions", { text: "1+1\nsNa", column: 4, line: 2, frameId })).targets.some(({ label }) => label === "sName"));

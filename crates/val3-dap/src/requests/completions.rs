@@ -29,21 +29,20 @@ impl DebugRequest for Completions {
         let at = byte_offset(text, session.conventions.offset(arguments.column));
         let completions = run.evaluator.completions(&run.debugger.controller, context, (text, at));
         let completions = completions.map_err(RequestFailure::rejected)?;
-        let first_column = session.conventions.first_column() as usize;
-        let targets = completions.into_iter().map(|completion| item(completion, text, first_column));
-        Ok(CompletionsResponse { targets: targets.collect() })
+        Ok(CompletionsResponse { targets: completions.into_iter().map(|completion| item(completion, text)).collect() })
     }
 }
 
-/// Converts a completion in this line of the console.
-fn item(completion: FrameCompletion, text: &str, first_column: usize) -> CompletionItem {
+/// Converts a completion in this line of the console. `start` counts from 0 for every client: VS Code has columns that
+/// start at 1, and expects it nevertheless.
+fn item(completion: FrameCompletion, text: &str) -> CompletionItem {
     let characters = |byte: usize| text.get(..byte).map_or(0, |before| before.encode_utf16().count());
     let (start, end) = (characters(completion.range.start), characters(completion.range.end));
     CompletionItem {
         label: completion.label,
         detail: Some(completion.detail).filter(|detail| !detail.is_empty()),
         text: Some(completion.insert),
-        start: u32::try_from(first_column + start).ok(),
+        start: u32::try_from(start).ok(),
         length: u32::try_from(end.saturating_sub(start)).ok(),
         ..CompletionItem::default()
     }
@@ -78,7 +77,7 @@ mod tests {
     fn a_completion_replaces_the_beginning_of_a_name() {
         let mut client = TestClient::stopped(COUNTER);
         let (_, frame) = client.thread_and_frame();
-        let expected = json!({ "label": "nCount", "detail": "num", "text": "nCount", "start": 3, "length": 3 });
+        let expected = json!({ "label": "nCount", "detail": "num", "text": "nCount", "start": 2, "length": 3 });
         let arguments = json!({ "frameId": frame, "text": "1+nCo", "column": 6 });
         assert_eq!(counters(&mut client, arguments), [expected]);
     }
@@ -94,14 +93,14 @@ mod tests {
     fn columns_are_utf_16_units() {
         let mut client = TestClient::stopped(COUNTER);
         let item = &counters(&mut client, json!({ "text": "\"\u{1f600}\"+nCo", "column": 9 }))[0];
-        assert_eq!((&item["start"], &item["length"]), (&json!(6), &json!(3)));
+        assert_eq!((&item["start"], &item["length"]), (&json!(5), &json!(3)));
     }
 
     #[test]
     fn a_column_belongs_to_the_line() {
         let mut client = TestClient::stopped(COUNTER);
         let item = &counters(&mut client, json!({ "text": "1+1\nnCo", "line": 2, "column": 4 }))[0];
-        assert_eq!((&item["start"], &item["length"]), (&json!(1), &json!(3)));
+        assert_eq!((&item["start"], &item["length"]), (&json!(0), &json!(3)));
         let beyond = json!({ "text": "nCo", "line": 2, "column": 4 });
         assert_eq!(counters(&mut client, beyond)[0]["length"], 0);
     }
