@@ -11,7 +11,7 @@ use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::flow::{FlowGraph, FlowNode, PerPoint, PointId, PointKind, flow};
+use crate::flow::{FlowGraph, FlowNode, FlowNodeId, PerPoint, PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
@@ -130,7 +130,7 @@ impl<'db> Effects<'db> {
     }
 
     /// Returns the effects at a flow node in the order of evaluation.
-    pub fn at(&self, point: PointId) -> &'db [Access] {
+    pub fn at(&self, point: FlowNodeId) -> &'db [Access] {
         self.accesses().at(point)
     }
 

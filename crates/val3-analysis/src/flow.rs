@@ -18,7 +18,7 @@ use crate::db::{Db, File};
 
 /// Index of a flow node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct PointId(u32);
+pub struct FlowNodeId(u32);
 
 /// Flow nodes of a program with their edges. The first node is the start, the second the end.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -35,7 +35,7 @@ pub struct FlowNode {
     /// missing.
     pub range: TextRange,
     /// Successors. A test has two: first the successor if true, then the successor if false.
-    pub next: SmallVec<[PointId; 2]>,
+    pub next: SmallVec<[FlowNodeId; 2]>,
 }
 
 /// Operation of a flow node.
@@ -122,18 +122,18 @@ pub fn flow(db: &dyn Db, file: File) -> FlowGraph {
 
 impl FlowGraph {
     /// Node before the first line.
-    pub const START: PointId = PointId(0);
+    pub const START: FlowNodeId = FlowNodeId(0);
     /// Node after the last line.
-    pub const END: PointId = PointId(1);
+    pub const END: FlowNodeId = FlowNodeId(1);
 
     /// Returns a flow node.
-    pub fn point(&self, id: PointId) -> Option<&FlowNode> {
+    pub fn point(&self, id: FlowNodeId) -> Option<&FlowNode> {
         self.points.get(id.index())
     }
 
     /// Returns all flow nodes: start, end, then the rest in source order.
-    pub fn points(&self) -> impl Iterator<Item = (PointId, &FlowNode)> {
-        (0u32..).map(PointId).zip(&self.points)
+    pub fn points(&self) -> impl Iterator<Item = (FlowNodeId, &FlowNode)> {
+        (0u32..).map(FlowNodeId).zip(&self.points)
     }
 
     /// Returns the number of flow nodes.
@@ -163,7 +163,7 @@ impl FlowGraph {
     }
 }
 
-impl PointId {
+impl FlowNodeId {
     /// Returns the index of the node in [`FlowGraph::points`].
     pub fn index(self) -> usize {
         self.0 as usize

@@ -37,8 +37,8 @@ pub trait System: Send + Sync + Debug {
 
     /// Reads several program, data or project files, in the same order; `None` if a file does not exist. An
     /// implementation may read them in parallel.
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
-        paths.iter().map(|path| SystemContent::of(self.read(path, FileClass::Program))).collect()
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<DecodedFile>> {
+        paths.iter().map(|path| DecodedFile::of(self.read(path, FileClass::Program))).collect()
     }
 
     /// Returns the text of a file that is open in an editor, which takes precedence over the stored text.
@@ -85,7 +85,7 @@ impl<S: System + ?Sized> System for &S {
         (**self).read(path, class)
     }
 
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<DecodedFile>> {
         (**self).read_all(paths)
     }
 
@@ -124,7 +124,7 @@ impl<S: System + ?Sized> System for &S {
 
 /// Content of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SystemContent {
+pub struct DecodedFile {
     /// Decoded text; empty if the file is unreadable.
     pub text: Arc<str>,
     /// Result of reading; `None` if the text comes from an editor.
@@ -134,7 +134,7 @@ pub struct SystemContent {
 /// Maximum file size in bytes: offsets have 32 bits.
 const SIZE_LIMIT: usize = u32::MAX as usize / 2;
 
-impl SystemContent {
+impl DecodedFile {
     /// Converts the result of reading to content; `None` if the file does not exist.
     pub fn of(read: Result<Vec<u8>, Unreadable>) -> Option<Self> {
         match read {

@@ -120,7 +120,7 @@ impl Settings {
     }
 
     /// Whether findings of this rule are reported; costly rules check this first.
-    pub fn wants(&self, rule: &Rule) -> bool {
+    pub fn is_enabled(&self, rule: &Rule) -> bool {
         self.severity(rule, rule.severity).is_some()
     }
 

@@ -35,7 +35,7 @@ pub(crate) struct CodeBuilder {
 
 /// A position at the end of the code.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct CodeEnd {
+pub(crate) struct CodePosition {
     steps: usize,
     pending: LineMark,
     copies: usize,
@@ -71,13 +71,13 @@ impl CodeBuilder {
     }
 
     /// Returns the present end of the code.
-    pub(crate) fn mark(&self) -> CodeEnd {
+    pub(crate) fn mark(&self) -> CodePosition {
         let (copies, instructions) = (self.copies.len(), self.instructions.len());
-        CodeEnd { steps: self.steps.len(), pending: self.pending, copies, instructions }
+        CodePosition { steps: self.steps.len(), pending: self.pending, copies, instructions }
     }
 
     /// Removes the operations after `mark`, with their table entries. Program calls are never removed.
-    pub(crate) fn take_back(&mut self, mark: CodeEnd) {
+    pub(crate) fn take_back(&mut self, mark: CodePosition) {
         self.steps.truncate(mark.steps);
         self.pending = mark.pending;
         self.copies.truncate(mark.copies);

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use val3_analysis::ty::Base;
 use val3_analysis::xml::XmlElement as Xml;
 use val3_bytecode::FatherLink;
-use val3_lang::memory::{ContainerShape, ElementType, MEMORY, PartInit, ValueType, bytes_of};
+use val3_lang::memory::{ContainerShape, DetachedValue, MEMORY, PartInit, ValueType, bytes_of};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
@@ -40,7 +40,7 @@ impl Kinds<'_> {
         } else {
             written.iter().map(|(at, _)| at.saturating_add(1)).max().unwrap_or(0)
         };
-        fits(loaded.init.bytes().saturating_add(bytes_of::<Option<ElementType>>(last as usize)))?;
+        fits(loaded.init.bytes().saturating_add(bytes_of::<Option<DetachedValue>>(last as usize)))?;
         if let Some(value) = unwritten {
             loaded.init.values = vec![Some(value); count as usize];
         }
@@ -62,7 +62,7 @@ impl Kinds<'_> {
         (base, kind): (Base, &ValueType),
         number: u32,
         links: &mut Vec<LoadedLink>,
-    ) -> Result<ElementType> {
+    ) -> Result<DetachedValue> {
         match base {
             Base::Builtin(base, arm) => Ok(values::read(value, father, (base, arm, kind), number, links)),
             Base::User(_) => self.user_value(value, (base, kind), number, links),
@@ -77,7 +77,7 @@ impl Kinds<'_> {
         (base, kind): (Base, &ValueType),
         number: u32,
         links: &mut Vec<LoadedLink>,
-    ) -> Result<ElementType> {
+    ) -> Result<DetachedValue> {
         let (bases, inherited) = (self.field_bases(base)?, self.links(base)?);
         let mut parts = Vec::with_capacity(kind.fields.len());
         for ((field, base), at) in kind.fields.iter().zip(bases).zip(0u32..) {
@@ -93,7 +93,7 @@ impl Kinds<'_> {
                 parts.push(field.init.clone());
             }
         }
-        Ok(ElementType { parts, ..ElementType::default() })
+        Ok(DetachedValue { parts, ..DetachedValue::default() })
     }
 
     /// Adds the type's links for values that the file does not contain.
@@ -143,7 +143,7 @@ fn number(shape: &ContainerShape, key: Cow<'_, str>) -> Option<u32> {
     })
 }
 
-fn put(values: &mut Vec<Option<ElementType>>, number: u32, value: ElementType) {
+fn put(values: &mut Vec<Option<DetachedValue>>, number: u32, value: DetachedValue) {
     let at = number as usize;
     if values.len() <= at {
         values.resize(at + 1, None);

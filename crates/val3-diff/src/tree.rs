@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::system::SystemContent;
+use val3_analysis::system::DecodedFile;
 
 /// Name of the applications folder on a controller.
 const APPLICATIONS: &str = "usrapp";
@@ -30,7 +30,7 @@ impl FileTree {
         let mut tree = Self::default();
         for (path, bytes) in files {
             let (path, bytes) = (path.into(), bytes.into());
-            if Self::wants(&path) {
+            if Self::includes(&path) {
                 tree.files.insert(path, bytes);
             } else {
                 tree.others
@@ -42,7 +42,7 @@ impl FileTree {
 
     /// Whether a comparison reads the content of a file with this path. Other files are compared by their bytes.
     #[must_use]
-    pub fn wants(path: &Utf8Path) -> bool {
+    pub fn includes(path: &Utf8Path) -> bool {
         has_extension(path, &["pjx", "dtx", "pgx"]) || is_settings(path)
     }
 
@@ -128,7 +128,7 @@ pub(crate) fn has_extension(path: &Utf8Path, extensions: &[&str]) -> bool {
 /// If the bytes are no text, with the reason.
 pub(crate) fn text_of(bytes: &[u8]) -> Result<std::sync::Arc<str>, String> {
     use val3_analysis::db::FileStatus;
-    let Some(content) = SystemContent::of(Ok(bytes.to_vec())) else { return Err("it does not exist".to_owned()) };
+    let Some(content) = DecodedFile::of(Ok(bytes.to_vec())) else { return Err("it does not exist".to_owned()) };
     match content.status {
         Some(FileStatus::Unreadable(reason)) => Err(reason),
         _ => Ok(content.text),
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn files_of_other_kinds_are_not_wanted() {
-        let wanted = |path: &str| FileTree::wants(path.into());
+        let wanted = |path: &str| FileTree::includes(path.into());
         assert!(wanted("a/START.PGX") && wanted("usr/configs/bio.cfx") && wanted("usr/applicom/Modbus/modbus.xml"));
         assert!(!wanted("a/a.html") && !wanted("usr/app/val3.Motion.anthro.cfx"));
     }

@@ -2,10 +2,10 @@
 
 use val3_syntax::SyntaxKind::{self, *};
 
-use crate::pieces::{LayoutToken, breaks_line, gap};
+use crate::pieces::{FormatToken, breaks_line, gap};
 
 /// Level of the line that each piece starts; `None` for a piece that starts no line.
-pub(crate) fn levels(pieces: &[LayoutToken<'_>], text: &str) -> Vec<Option<usize>> {
+pub(crate) fn levels(pieces: &[FormatToken<'_>], text: &str) -> Vec<Option<usize>> {
     let mut levels = vec![None; pieces.len()];
     // The level of a comment depends on the next line, so the lines are visited from the last to the first.
     let mut next: Option<IndentedLine> = None;
@@ -41,7 +41,7 @@ struct IndentedLine {
 /// Level of a comment: usually the level of the next line. Before the end of a block, the comment's own indentation
 /// shows whether it belongs to the block or to the closing line. In indented code, a comment in the first column
 /// remains there, because it is usually disabled code with its own spaces after the slashes.
-fn comment(piece: &LayoutToken<'_>, column: usize, next: Option<IndentedLine>) -> usize {
+fn comment(piece: &FormatToken<'_>, column: usize, next: Option<IndentedLine>) -> usize {
     match next {
         Some(next) if column == 0 && next.column > 0 => 0,
         Some(next) if next.closes && column > next.column => next.level + 1,

@@ -16,7 +16,7 @@ pub use style::{CodeStyle, Indent, IndentOverride};
 use rowan::{TextRange, TextSize};
 use val3_syntax::{Parse, TextEdit, TextSlice};
 
-use pieces::LayoutToken;
+use pieces::FormatToken;
 
 /// Edits that format the code of a file with `text`, sorted and without overlap. Empty if the code is already
 /// formatted.
@@ -34,7 +34,7 @@ pub fn format(text: &str, parse: &Parse, style: &CodeStyle) -> Vec<TextEdit> {
     if unchanged::is_same_program(parse, &TextEdit::apply_all(text, &edits)) { edits } else { Vec::new() }
 }
 
-fn format_code(pieces: &[LayoutToken<'_>], parse: &Parse, text: &str, style: &CodeStyle) -> Vec<TextEdit> {
+fn format_code(pieces: &[FormatToken<'_>], parse: &Parse, text: &str, style: &CodeStyle) -> Vec<TextEdit> {
     let levels = if blocks_match(pieces, parse) { indentation::levels(pieces, text) } else { vec![None; pieces.len()] };
     let pairs = pieces.iter().zip(pieces.iter().skip(1)).zip(levels.iter().skip(1));
     let gaps = pairs.filter_map(|((before, after), level)| spacing::gap(before, after, *level, text, style));
@@ -42,7 +42,7 @@ fn format_code(pieces: &[LayoutToken<'_>], parse: &Parse, text: &str, style: &Co
 }
 
 /// Whether every line in the code of these pieces can be assigned to a block.
-fn blocks_match(pieces: &[LayoutToken<'_>], parse: &Parse) -> bool {
+fn blocks_match(pieces: &[FormatToken<'_>], parse: &Parse) -> bool {
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return true };
     let code = TextRange::new(first.range.start(), last.range.end());
     let mut faults = parse.errors().iter().filter(|error| error.kind.is_about_blocks());

@@ -7,7 +7,7 @@ use rowan::{TextRange, TextSize};
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::{Parse, TextEdit, TextSlice, text_size};
 
-use crate::pieces::{self, LayoutToken};
+use crate::pieces::{self, FormatToken};
 use crate::{CodeStyle, spacing};
 
 /// Characters after which [`on_type`] may return edits: the line end, and the last letters of the keywords that end a
@@ -34,7 +34,7 @@ struct TypedLine<'p, 't> {
     /// Indentation; empty if the line also contains the XML before the code.
     indent: &'t str,
     /// Tokens; empty for a blank line.
-    pieces: &'p [LayoutToken<'t>],
+    pieces: &'p [FormatToken<'t>],
 }
 
 impl TypedLine<'_, '_> {
@@ -43,7 +43,7 @@ impl TypedLine<'_, '_> {
         self.code().map(|piece| piece.kind)
     }
 
-    fn code(&self) -> Option<&LayoutToken<'_>> {
+    fn code(&self) -> Option<&FormatToken<'_>> {
         self.pieces.iter().find(|piece| piece.kind != CDATA_OPEN)
     }
 
@@ -52,7 +52,7 @@ impl TypedLine<'_, '_> {
     }
 }
 
-fn contains(pieces: &[LayoutToken<'_>], offset: TextSize) -> bool {
+fn contains(pieces: &[FormatToken<'_>], offset: TextSize) -> bool {
     match (pieces.first(), pieces.last()) {
         (Some(first), Some(last)) => first.range.end() <= offset && offset <= last.range.end(),
         _ => false,
@@ -60,7 +60,7 @@ fn contains(pieces: &[LayoutToken<'_>], offset: TextSize) -> bool {
 }
 
 /// Lines from the first piece to the last.
-fn lines<'p, 't>(text: &'t str, pieces: &'p [LayoutToken<'t>]) -> Vec<TypedLine<'p, 't>> {
+fn lines<'p, 't>(text: &'t str, pieces: &'p [FormatToken<'t>]) -> Vec<TypedLine<'p, 't>> {
     let mut lines = Vec::new();
     let mut rest = pieces;
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return lines };
@@ -83,7 +83,7 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [LayoutToken<'t>]) -> Vec<TypedLine<
 }
 
 /// Whether only whitespace precedes the first piece of a line.
-fn is_first(pieces: &[LayoutToken<'_>], at: usize) -> bool {
+fn is_first(pieces: &[FormatToken<'_>], at: usize) -> bool {
     pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
 }
 

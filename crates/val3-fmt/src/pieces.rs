@@ -6,7 +6,7 @@ use val3_syntax::{Parse, SyntaxKind, TextSlice};
 
 /// A token that is no whitespace.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct LayoutToken<'t> {
+pub(crate) struct FormatToken<'t> {
     pub(crate) kind: SyntaxKind,
     pub(crate) text: &'t str,
     pub(crate) range: TextRange,
@@ -19,7 +19,7 @@ pub(crate) struct LayoutToken<'t> {
 }
 
 /// Pieces of each `<Code>` in a file.
-pub(crate) fn codes<'t>(parse: &'t Parse, text: &'t str) -> Vec<Vec<LayoutToken<'t>>> {
+pub(crate) fn codes<'t>(parse: &'t Parse, text: &'t str) -> Vec<Vec<FormatToken<'t>>> {
     let mut codes = Vec::new();
     find_codes(parse.view(), &mut codes);
     codes.into_iter().map(|code| pieces(code, parse, text)).collect()
@@ -35,14 +35,14 @@ fn find_codes<'t>(node: View<'t>, codes: &mut Vec<View<'t>>) {
     }
 }
 
-fn pieces<'t>(code: View<'t>, parse: &'t Parse, text: &str) -> Vec<LayoutToken<'t>> {
+fn pieces<'t>(code: View<'t>, parse: &'t Parse, text: &str) -> Vec<FormatToken<'t>> {
     let mut pieces = Vec::new();
     collect(code, 0, &mut pieces);
     freeze(&mut pieces, parse, text);
     pieces
 }
 
-fn collect<'t>(node: View<'t>, depth: usize, pieces: &mut Vec<LayoutToken<'t>>) {
+fn collect<'t>(node: View<'t>, depth: usize, pieces: &mut Vec<FormatToken<'t>>) {
     for child in node.children_with_tokens() {
         match child {
             NodeOrToken::Node(child) => {
@@ -61,17 +61,17 @@ fn is_deeper(parent: SyntaxKind, child: SyntaxKind) -> bool {
     child == K::BLOCK || parent == K::SWITCH_STMT && is_stmt
 }
 
-fn piece(token: TokenView<'_>, parent: SyntaxKind, depth: usize) -> Option<LayoutToken<'_>> {
+fn piece(token: TokenView<'_>, parent: SyntaxKind, depth: usize) -> Option<FormatToken<'_>> {
     let kind = token.kind();
     if matches!(kind, SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE) {
         return None;
     }
     let frozen = parent == SyntaxKind::ERROR || kind == SyntaxKind::ERROR_TOKEN;
-    Some(LayoutToken { kind, text: token.text(), range: token.range(), parent, depth, frozen })
+    Some(FormatToken { kind, text: token.text(), range: token.range(), parent, depth, frozen })
 }
 
 /// Freezes all lines with a frozen piece or a syntax error.
-fn freeze(pieces: &mut [LayoutToken<'_>], parse: &Parse, text: &str) {
+fn freeze(pieces: &mut [FormatToken<'_>], parse: &Parse, text: &str) {
     for error in parse.errors().iter().filter(|error| error.kind.breaks_line()) {
         for piece in pieces.iter_mut() {
             piece.frozen |= piece.range.intersect(error.range).is_some();
@@ -93,7 +93,7 @@ fn freeze(pieces: &mut [LayoutToken<'_>], parse: &Parse, text: &str) {
 }
 
 /// Whitespace before the piece at `index`.
-fn between<'x>(pieces: &[LayoutToken<'_>], index: usize, text: &'x str) -> &'x str {
+fn between<'x>(pieces: &[FormatToken<'_>], index: usize, text: &'x str) -> &'x str {
     match pieces.get(index.wrapping_sub(1)..=index) {
         Some([before, after]) => gap(before, after, text),
         _ => "",
@@ -101,7 +101,7 @@ fn between<'x>(pieces: &[LayoutToken<'_>], index: usize, text: &'x str) -> &'x s
 }
 
 /// Whitespace between two pieces.
-pub(crate) fn gap<'x>(before: &LayoutToken<'_>, after: &LayoutToken<'_>, text: &'x str) -> &'x str {
+pub(crate) fn gap<'x>(before: &FormatToken<'_>, after: &FormatToken<'_>, text: &'x str) -> &'x str {
     text.part(usize::from(before.range.end())..usize::from(after.range.start()))
 }
 

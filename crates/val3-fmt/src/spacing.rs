@@ -5,12 +5,12 @@ use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::{TextEdit, TextSlice};
 
 use crate::CodeStyle;
-use crate::pieces::{LayoutToken, breaks_line, gap as blanks};
+use crate::pieces::{FormatToken, breaks_line, gap as blanks};
 
 /// Edit of the whitespace between two pieces. `level` is the indentation level of the line that starts with `after`.
 pub(crate) fn gap(
-    before: &LayoutToken<'_>,
-    after: &LayoutToken<'_>,
+    before: &FormatToken<'_>,
+    after: &FormatToken<'_>,
     level: Option<usize>,
     text: &str,
     style: &CodeStyle,
@@ -27,7 +27,7 @@ pub(crate) fn gap(
 }
 
 /// Edit that corrects the letter case of a keyword.
-pub(crate) fn keyword(piece: &LayoutToken<'_>) -> Option<TextEdit> {
+pub(crate) fn keyword(piece: &FormatToken<'_>) -> Option<TextEdit> {
     let canonical = piece.kind.keyword_text().filter(|_| !piece.frozen)?;
     (piece.text != canonical).then(|| TextEdit { range: piece.range, text: canonical.to_owned() })
 }
@@ -35,8 +35,8 @@ pub(crate) fn keyword(piece: &LayoutToken<'_>) -> Option<TextEdit> {
 /// New whitespace around a line break; `None` if it must be kept. Line ends keep their form, and the style limits their
 /// number.
 fn line_break(
-    before: &LayoutToken<'_>,
-    after: &LayoutToken<'_>,
+    before: &FormatToken<'_>,
+    after: &FormatToken<'_>,
     found: &str,
     level: usize,
     style: &CodeStyle,
@@ -78,7 +78,7 @@ fn line_ends(gap: &str) -> Vec<&str> {
 }
 
 /// New whitespace between two pieces of a line; `None` if the whitespace must be kept.
-fn within_line(before: &LayoutToken<'_>, after: &LayoutToken<'_>, style: &CodeStyle) -> Option<&'static str> {
+fn within_line(before: &FormatToken<'_>, after: &FormatToken<'_>, style: &CodeStyle) -> Option<&'static str> {
     if before.frozen || after.frozen || after.kind == COMMENT || is_outside(before.kind) || is_outside(after.kind) {
         return None;
     }
@@ -90,7 +90,7 @@ fn is_outside(kind: SyntaxKind) -> bool {
     matches!(kind, CDATA_OPEN | CDATA_CLOSE | BEGIN_KW | END_KW) || is_mark(kind)
 }
 
-fn has_blank(before: &LayoutToken<'_>, after: &LayoutToken<'_>, style: &CodeStyle) -> bool {
+fn has_blank(before: &FormatToken<'_>, after: &FormatToken<'_>, style: &CodeStyle) -> bool {
     match (before.kind, after.kind) {
         (L_PAREN | L_BRACK | L_CURLY | DOT | COLON, _)
         | (_, R_PAREN | R_BRACK | R_CURLY | COMMA | DOT | COLON | L_BRACK) => false,
@@ -106,19 +106,19 @@ fn has_blank(before: &LayoutToken<'_>, after: &LayoutToken<'_>, style: &CodeStyl
     }
 }
 
-fn is_unary(piece: &LayoutToken<'_>) -> bool {
+fn is_unary(piece: &FormatToken<'_>) -> bool {
     piece.parent == PREFIX_EXPR && matches!(piece.kind, MINUS | BANG)
 }
 
-fn is_assignment(piece: &LayoutToken<'_>) -> bool {
+fn is_assignment(piece: &FormatToken<'_>) -> bool {
     piece.kind == EQ
 }
 
 /// Whether the token is a keyword that is no value, or `?`.
-fn is_word(piece: &LayoutToken<'_>) -> bool {
+fn is_word(piece: &FormatToken<'_>) -> bool {
     piece.kind == QUESTION || piece.kind.is_keyword() && !matches!(piece.kind, TRUE_KW | FALSE_KW)
 }
 
-fn is_operator(piece: &LayoutToken<'_>) -> bool {
+fn is_operator(piece: &FormatToken<'_>) -> bool {
     piece.parent == BIN_EXPR
 }

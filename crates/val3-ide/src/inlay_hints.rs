@@ -19,7 +19,7 @@ use val3_syntax::{TextRange, TextSize};
 use crate::FilePosition;
 use crate::navigate::declaration;
 use crate::owner::owner;
-use crate::placement::{WrittenPlacement, placement};
+use crate::placement::{FatherAndBlend, placement};
 
 /// Enabled hints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -205,7 +205,7 @@ impl<'db> Hints<'db> {
         if self.inference.ty(target).base.builtin() != Some(BaseType::Point) {
             return;
         }
-        if let Some((project, _, WrittenPlacement { father: Some(father), .. })) = self.placement(target) {
+        if let Some((project, _, FatherAndBlend { father: Some(father), .. })) = self.placement(target) {
             let tooltip = "the father frame according to the data file".to_owned();
             let first = DataPath::new(father).steps().next();
             let symbol = first.map(|step| Symbol::Data(project, step.name.into()));
@@ -215,7 +215,7 @@ impl<'db> Hints<'db> {
     }
 
     fn blend(&mut self, mdesc: ExprId) {
-        if let Some((project, name, WrittenPlacement { blend: Some(blend), .. })) = self.placement(mdesc) {
+        if let Some((project, name, FatherAndBlend { blend: Some(blend), .. })) = self.placement(mdesc) {
             let tooltip = "the blend of the motion descriptor according to the data file".to_owned();
             let symbol = Some(Symbol::Data(project, name));
             let (offset, label) = (self.body.range(mdesc).end(), blend.to_string());
@@ -225,7 +225,7 @@ impl<'db> Hints<'db> {
 
     /// Placement from the initial value of a variable or element, with the project and name of the data. `None` if this
     /// program changes the value.
-    fn placement(&mut self, id: ExprId) -> Option<(Project, SmolStr, &'db WrittenPlacement)> {
+    fn placement(&mut self, id: ExprId) -> Option<(Project, SmolStr, &'db FatherAndBlend)> {
         let key = key(self.body, id)?;
         let root = self.effects.root(id)?;
         if self.is_written(&root) {

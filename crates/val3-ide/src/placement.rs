@@ -12,7 +12,7 @@ use val3_lang::types::{AttributeValue, BaseType, DefaultValue, NumberUnit, attri
 
 /// Father and blend in a value.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(crate) struct WrittenPlacement {
+pub(crate) struct FatherAndBlend {
     /// Father frame or tool as spelled in the file, for example `fTable[0]`.
     pub(crate) father: Option<SmolStr>,
     /// Blend of a motion descriptor, for example `joint, leave 50, reach 50`.
@@ -20,39 +20,34 @@ pub(crate) struct WrittenPlacement {
 }
 
 /// Initial value of global data with this key.
-pub(crate) fn placement<'db>(
-    db: &'db dyn Db,
-    project: Project,
-    name: &str,
-    key: &str,
-) -> Option<&'db WrittenPlacement> {
+pub(crate) fn placement<'db>(db: &'db dyn Db, project: Project, name: &str, key: &str) -> Option<&'db FatherAndBlend> {
     let file = items(db, project).data.get(name)?.file;
     placements(db, file).get(name)?.get(key)
 }
 
 /// Values by name and key.
 #[salsa::tracked(lru = 64)]
-fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, WrittenPlacement>> {
+fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, FatherAndBlend>> {
     let parse = parse(db, file);
     data::elements(parse.view()).filter_map(of_data).collect()
 }
 
-fn of_data(element: XmlElement<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, WrittenPlacement>)> {
+fn of_data(element: XmlElement<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, FatherAndBlend>)> {
     let decl = data::declaration(element)?;
     let (ty, _) = BaseType::from_file_name(&decl.type_name)?;
     if !ty.has_father() && ty != BaseType::Mdesc {
         return None;
     }
-    let mut placements: FxHashMap<SmolStr, WrittenPlacement> =
+    let mut placements: FxHashMap<SmolStr, FatherAndBlend> =
         element.elements().filter_map(|value| of_value(element, value, ty)).collect();
     if ty == BaseType::Mdesc && decl.sizes == [1] {
         // A value that consists only of defaults is omitted from the file.
-        placements.entry("0".into()).or_insert_with(|| WrittenPlacement { father: None, blend: blend(|_| None) });
+        placements.entry("0".into()).or_insert_with(|| FatherAndBlend { father: None, blend: blend(|_| None) });
     }
     Some((decl.name, placements))
 }
 
-fn of_value(element: XmlElement<'_>, value: XmlElement<'_>, ty: BaseType) -> Option<(SmolStr, WrittenPlacement)> {
+fn of_value(element: XmlElement<'_>, value: XmlElement<'_>, ty: BaseType) -> Option<(SmolStr, FatherAndBlend)> {
     let key = value.value("key").or_else(|| value.value("index"))?;
     let written = |name: &str| {
         let inner = || value.elements().find_map(|part| part.value(name));
@@ -60,7 +55,7 @@ fn of_value(element: XmlElement<'_>, value: XmlElement<'_>, ty: BaseType) -> Opt
     };
     let father = written("fatherId").filter(|father| !father.is_empty()).or_else(|| old_father(element));
     let blend = (ty == BaseType::Mdesc).then(|| blend(written)).flatten();
-    Some((key.into(), WrittenPlacement { father, blend }))
+    Some((key.into(), FatherAndBlend { father, blend }))
 }
 
 /// Father of all values in s5 and s6.

@@ -30,7 +30,7 @@ pub(crate) struct SixAxis {
 }
 
 /// Axes 1 to 3, and the directions of the arm plane and of the forearm in this plane.
-struct WristPlacement {
+struct ForearmPlacement {
     joints: [f64; 3],
     plane: Direction,
     forearm: Direction,
@@ -109,7 +109,7 @@ impl SixAxis {
         branch: Configuration,
         flange: &IsometryMatrix3<f64>,
         near: &Joints,
-    ) -> Result<WristPlacement, Unreachable> {
+    ) -> Result<ForearmPlacement, Unreachable> {
         let centre = flange.translation.vector - flange.rotation.matrix().column(2) * self.c4;
         let square = centre.x * centre.x + centre.y * centre.y;
         let distance = square.sqrt();
@@ -129,7 +129,7 @@ impl SixAxis {
             Direction::towards(centre.y * radial - centre.x * self.b, centre.x * radial + centre.y * self.b)
         };
         let (upper, j2, elbow, j3) = self.fold(branch.elbow, radial - self.a1, centre.z)?;
-        Ok(WristPlacement { joints: [j1, j2, j3], plane, forearm: upper.plus(elbow) })
+        Ok(ForearmPlacement { joints: [j1, j2, j3], plane, forearm: upper.plus(elbow) })
     }
 
     /// Computes axes 2 and 3 for a centre of the wrist at (`x`, `z`) relative to axis 2, in the arm plane.

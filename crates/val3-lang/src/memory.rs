@@ -21,7 +21,7 @@ mod store;
 mod stores;
 
 pub use budget::{MEMORY, MemoryBudget, bytes_of};
-pub use kind::{ElementType, FieldKind, KindBase, PartInit, ValueType, enumerator, field_offset, path_offset};
+pub use kind::{DetachedValue, FieldKind, KindBase, PartInit, ValueType, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use owner::Owner;
 pub use place::{LinkPlace, Place, Slot, StoreId, Subscript, View};

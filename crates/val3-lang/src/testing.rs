@@ -9,7 +9,7 @@ mod outside;
 
 use std::collections::BTreeMap;
 
-use self::notation::{NotedVariable, WrittenArgument, WrittenCall, WrittenSubscript};
+use self::notation::{VariableNotation, WrittenArgument, WrittenCall, WrittenSubscript};
 use self::outside::NoController;
 pub(crate) use self::outside::TaskList;
 use crate::call::{Argument, Call, Flow, StoredValue, Waiting};
@@ -45,7 +45,7 @@ pub(crate) fn check(call: &str, expected: &str) {
 impl Bench {
     /// Adds global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
     pub(crate) fn global(mut self, declarations: &str) -> Self {
-        for variable in declarations.split("; ").map(NotedVariable::parse) {
+        for variable in declarations.split("; ").map(VariableNotation::parse) {
             let store = self.memory.create(&variable.init()).unwrap();
             self.declare(&variable, store);
         }
@@ -54,14 +54,14 @@ impl Bench {
 
     /// Adds local variables. Each of them has a container here, even with a single value.
     pub(crate) fn local(mut self, declarations: &str) -> Self {
-        for variable in declarations.split("; ").map(NotedVariable::parse) {
+        for variable in declarations.split("; ").map(VariableNotation::parse) {
             let store = self.memory.create_local(&variable.init()).unwrap();
             self.declare(&variable, store);
         }
         self
     }
 
-    fn declare(&mut self, variable: &NotedVariable<'_>, store: StoreId) {
+    fn declare(&mut self, variable: &VariableNotation<'_>, store: StoreId) {
         self.variables.insert(variable.name.to_owned(), (View::whole(store), variable.base));
     }
 
@@ -216,7 +216,7 @@ impl Bench {
 
     /// Creates a container for an unnamed value.
     fn value_of(&mut self, base: BaseType) -> StoreId {
-        self.memory.create_local(&NotedVariable { name: "", base, shape: ContainerShape::ELEMENT }.init()).unwrap()
+        self.memory.create_local(&VariableNotation { name: "", base, shape: ContainerShape::ELEMENT }.init()).unwrap()
     }
 
     fn variable(&self, name: &str) -> Option<(View, BaseType)> {

@@ -77,7 +77,7 @@ pub use keys::{key_codes, typed_keys};
 use reaction::Reaction;
 pub use reaction::ReactionRule;
 pub use sent::SentText;
-pub use values::{ScriptLevel, ScriptValue, Seconds};
+pub use values::{ScriptValue, Seconds, SignalValue};
 
 /// Timed events, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]

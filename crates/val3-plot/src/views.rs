@@ -10,7 +10,7 @@ use crate::labels::{LabelDistance, LabelPosition, Labels};
 use crate::thinning::thinned;
 use crate::ticks;
 use crate::{Picture, marks};
-use names::{LineName, Named, SAME};
+use names::{Named, ProgramLine, SAME};
 
 /// Size of a panel, and space around its drawing, in pixels.
 const SIZE: [f64; 2] = [490.0, 470.0];
@@ -71,7 +71,7 @@ fn extents(picture: &Picture) -> [[f64; 2]; 3] {
 #[derive(Default)]
 struct Written<'a> {
     /// Program lines of targets.
-    targets: BTreeSet<LineName<'a>>,
+    targets: BTreeSet<ProgramLine<'a>>,
     /// Notes on blends with their positions in world.
     notes: Vec<([f64; 3], &'a str)>,
 }

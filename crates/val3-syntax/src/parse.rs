@@ -17,7 +17,7 @@ use crate::grammar;
 use crate::kind::SyntaxNode;
 use crate::lexer::lex;
 use crate::parser::{Input, Parser, build_tree};
-use crate::tree::SyntaxText;
+use crate::tree::SourceTree;
 use crate::view::View;
 
 /// Length in bytes from which every phase of parsing needs noticeable time.
@@ -26,7 +26,7 @@ const LONG: usize = 8 << 10;
 /// Text of a file with its tree and errors. Cheap to clone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Parse {
-    tree: Arc<SyntaxText>,
+    tree: Arc<SourceTree>,
     errors: Arc<[SyntaxError]>,
     odd_keywords: Arc<[TextRange]>,
 }

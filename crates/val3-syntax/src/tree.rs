@@ -21,7 +21,7 @@ pub use visits::visits;
 
 /// A text and its tree.
 #[derive(Debug)]
-pub(crate) struct SyntaxText {
+pub(crate) struct SourceTree {
     text: Arc<str>,
     entries: Box<[TreeEntry]>,
     green: OnceLock<GreenNode>,
@@ -48,12 +48,12 @@ pub(crate) struct Splice<'n> {
 /// A node or token with its position.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NodeRef<'t> {
-    tree: &'t SyntaxText,
+    tree: &'t SourceTree,
     index: u32,
     start: TextSize,
 }
 
-impl SyntaxText {
+impl SourceTree {
     /// Creates a tree from entries; the first entry contains all others.
     pub(crate) fn new(text: Arc<str>, entries: Vec<TreeEntry>) -> Self {
         Self { text, entries: entries.into_boxed_slice(), green: OnceLock::new(), before: Mutex::default() }
@@ -109,13 +109,13 @@ impl SyntaxText {
 }
 
 /// Compares text and entries, which determine the rowan tree.
-impl PartialEq for SyntaxText {
+impl PartialEq for SourceTree {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text && self.entries == other.entries
     }
 }
 
-impl Eq for SyntaxText {}
+impl Eq for SourceTree {}
 
 /// Converts a number of entries. A byte of text has only a few entries, so the memory limit is reached before an
 /// overflow.

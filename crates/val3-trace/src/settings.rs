@@ -21,15 +21,15 @@ pub struct TraceFile {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ExpectTable {
+struct TraceTable {
     file: String,
     mm: Option<Positive>,
     degrees: Option<Positive>,
     time: Option<Positive>,
 }
 
-impl From<ExpectTable> for TraceFile {
-    fn from(ExpectTable { file, mm, degrees, time }: ExpectTable) -> Self {
+impl From<TraceTable> for TraceFile {
+    fn from(TraceTable { file, mm, degrees, time }: TraceTable) -> Self {
         let or = |value: Option<Positive>, default| value.map_or(default, |Positive(value)| value);
         let tolerances = Tolerances {
             mm: or(mm, TOLERANCES.mm),
@@ -60,7 +60,7 @@ impl<'de> Visitor<'de> for FileOrTable {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TraceFile, A::Error> {
-        ExpectTable::deserialize(de::value::MapAccessDeserializer::new(map)).map(TraceFile::from)
+        TraceTable::deserialize(de::value::MapAccessDeserializer::new(map)).map(TraceFile::from)
     }
 }
 

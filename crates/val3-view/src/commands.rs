@@ -15,7 +15,7 @@ use val3_machine::files::FileFault;
 use val3_machine::script::ScriptAction;
 
 use crate::command_error::CommandError;
-use crate::positions::{self, PositionItem};
+use crate::positions::{self, GlobalValue};
 use crate::wire::{
     Arguments as _, ElementKey, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage, UserPage,
 };
@@ -71,8 +71,8 @@ impl Operator {
 
     fn change(
         &mut self,
-        point: PositionItem,
-        write: impl FnOnce(&PositionItem) -> Result<(), CommandError>,
+        point: GlobalValue,
+        write: impl FnOnce(&GlobalValue) -> Result<(), CommandError>,
     ) -> Result<(), CommandError> {
         write(&point)?;
         self.changed.insert(PointName { name: point.name, key: point.key });
@@ -81,7 +81,7 @@ impl Operator {
 
     /// Writes the changed points to their files, without points that the program has removed meanwhile.
     fn save(&mut self, save: &Save, controller: &mut Controller) -> Result<Saved, CommandError> {
-        let is_changed = |datum: &PositionItem| {
+        let is_changed = |datum: &GlobalValue| {
             let name = || PointName { name: datum.name.clone(), key: datum.key.clone() };
             datum.base == BaseType::Point && self.changed.contains(&name())
         };
@@ -134,9 +134,9 @@ pub fn response(response: &impl Serialize) -> Map<String, Value> {
 }
 
 /// Finds the point that a command names.
-fn point(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result<PositionItem, CommandError> {
+fn point(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result<GlobalValue, CommandError> {
     let key = key.map(ElementKey::into_text);
-    let is_meant = |datum: &PositionItem| datum.base == BaseType::Point && datum.name == name && datum.key == key;
+    let is_meant = |datum: &GlobalValue| datum.base == BaseType::Point && datum.name == name && datum.key == key;
     let found = positions::data(controller).into_iter().find(is_meant);
     found.ok_or_else(|| {
         CommandError(match key {
@@ -148,7 +148,7 @@ fn point(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result
 
 /// Sets a point to the current pose of the tool centre point, relative to the point's father. Its configuration is
 /// unchanged.
-fn teach(point: &PositionItem, controller: &mut Controller) -> Result<(), CommandError> {
+fn teach(point: &GlobalValue, controller: &mut Controller) -> Result<(), CommandError> {
     let here = Trsf::from(controller.arm().sample().pose);
     let memory = &controller.vm.space.memory;
     let frame = references::frame_of(memory, PointRef(point.place));
@@ -158,7 +158,7 @@ fn teach(point: &PositionItem, controller: &mut Controller) -> Result<(), Comman
     write(point, &local, controller)
 }
 
-fn write(point: &PositionItem, local: &Trsf, controller: &mut Controller) -> Result<(), CommandError> {
+fn write(point: &GlobalValue, local: &Trsf, controller: &mut Controller) -> Result<(), CommandError> {
     let memory = &mut controller.vm.space.memory;
     let numbers = crate::numbers(local);
     let written = (0..).zip(numbers).try_for_each(|(lane, number)| memory.set_num(point.place, lane, number));

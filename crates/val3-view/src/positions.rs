@@ -15,7 +15,7 @@ use crate::wire::{CellPoint, JointValue};
 
 /// A global value in an application or library.
 #[derive(Debug, Clone)]
-pub(crate) struct PositionItem {
+pub(crate) struct GlobalValue {
     /// Data name, prefixed by the library.
     pub(crate) name: String,
     /// Index or key; `None` for data with a single value.
@@ -24,7 +24,7 @@ pub(crate) struct PositionItem {
     pub(crate) place: Place,
 }
 
-impl PositionItem {
+impl GlobalValue {
     /// Name with index or key.
     fn whole_name(&self) -> String {
         match &self.key {
@@ -35,7 +35,7 @@ impl PositionItem {
 }
 
 /// Global values of the application and its libraries, for the types that pages show.
-pub(crate) fn data(controller: &Controller) -> Vec<PositionItem> {
+pub(crate) fn data(controller: &Controller) -> Vec<GlobalValue> {
     let space = &controller.vm.space;
     let mut found = Vec::new();
     for (number, (_, instance)) in space.loaded().enumerate() {
@@ -47,7 +47,7 @@ pub(crate) fn data(controller: &Controller) -> Vec<PositionItem> {
                 let Some(key) = subscript(&store.shape, index) else { continue };
                 let key = key.strip_prefix('[').and_then(|key| key.strip_suffix(']')).map(str::to_owned);
                 let name = prefix.clone() + &definition.name;
-                found.push(PositionItem { name, key, base, place: store.place(*id, index) });
+                found.push(GlobalValue { name, key, base, place: store.place(*id, index) });
             }
         }
     }
@@ -59,7 +59,7 @@ fn is_shown(base: &BaseType) -> bool {
 }
 
 /// Names of the data linked to each signal.
-pub(crate) fn names_by_signal(data: &[PositionItem], controller: &Controller) -> FxHashMap<SignalId, Vec<String>> {
+pub(crate) fn names_by_signal(data: &[GlobalValue], controller: &Controller) -> FxHashMap<SignalId, Vec<String>> {
     let (memory, io) = (&controller.vm.space.memory, &controller.devices.state.io);
     let mut names: FxHashMap<SignalId, Vec<String>> = FxHashMap::default();
     for datum in data.iter().filter(|datum| matches!(datum.base, BaseType::Dio | BaseType::Aio)) {
@@ -77,22 +77,22 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
         return Some("flange".to_owned());
     }
     let mut poses = Poses::new(&controller.vm.space.memory);
-    let is_meant = |datum: &&PositionItem| {
+    let is_meant = |datum: &&GlobalValue| {
         datum.base == BaseType::Tool && poses.of_tool(ToolRef(datum.place)).is_ok_and(|pose| is_there(&numbers(&pose)))
     };
-    data(controller).iter().find(is_meant).map(PositionItem::whole_name)
+    data(controller).iter().find(is_meant).map(GlobalValue::whole_name)
 }
 
 /// Computes names and poses of all values; the time per value does not depend on its chain length.
 pub(crate) struct PositionComputer<'a> {
-    data: &'a [PositionItem],
+    data: &'a [GlobalValue],
     memory: &'a Memory,
-    by_place: FxHashMap<Place, &'a PositionItem>,
+    by_place: FxHashMap<Place, &'a GlobalValue>,
     poses: Poses<'a>,
 }
 
 impl<'a> PositionComputer<'a> {
-    pub(crate) fn new(data: &'a [PositionItem], memory: &'a Memory) -> Self {
+    pub(crate) fn new(data: &'a [GlobalValue], memory: &'a Memory) -> Self {
         let by_place = data.iter().rev().map(|datum| (datum.place, datum)).collect();
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
@@ -103,8 +103,8 @@ impl<'a> PositionComputer<'a> {
         of_base.filter_map(|datum| self.described(datum)).collect()
     }
 
-    fn described(&mut self, datum: &PositionItem) -> Option<CellPoint> {
-        let PositionItem { name, key, base, place } = datum;
+    fn described(&mut self, datum: &GlobalValue) -> Option<CellPoint> {
+        let GlobalValue { name, key, base, place } = datum;
         let memory = self.memory;
         let pose = match base {
             BaseType::Tool => self.poses.of_tool(ToolRef(*place)),
@@ -127,8 +127,8 @@ impl<'a> PositionComputer<'a> {
 }
 
 /// Joint positions.
-pub(crate) fn joints(data: &[PositionItem], memory: &Memory) -> Vec<JointValue> {
-    let value = |PositionItem { name, key, place, .. }: &PositionItem| {
+pub(crate) fn joints(data: &[GlobalValue], memory: &Memory) -> Vec<JointValue> {
+    let value = |GlobalValue { name, key, place, .. }: &GlobalValue| {
         let axes = memory.store(place.store).ok()?.kind.size.num;
         Some(JointValue { name: name.clone(), key: key.clone(), values: nums(memory, *place, axes)? })
     };

@@ -28,7 +28,7 @@ pub enum TurnEnd {
 }
 
 impl TurnEnd {
-    /// Returns the end of the cycle if the turn ends within its lines and the cycle with it.
+    /// Returns the end of the cycle that such a turn stops; `None` if the cycle continues with other turns.
     pub(crate) fn cycle_end(self) -> Option<CycleEnd> {
         match self {
             Self::Suspended => Some(CycleEnd::Suspended),

@@ -97,7 +97,7 @@ const STYLES: Styles = Styles::styled()
 pub(crate) struct Args {
     /// The command to run
     #[command(subcommand)]
-    pub(crate) command: CommandLine,
+    pub(crate) command: CliCommand,
     /// Use this file instead of each application's nearest val3.toml
     #[arg(hide_short_help = true, help_heading = "Global options", long, value_name = "FILE", global = true)]
     pub(crate) config: Option<Utf8PathBuf>,
@@ -135,7 +135,7 @@ impl Args {
 
 /// The commands, one a file.
 #[derive(Debug, Subcommand)]
-pub(crate) enum CommandLine {
+pub(crate) enum CliCommand {
     /// Write an application with a move, a user page and a test
     #[command(disable_version_flag = true)]
     New(NewArgs),

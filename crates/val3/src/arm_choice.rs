@@ -55,7 +55,7 @@ fn is_compared(db: &Database, project: Project, settings: &WorkspaceSettings) ->
         let mut types = items(db, project).data.values().filter_map(|item| item.base.builtin());
         types.any(|ty| matches!(ty, BaseType::Point | BaseType::Joint))
     };
-    rules::of_motion().iter().any(|rule| settings.wants(rule)) && has_positions()
+    rules::of_motion().iter().any(|rule| settings.is_enabled(rule)) && has_positions()
 }
 
 fn notice_about(arm: &ProjectArm) -> Option<String> {

@@ -67,7 +67,7 @@ use clap::{CommandFactory as _, FromArgMatches as _};
 use val3_analysis::load::request_configuration;
 use val3_files::FileClass;
 
-use crate::args::{Args, CommandLine};
+use crate::args::{Args, CliCommand};
 use crate::color::Color;
 use crate::output::{commit, redirect, set_verbose, shown_argument, to_stderr, to_verbose};
 use crate::paths::current_folder;
@@ -137,22 +137,22 @@ fn request_settings(path: &Utf8Path) -> Result<(), UserError> {
 
 fn execute(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
-        CommandLine::New(new) => new::run(new, args.color),
-        CommandLine::Check(check) => check::run(check, args.color),
-        CommandLine::Fmt(fmt) => fmt::run(fmt, args.color),
-        CommandLine::Diff(diff) => diff::run(diff, args.color),
-        CommandLine::Merge(merge) => merge::run(merge),
-        CommandLine::Eval(eval) => eval::run(eval, args.color),
-        CommandLine::Run(run) => run::run(run, args.color),
-        CommandLine::Test(test) => test::run(test, args.color),
-        CommandLine::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
-        CommandLine::Arm(arm) => arm::run(arm, args.color),
-        CommandLine::Lsp(lsp) => lsp::run(lsp),
-        CommandLine::Dap(dap) => dap::run(dap),
-        CommandLine::Trust(trust) => trust::run(trust),
-        CommandLine::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
-        CommandLine::Completions(completions) => completions::run(completions).map(|()| ExitCode::SUCCESS),
-        CommandLine::Man(man) => man::run(man).map(|()| ExitCode::SUCCESS),
-        CommandLine::Version => version::run().map(|()| ExitCode::SUCCESS),
+        CliCommand::New(new) => new::run(new, args.color),
+        CliCommand::Check(check) => check::run(check, args.color),
+        CliCommand::Fmt(fmt) => fmt::run(fmt, args.color),
+        CliCommand::Diff(diff) => diff::run(diff, args.color),
+        CliCommand::Merge(merge) => merge::run(merge),
+        CliCommand::Eval(eval) => eval::run(eval, args.color),
+        CliCommand::Run(run) => run::run(run, args.color),
+        CliCommand::Test(test) => test::run(test, args.color),
+        CliCommand::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        CliCommand::Arm(arm) => arm::run(arm, args.color),
+        CliCommand::Lsp(lsp) => lsp::run(lsp),
+        CliCommand::Dap(dap) => dap::run(dap),
+        CliCommand::Trust(trust) => trust::run(trust),
+        CliCommand::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
+        CliCommand::Completions(completions) => completions::run(completions).map(|()| ExitCode::SUCCESS),
+        CliCommand::Man(man) => man::run(man).map(|()| ExitCode::SUCCESS),
+        CliCommand::Version => version::run().map(|()| ExitCode::SUCCESS),
     }
 }

@@ -7,7 +7,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
-use val3_analysis::system::{Disk, PathKind, System, SystemContent};
+use val3_analysis::system::{DecodedFile, Disk, PathKind, System};
 use val3_files::{FileClass, Unreadable};
 
 /// View of the disk that reads files on several threads.
@@ -31,8 +31,8 @@ impl System for ParallelDisk<'_> {
         Disk.read(path, class)
     }
 
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
-        let read = |path: &Utf8PathBuf| SystemContent::of(Disk.read(path, FileClass::Program));
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<DecodedFile>> {
+        let read = |path: &Utf8PathBuf| DecodedFile::of(Disk.read(path, FileClass::Program));
         self.threads.install(|| paths.par_iter().with_min_len(8).map(read).collect())
     }
 

@@ -64,7 +64,7 @@ pub(crate) use order::Shard;
 pub(crate) use record::{ServedRun, record_served};
 use refused::RefusedTests;
 use results::{EarlyEnd, Results};
-use tested::TestedTest;
+use tested::FinishedTest;
 use workers::{Surroundings, TestEvent};
 
 /// Runs the command.
@@ -175,7 +175,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
 
 /// Exit code of a run. A signal has precedence over results.
 fn exit_code(results: &Results, is_covered: bool) -> ExitCode {
-    let all = |is_good: fn(&TestedTest) -> bool| results.tested.iter().all(is_good);
+    let all = |is_good: fn(&FinishedTest) -> bool| results.tested.iter().all(is_good);
     match results.early_end {
         Some(EarlyEnd::Signal(code)) => ExitCode::from(code),
         _ if !all(|test| test.is_executed) => ExitCode::from(EXIT_USAGE),
@@ -206,7 +206,7 @@ fn note_unlisted(suites: &[Suite], paths: &Paths) {
 }
 
 /// Notes, once for each arm, that limits of cycle times were compared with model times.
-fn note_times(tested: &[TestedTest]) {
+fn note_times(tested: &[FinishedTest]) {
     let notes: BTreeSet<&str> = tested.iter().filter_map(|test| test.result.times_note.as_deref()).collect();
     to_stderr(|out| notes.iter().try_for_each(|note| writeln!(out, "note: {note}")));
 }

@@ -14,12 +14,12 @@ export interface AddLibraryParams {
   uri: string;
 }
 
-/** Element of a variable, with one string per column. */
-export interface CellValue {
-  fields?: readonly FieldContent[];
-  key: string;
-  /** Strings by column; `null` for the default. */
-  texts: readonly (string | null)[];
+/** New string of a cell. */
+export interface CellChange {
+  column: string;
+  place: DataLocation;
+  /** `null` for the default. */
+  text?: string | null;
 }
 
 /** Column of a table. */
@@ -63,7 +63,7 @@ export interface DataChanges {
 /** Edit of the tables. */
 export type DataEdit =
   | {
-  cells: readonly TableCell[];
+  cells: readonly CellChange[];
   kind: "set";
 }
   | {
@@ -126,7 +126,7 @@ export interface DataLocation {
   key?: string;
   name: string;
   /** Path to a value within the fields of a user type. */
-  within?: readonly PlacementStep[];
+  within?: readonly PathStep[];
 }
 
 /** Data file of a request. */
@@ -147,11 +147,11 @@ export interface DataPose {
   joints: readonly number[] | null;
   key: string;
   name: string;
-  reach: RequestedExtent | null;
+  reach: PoseReach | null;
   /** Reason why the pose is unknown or out of reach, or the tool with which it is reached. */
   why: string | null;
   /** Path to a value within the fields of a user type. */
-  within?: readonly PlacementStep[];
+  within?: readonly PathStep[];
   /** x, y, z in mm and rx, ry, rz in degrees, relative to `world` (tools: to the flange); `null` if unknown. */
   world: readonly number[] | null;
 }
@@ -205,7 +205,7 @@ export interface Datum {
   size: readonly number[];
   type: string;
   /** Values that the file contains; complete for a collection. */
-  values: readonly CellValue[];
+  values: readonly TableElement[];
 }
 
 /** The edit, and the remaining uses. */
@@ -267,7 +267,7 @@ export interface FieldContent {
   size: readonly number[];
   type: string;
   /** Values that the file contains; complete for a collection. */
-  values: readonly CellValue[];
+  values: readonly TableElement[];
 }
 
 /** Field of a user type. */
@@ -390,11 +390,14 @@ export interface ParameterEdit {
 export type Passing = "value" | "reference";
 
 /** Field on the path to a value. */
-export interface PlacementStep {
+export interface PathStep {
   /** Index or key in the field; empty or missing for the field itself. */
   key?: string;
   name: string;
 }
+
+/** Whether the arm reaches a pose. */
+export type PoseReach = "reachable" | "outOfReach";
 
 /** Project kind, by its use in the workspace. */
 export type ProjectKind = "application" | "tests" | "library" | "type";
@@ -418,9 +421,6 @@ export interface ReplacedValues {
   deleteCount: number;
   start: number;
 }
-
-/** Whether the arm reaches a pose. */
-export type RequestedExtent = "reachable" | "outOfReach";
 
 /** Parameters and results of the requests `val3/…`, by method. */
 export interface ServerRequests {
@@ -476,12 +476,12 @@ export interface ServerRequests {
   };
 }
 
-/** New string of a cell. */
-export interface TableCell {
-  column: string;
-  place: DataLocation;
-  /** `null` for the default. */
-  text?: string | null;
+/** Element of a variable, with one string per column. */
+export interface TableElement {
+  fields?: readonly FieldContent[];
+  key: string;
+  /** Strings by column; `null` for the default. */
+  texts: readonly (string | null)[];
 }
 
 /** An item of a project. */

@@ -14,13 +14,13 @@ pub struct Trees(Mutex<TreeCache>);
 
 #[derive(Debug, Default)]
 struct TreeCache {
-    trees: FxHashMap<File, StoredTree>,
+    trees: FxHashMap<File, CachedTree>,
     /// Number of uses so far.
     clock: u64,
 }
 
 #[derive(Debug)]
-struct StoredTree {
+struct CachedTree {
     text: Arc<str>,
     /// Tree, parsed by the first caller. Concurrent callers wait for it.
     parse: Arc<OnceLock<Parse>>,
@@ -40,7 +40,7 @@ impl Trees {
     }
 
     /// Returns the cache entry for the tree of `text`, and the previous entry if its text was different.
-    fn tree(&self, file: File, text: &Arc<str>) -> (Arc<OnceLock<Parse>>, Option<StoredTree>) {
+    fn tree(&self, file: File, text: &Arc<str>) -> (Arc<OnceLock<Parse>>, Option<CachedTree>) {
         let mut kept = self.kept();
         kept.clock += 1;
         let used = kept.clock;
@@ -49,14 +49,14 @@ impl Trees {
             return (Arc::clone(&tree.parse), None);
         }
         let parse = Arc::default();
-        let before = kept.trees.insert(file, StoredTree { text: Arc::clone(text), parse: Arc::clone(&parse), used });
+        let before = kept.trees.insert(file, CachedTree { text: Arc::clone(text), parse: Arc::clone(&parse), used });
         (parse, before)
     }
 
     /// Removes the trees of `files` from the cache.
     pub fn forget(&self, files: impl IntoIterator<Item = File>) {
         let mut kept = self.kept();
-        let forgotten: Vec<StoredTree> = files.into_iter().filter_map(|file| kept.trees.remove(&file)).collect();
+        let forgotten: Vec<CachedTree> = files.into_iter().filter_map(|file| kept.trees.remove(&file)).collect();
         // Dropped after the lock, because dropping a large tree takes time.
         drop(kept);
         drop(forgotten);

@@ -3,11 +3,11 @@
 use rowan::TextRange;
 use smallvec::{SmallVec, smallvec};
 
-use super::{FlowGraph, FlowNode, PointId, PointKind};
+use super::{FlowGraph, FlowNode, FlowNodeId, PointKind};
 use crate::body::{Body, ExprId, Stmt, StmtKind};
 
 /// A node with an edge whose end does not exist yet.
-type OpenEdge = PointId;
+type OpenEdge = FlowNodeId;
 /// Several open edges.
 type OpenEdges = SmallVec<[OpenEdge; 4]>;
 
@@ -35,14 +35,14 @@ pub(super) fn build(body: &Body) -> FlowGraph {
 }
 
 impl Builder<'_> {
-    fn add(&mut self, kind: PointKind, range: TextRange) -> PointId {
-        let id = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
+    fn add(&mut self, kind: PointKind, range: TextRange) -> FlowNodeId {
+        let id = FlowNodeId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
         self.flow.points.push(FlowNode { kind, range, next: SmallVec::new() });
         id
     }
 
     /// Connects all open edges to `target`.
-    fn join(&mut self, target: PointId) {
+    fn join(&mut self, target: FlowNodeId) {
         for from in std::mem::take(&mut self.loose) {
             if let Some(point) = self.flow.points.get_mut(from.index()) {
                 point.next.push(target);
@@ -51,7 +51,7 @@ impl Builder<'_> {
     }
 
     /// Adds the next node and connects all open edges to it. The edge from the new node becomes the open edge.
-    fn then(&mut self, kind: PointKind, range: TextRange) -> PointId {
+    fn then(&mut self, kind: PointKind, range: TextRange) -> FlowNodeId {
         let id = self.add(kind, range);
         self.join(id);
         self.loose = smallvec![id];
@@ -109,7 +109,7 @@ impl Builder<'_> {
         }
     }
 
-    fn test(&mut self, condition: Option<ExprId>, is_loop: bool, stmt: TextRange) -> PointId {
+    fn test(&mut self, condition: Option<ExprId>, is_loop: bool, stmt: TextRange) -> FlowNodeId {
         let range = condition.map_or(stmt, |id| self.body.range(id));
         self.then(PointKind::Test { condition, is_loop }, range)
     }
@@ -130,7 +130,7 @@ impl Builder<'_> {
     }
 
     /// Adds a separate node for an empty block, so that the two edges of a test are in order.
-    fn resolve_empty_block(&mut self, ends: &mut [OpenEdge], test: PointId, range: TextRange) {
+    fn resolve_empty_block(&mut self, ends: &mut [OpenEdge], test: FlowNodeId, range: TextRange) {
         for end in ends.iter_mut().filter(|end| **end == test) {
             let empty = self.add(PointKind::Empty, TextRange::empty(range.end()));
             if let Some(point) = self.flow.points.get_mut(test.index()) {
@@ -141,7 +141,7 @@ impl Builder<'_> {
     }
 
     fn do_stmt(&mut self, block: &[Stmt], condition: Option<ExprId>, range: TextRange) {
-        let first = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
+        let first = FlowNodeId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
         self.block(block);
         let test = self.test(condition, true, range);
         // `until` ends the loop if the condition is true. With an empty block, the test itself is the first node.

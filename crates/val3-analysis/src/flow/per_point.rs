@@ -2,7 +2,7 @@
 
 use val3_syntax::TextSlice;
 
-use super::PointId;
+use super::FlowNodeId;
 
 /// Any number of values for each flow node.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +39,7 @@ impl<T> PerPoint<T> {
     }
 
     /// Returns the values of a node.
-    pub fn at(&self, point: PointId) -> &[T] {
+    pub fn at(&self, point: FlowNodeId) -> &[T] {
         let end = self.ends.get(point.index()).copied().unwrap_or(0);
         let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
         self.all.part(start as usize..end as usize)

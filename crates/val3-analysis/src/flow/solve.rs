@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use super::{FlowGraph, FlowNode, PointId};
+use super::{FlowGraph, FlowNode, FlowNodeId};
 
 /// Facts before each flow node; after each node for a backward problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,12 +13,12 @@ pub struct Facts<S>(Vec<Option<S>>);
 
 impl<S> Facts<S> {
     /// Returns the facts before the node; `None` if it is unreachable.
-    pub fn before(&self, point: PointId) -> Option<&S> {
+    pub fn before(&self, point: FlowNodeId) -> Option<&S> {
         self.0.get(point.index())?.as_ref()
     }
 
     /// Returns the facts after the node, for a backward problem; `None` if no path from the node reaches the end.
-    pub fn after(&self, point: PointId) -> Option<&S> {
+    pub fn after(&self, point: FlowNodeId) -> Option<&S> {
         self.before(point)
     }
 }
@@ -30,11 +30,11 @@ impl<S> Facts<S> {
 pub fn forward<S: Clone>(
     flow: &FlowGraph,
     start: S,
-    step: impl FnMut(PointId, &FlowNode, &S) -> S,
+    step: impl FnMut(FlowNodeId, &FlowNode, &S) -> S,
     join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
-    let order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
-    let next = |id: PointId| flow.point(id).map_or(&[][..], |point| point.next.as_slice());
+    let order: Vec<FlowNodeId> = flow.points().map(|(id, _)| id).collect();
+    let next = |id: FlowNodeId| flow.point(id).map_or(&[][..], |point| point.next.as_slice());
     solve(flow, &order, next, (FlowGraph::START, start), step, join)
 }
 
@@ -43,29 +43,29 @@ pub fn forward<S: Clone>(
 pub fn backward<S: Clone>(
     flow: &FlowGraph,
     end: S,
-    step: impl FnMut(PointId, &FlowNode, &S) -> S,
+    step: impl FnMut(FlowNodeId, &FlowNode, &S) -> S,
     join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
-    let mut order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
+    let mut order: Vec<FlowNodeId> = flow.points().map(|(id, _)| id).collect();
     // The end node is the second node: it is moved to the front, followed by the nodes from the last line upwards.
     order.reverse();
     order.sort_by_key(|id| *id != FlowGraph::END);
-    let mut previous: Vec<SmallVec<[PointId; 2]>> = vec![SmallVec::new(); flow.len()];
+    let mut previous: Vec<SmallVec<[FlowNodeId; 2]>> = vec![SmallVec::new(); flow.len()];
     for (id, point) in flow.points() {
         for next in &point.next {
             previous.get_mut(next.index()).into_iter().for_each(|list| list.push(id));
         }
     }
-    let next = |id: PointId| previous.get(id.index()).map_or(&[][..], SmallVec::as_slice);
+    let next = |id: FlowNodeId| previous.get(id.index()).map_or(&[][..], SmallVec::as_slice);
     solve(flow, &order, next, (FlowGraph::END, end), step, join)
 }
 
 fn solve<'f, S: Clone>(
     flow: &FlowGraph,
-    order: &[PointId],
-    next: impl Fn(PointId) -> &'f [PointId],
-    (first, holds): (PointId, S),
-    mut step: impl FnMut(PointId, &FlowNode, &S) -> S,
+    order: &[FlowNodeId],
+    next: impl Fn(FlowNodeId) -> &'f [FlowNodeId],
+    (first, holds): (FlowNodeId, S),
+    mut step: impl FnMut(FlowNodeId, &FlowNode, &S) -> S,
     mut join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let mut facts: Vec<Option<S>> = vec![None; flow.len()];

@@ -147,13 +147,13 @@ pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> 
     let spelling = spelling(root);
     let (list, item) = if of_programs { spelling.programs } else { spelling.data };
     let entry = format!("<{item} file=\"{name}\" />");
-    let behind = |element: XmlElement<'_>| TextRange::empty(element.view().range().end());
+    let after = |element: XmlElement<'_>| TextRange::empty(element.view().range().end());
     if let Some(last) = entries(root, (list, item)).last() {
-        return Some((behind(last), entry));
+        return Some((after(last), entry));
     }
     let whole = format!("<{list}>{entry}</{list}>");
     let place = root.child(&[list]).map(|empty| empty.view().range());
-    Some((place.or_else(|| root.elements().last().map(behind))?, whole))
+    Some((place.or_else(|| root.elements().last().map(after))?, whole))
 }
 
 /// Whether the project file has the format of s5 and s6.

@@ -11,7 +11,7 @@ use crate::xml::{Attribute, XmlElement};
 
 /// A number in a motion descriptor.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DescriptorLimit {
+pub struct DescriptorValue {
     /// Attribute name, for example `tmax` for the field `tvel`.
     pub attribute: &'static str,
     /// Value.
@@ -21,7 +21,7 @@ pub struct DescriptorLimit {
 }
 
 /// Returns the numbers of all motion descriptors in a data file of either dialect, including fields of user types.
-pub fn limits(db: &dyn Db, file: File) -> Vec<DescriptorLimit> {
+pub fn limits(db: &dyn Db, file: File) -> Vec<DescriptorValue> {
     let parse = parse(db, file);
     let mut found = Vec::new();
     for element in data::elements(parse.view()) {
@@ -64,7 +64,7 @@ fn blend(value: XmlElement<'_>) -> Option<BlendDistances> {
 
 /// Collects from `<Data type>` and `<Field type>` with `<Value>`, and from `<mdesc>` with `<valueMdesc>` and
 /// `<mdescValue>`.
-fn declared(element: XmlElement<'_>, found: &mut Vec<DescriptorLimit>) {
+fn declared(element: XmlElement<'_>, found: &mut Vec<DescriptorValue>) {
     let written = element.value("type").unwrap_or_else(|| element.name().into());
     let is_descriptor = matches!(BaseType::from_file_name(&written), Some((BaseType::Mdesc, _)));
     for value in element.elements() {
@@ -76,7 +76,7 @@ fn declared(element: XmlElement<'_>, found: &mut Vec<DescriptorLimit>) {
     }
 }
 
-fn limit(written: Attribute<'_>) -> Option<DescriptorLimit> {
+fn limit(written: Attribute<'_>) -> Option<DescriptorValue> {
     let known = attribute(BaseType::Mdesc, None, written.name).filter(|known| known.value == AttributeValue::Number)?;
-    Some(DescriptorLimit { attribute: known.name, value: written.text().trim().parse().ok()?, range: written.range })
+    Some(DescriptorValue { attribute: known.name, value: written.text().trim().parse().ok()?, range: written.range })
 }

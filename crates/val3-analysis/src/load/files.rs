@@ -8,7 +8,7 @@ use super::Loader;
 use super::folder_names::FolderNames;
 use crate::db::File;
 use crate::paths::path_key;
-use crate::system::{PathKind, SystemContent};
+use crate::system::{DecodedFile, PathKind};
 
 impl Loader<'_> {
     /// Reads several files in one call. Files that do not exist under their exact name are left to `found_file`.
@@ -40,7 +40,7 @@ impl Loader<'_> {
             return Some(*file);
         }
         if let Some(text) = self.system.edited(path) {
-            return Some(self.file_input(key, path, SystemContent { text, status: None }));
+            return Some(self.file_input(key, path, DecodedFile { text, status: None }));
         }
         match self.known.files.get(&key).filter(|_| !(self.is_stale)(&key)) {
             Some(file) => {
@@ -57,10 +57,10 @@ impl Loader<'_> {
         }
     }
 
-    fn content(&mut self, path: &Utf8Path) -> Option<SystemContent> {
+    fn content(&mut self, path: &Utf8Path) -> Option<DecodedFile> {
         match self.budget.reserve(path, self.system.size(path)) {
-            true => SystemContent::of(self.system.read(path, FileClass::Program)),
-            false => Some(SystemContent::unreadable(self.budget.reason())),
+            true => DecodedFile::of(self.system.read(path, FileClass::Program)),
+            false => Some(DecodedFile::unreadable(self.budget.reason())),
         }
     }
 
@@ -71,7 +71,7 @@ impl Loader<'_> {
     }
 
     /// Creates an input from read content; `None` if the file does not exist.
-    fn add(&mut self, path: &Utf8Path, content: Option<SystemContent>) -> Option<File> {
+    fn add(&mut self, path: &Utf8Path, content: Option<DecodedFile>) -> Option<File> {
         let key = path_key(path.as_str());
         match self.files.get(&key) {
             Some(file) => Some(*file),

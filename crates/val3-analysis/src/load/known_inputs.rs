@@ -14,7 +14,7 @@ use crate::cell::CellConfig;
 use crate::db::{CellFolder, Configuration, Database, File, FileStatus, Project, Sources};
 use crate::paths::{Roots, path_key};
 
-use crate::system::SystemContent;
+use crate::system::DecodedFile;
 
 /// Durability of stored files, which change less often than open documents. After an edit, salsa skips all queries that
 /// depend only on stored files.
@@ -68,7 +68,7 @@ impl KnownInputs {
 
 impl Loader<'_> {
     /// Returns the input for a file with this content.
-    pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: SystemContent) -> File {
+    pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: DecodedFile) -> File {
         let path = self.spelt(path);
         let known = self.known.files.get(&key).copied();
         // Open documents change often.
@@ -102,7 +102,7 @@ impl Loader<'_> {
         let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
         let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
         let status =
-            known.or_else(|| SystemContent::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
+            known.or_else(|| DecodedFile::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
         status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 

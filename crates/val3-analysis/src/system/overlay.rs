@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 
 use val3_files::{FileClass, Unreadable};
 
-use super::{PathKind, System, SystemContent};
+use super::{DecodedFile, PathKind, System};
 use crate::paths::path_key;
 
 /// An overlay on the file system `below`. Paths are compared in any letter case.
@@ -71,11 +71,11 @@ impl<S: System> System for OverlayFs<S> {
         }
     }
 
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<DecodedFile>> {
         let mut contents = self.below.read_all(paths);
         for (path, content) in paths.iter().zip(&mut contents) {
             if let Some(bytes) = self.bytes(path) {
-                *content = SystemContent::of(Ok(bytes.clone()));
+                *content = DecodedFile::of(Ok(bytes.clone()));
             }
         }
         contents

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use expect_test::{Expect, expect};
-use val3_analysis::flow::{Facts, FlowGraph, FlowNode, PointId, PointKind, backward, flow, forward};
+use val3_analysis::flow::{Facts, FlowGraph, FlowNode, FlowNodeId, PointKind, backward, flow, forward};
 
 use crate::show::{program, project, workspace};
 
@@ -232,7 +232,7 @@ fn return_leads_to_the_end() {
 
 /// Shows the flow nodes with facts, and the numbers in the facts.
 fn collected(flow: &FlowGraph, facts: &Facts<BTreeSet<usize>>) -> String {
-    let of_point = |(id, _): (PointId, &FlowNode)| Some(format!("{}: {:?}\n", id.index(), facts.before(id)?));
+    let of_point = |(id, _): (FlowNodeId, &FlowNode)| Some(format!("{}: {:?}\n", id.index(), facts.before(id)?));
     flow.points().filter_map(of_point).collect()
 }
 
@@ -241,7 +241,7 @@ fn facts_flow_in_both_directions() {
     let workspace = workspace("num n\nbool b\n\nwhile b\n  if b\n    n=1\n  endIf\nendWhile\nreturn\nn=2");
     let db = &workspace.db;
     let flow = flow(db, program(db, project(&workspace, "main"), "start"));
-    let step = |id: PointId, point: &FlowNode, facts: &BTreeSet<usize>| {
+    let step = |id: FlowNodeId, point: &FlowNode, facts: &BTreeSet<usize>| {
         let assigns = matches!(point.kind, PointKind::Assign { .. });
         facts.iter().copied().chain(assigns.then_some(id.index())).collect()
     };

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use val3_lang::memory::{
-    ContainerShape, ElementType, FieldKind, KindBase, LinkPlace, Memory, PartInit, Place, ValueType,
+    ContainerShape, DetachedValue, FieldKind, KindBase, LinkPlace, Memory, PartInit, Place, ValueType,
 };
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::values::Text;
@@ -137,7 +137,7 @@ impl ListingForm for PartInit {
         if !value.values.is_empty() {
             to.put(" {");
             to.list(&value.values, ", ", |value, to| match value {
-                Some(value) => ElementType::write(value, to),
+                Some(value) => DetachedValue::write(value, to),
                 None => to.put("_"),
             });
             to.put("}");
@@ -171,7 +171,7 @@ impl ListingForm for PartInit {
 
 /// A value's lanes in parentheses: numbers, texts, links unless all are empty, and the fields' containers. A single
 /// number or string has no parentheses.
-impl ListingForm for ElementType {
+impl ListingForm for DetachedValue {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -214,8 +214,8 @@ impl ListingForm for ElementType {
 }
 
 /// Reads a value with this type, and checks the number of lanes.
-fn value(kind: &ValueType, from: &mut ListingReader<'_>) -> Result<ElementType> {
-    let mut value = ElementType::read(from)?;
+fn value(kind: &ValueType, from: &mut ListingReader<'_>) -> Result<DetachedValue> {
+    let mut value = DetachedValue::read(from)?;
     if value.links.is_empty() {
         value.links.resize(kind.size.link as usize, LinkPlace::None);
     }

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::body::{Constant, Expr, ExprId};
 use val3_analysis::effects::{AccessKind, RootVariable};
-use val3_analysis::flow::{Facts, FlowNode, PointId, PointKind, forward};
+use val3_analysis::flow::{Facts, FlowNode, FlowNodeId, PointKind, forward};
 use val3_analysis::items::initial::{Initial, initial};
 use val3_lang::enumerations::{self, Enumerator};
 use val3_lang::motion::keeps_configuration;
@@ -34,7 +34,7 @@ impl ProgramView<'_> {
             let default = |ty| Some(Choice { value: enumerations::values(ty).next()?, is_chosen: false });
             fields.filter_map(move |(field, ty)| Some((join(&local.name, field), default(ty)?)))
         });
-        let step = |id: PointId, point: &FlowNode, before: &Rc<Choices>| self.choices_after(id, point, before);
+        let step = |id: FlowNodeId, point: &FlowNode, before: &Rc<Choices>| self.choices_after(id, point, before);
         forward(self.flow(), Rc::new(start.collect()), step, |known, other| {
             let differs = |(field, value): (&SmolStr, &Choice)| other.get(field) != Some(value);
             let news = !Rc::ptr_eq(known, other) && known.iter().any(differs);
@@ -109,7 +109,7 @@ impl ProgramView<'_> {
         Some(keys?.join(",").into())
     }
 
-    fn choices_after(&self, id: PointId, point: &FlowNode, before: &Rc<Choices>) -> Rc<Choices> {
+    fn choices_after(&self, id: FlowNodeId, point: &FlowNode, before: &Rc<Choices>) -> Rc<Choices> {
         let writes = self.effects.at(id).iter().any(|access| access.kind != AccessKind::Read);
         if !writes && !matches!(point.kind, PointKind::Call(_)) {
             return before.clone();

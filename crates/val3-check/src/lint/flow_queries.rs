@@ -1,14 +1,14 @@
 //! Properties of the control-flow graph's nodes, for lints.
 
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
-use val3_analysis::flow::{FlowNode, PerPoint, PointId, PointKind};
+use val3_analysis::flow::{FlowNode, FlowNodeId, PerPoint, PointKind};
 use val3_lang::instruction::CallClass;
 
 use super::{Call, ProgramView};
 
 impl<'db> ProgramView<'db> {
     /// Instruction calls at a flow node, in evaluation order.
-    pub(crate) fn calls_at(&self, id: PointId) -> &[Call<'db>] {
+    pub(crate) fn calls_at(&self, id: FlowNodeId) -> &[Call<'db>] {
         self.calls_by_point.get_or_init(|| self.calls_of_points()).at(id)
     }
 

@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{Access, AccessKind, Effects, RootVariable};
-use val3_analysis::flow::{Facts, FlowGraph, FlowNode, PerPoint, PointId, backward, forward};
+use val3_analysis::flow::{Facts, FlowGraph, FlowNode, FlowNodeId, PerPoint, backward, forward};
 use val3_analysis::items::program::Header;
 use val3_lang::instruction::ArgumentForm;
 
@@ -36,13 +36,13 @@ impl<'db> LocalUse<'db> {
     }
 
     /// Accesses at a flow node, in evaluation order.
-    pub(crate) fn at(&self, point: PointId) -> &[(Locals, &'db Access)] {
+    pub(crate) fn at(&self, point: FlowNodeId) -> &[(Locals, &'db Access)] {
         self.0.at(point)
     }
 
     /// Variables that may have been written before each flow node.
     pub(crate) fn written(&self, flow: &FlowGraph) -> Facts<Locals> {
-        let step = |id: PointId, _: &FlowNode, before: &Locals| {
+        let step = |id: FlowNodeId, _: &FlowNode, before: &Locals| {
             let written = self.at(id).iter().filter(|(_, access)| access.kind != AccessKind::Read);
             written.fold(*before, |all, (bit, _)| all | bit)
         };
@@ -51,7 +51,7 @@ impl<'db> LocalUse<'db> {
 
     /// Variables whose value may still be used after each flow node.
     pub(crate) fn needed(&self, flow: &FlowGraph) -> Facts<Locals> {
-        let step = |id: PointId, _: &FlowNode, behind: &Locals| {
+        let step = |id: FlowNodeId, _: &FlowNode, behind: &Locals| {
             self.at(id).iter().rev().fold(*behind, |needed, (bit, access)| match access.kind {
                 AccessKind::Write => needed & !bit,
                 AccessKind::WritePart => needed,

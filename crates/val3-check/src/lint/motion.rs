@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{Facts, FlowNode, PointId, PointKind, forward};
+use val3_analysis::flow::{Facts, FlowNode, FlowNodeId, PointKind, forward};
 use val3_lang::instruction::Overload;
 use val3_lang::motion::{self, MotionRole};
 
@@ -18,7 +18,7 @@ pub(crate) struct MotionFacts {
     /// Computed on demand.
     choices: OnceCell<Facts<Rc<Choices>>>,
     /// Flow nodes of the calls that record moves.
-    moves: FxHashMap<ExprId, PointId>,
+    moves: FxHashMap<ExprId, FlowNodeId>,
 }
 
 /// Certain facts about the arm, on every path to a flow node.
@@ -88,7 +88,7 @@ pub(crate) struct ArmCall<'db> {
 
 impl MotionFacts {
     fn new(program: &ProgramView<'_>) -> Self {
-        let step = |id: PointId, point: &FlowNode, before: &ArmState| program.arm_after(id, point, *before);
+        let step = |id: FlowNodeId, point: &FlowNode, before: &ArmState| program.arm_after(id, point, *before);
         let arm = forward(program.flow(), ArmState::default(), step, ArmState::join);
         let mut moves = FxHashMap::default();
         for (id, _) in program.flow().points() {
@@ -99,12 +99,12 @@ impl MotionFacts {
     }
 
     /// Flow node of the call that records a move.
-    pub(crate) fn point_of(&self, call: ExprId) -> Option<PointId> {
+    pub(crate) fn point_of(&self, call: ExprId) -> Option<FlowNodeId> {
         self.moves.get(&call).copied()
     }
 
     /// Certain facts about the arm before a flow node.
-    pub(crate) fn arm(&self, point: PointId) -> ArmState {
+    pub(crate) fn arm(&self, point: FlowNodeId) -> ArmState {
         self.arm.before(point).copied().unwrap_or_default()
     }
 }
@@ -210,7 +210,7 @@ impl<'db> ProgramView<'db> {
         steps
     }
 
-    fn arm_after(&self, id: PointId, point: &FlowNode, before: ArmState) -> ArmState {
+    fn arm_after(&self, id: FlowNodeId, point: &FlowNode, before: ArmState) -> ArmState {
         let after = self.calls_at(id).iter().fold(before, |arm, call| arm.after(call));
         // The effect of the called program on the arm is unknown here.
         if matches!(point.kind, PointKind::Call(_)) { ArmState::default() } else { after }

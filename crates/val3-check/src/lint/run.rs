@@ -36,10 +36,10 @@ fn of_program(
 pub(crate) fn versions(program: &ProgramView<'_>, settings: &Settings) -> Vec<Diagnostic> {
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
-    if settings.wants(&instruction_version::RULE) {
+    if settings.is_enabled(&instruction_version::RULE) {
         instruction_version::check(program, &mut found);
     }
-    if settings.wants(&other_version::RULE) {
+    if settings.is_enabled(&other_version::RULE) {
         other_version::check(program, &mut found);
     }
     found.into_diagnostics()
@@ -68,5 +68,5 @@ pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec
 
 /// Lints of a kind that are on.
 fn wanted<C>(settings: &Settings, kind: fn(Lint) -> Option<C>) -> impl Iterator<Item = C> {
-    rules::all().iter().filter_map(move |rule| rule.lint.and_then(kind).filter(|_| settings.wants(rule)))
+    rules::all().iter().filter_map(move |rule| rule.lint.and_then(kind).filter(|_| settings.is_enabled(rule)))
 }

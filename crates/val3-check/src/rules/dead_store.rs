@@ -5,7 +5,7 @@ use val3_analysis::db::FileRange;
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::effects::{Access, AccessKind, RootVariable};
-use val3_analysis::flow::{PointId, PointKind};
+use val3_analysis::flow::{FlowNodeId, PointKind};
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
@@ -71,10 +71,10 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 }
 
 /// Next line after `from` that overwrites the entire variable, on the first path that reaches one.
-fn overwritten(program: &ProgramView<'_>, from: PointId, variable: Locals) -> Option<TextRange> {
+fn overwritten(program: &ProgramView<'_>, from: FlowNodeId, variable: Locals) -> Option<TextRange> {
     let flow = program.flow();
     let mut seen = vec![false; flow.len()];
-    let mut open: VecDeque<PointId> = flow.point(from)?.next.iter().copied().collect();
+    let mut open: VecDeque<FlowNodeId> = flow.point(from)?.next.iter().copied().collect();
     while let Some(id) = open.pop_front() {
         let (Some(point), Some(seen)) = (flow.point(id), seen.get_mut(id.index())) else { continue };
         let is_write = |(bit, access): &(Locals, &Access)| *bit == variable && access.kind == AccessKind::Write;

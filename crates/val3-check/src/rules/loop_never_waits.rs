@@ -1,7 +1,7 @@
 //! V0308: a loop without end in which nothing waits.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::flow::{FlowNode, PointId, PointKind};
+use val3_analysis::flow::{FlowNode, FlowNodeId, PointKind};
 use val3_lang::instructions::{CLOCK, DELAY};
 
 use crate::diagnostic::Wording;
@@ -54,7 +54,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 }
 
 /// Whether other tasks may run at this flow node, or the clock limits the loop's speed.
-fn waits(program: &ProgramView<'_>, id: PointId, point: &FlowNode) -> bool {
+fn waits(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode) -> bool {
     program.effects.may_wait_at(point)
         || program.calls_at(id).iter().any(|call| call.instruction.name == CLOCK)
         || matches!(point.kind, PointKind::Call(call) if may_wait(program, call))

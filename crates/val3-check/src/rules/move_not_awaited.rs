@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::application::{START, STOP};
-use val3_analysis::flow::{PointId, PointKind};
+use val3_analysis::flow::{FlowNodeId, PointKind};
 
 use crate::diagnostic::Wording;
 use crate::lint::{ArmActivity, Findings, ProgramView, is_library};
@@ -80,7 +80,7 @@ fn ends_application(program: &ProgramView<'_>) -> bool {
 }
 
 /// Whether a loop with a condition, which may run until the arm has arrived, can follow a flow node.
-fn leads_to_loop(program: &ProgramView<'_>, from: PointId) -> bool {
+fn leads_to_loop(program: &ProgramView<'_>, from: FlowNodeId) -> bool {
     let mut seen = FxHashSet::default();
     let mut open = vec![from];
     while let Some(id) = open.pop() {

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{Facts, FlowNode, PointId, PointKind, backward};
+use val3_analysis::flow::{Facts, FlowNode, FlowNodeId, PointKind, backward};
 use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
@@ -64,7 +64,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 /// Whether, before each flow node, the program may still restart the arm later, or call a program that may.
 fn freed_later(program: &ProgramView<'_>) -> Facts<bool> {
-    let frees = |id: PointId, point: &FlowNode| {
+    let frees = |id: FlowNodeId, point: &FlowNode| {
         let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
         matches!(point.kind, PointKind::Call(_))
             || roles.any(|role| matches!(role, MotionRole::Restart | MotionRole::Reset))

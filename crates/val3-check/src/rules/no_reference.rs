@@ -6,7 +6,7 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{AccessKind, RootVariable};
-use val3_analysis::flow::{FlowNode, PointId, PointKind, forward};
+use val3_analysis::flow::{FlowNode, FlowNodeId, PointKind, forward};
 use val3_lang::motion::{missing_reference, needs_reference};
 use val3_lang::types::BaseType;
 
@@ -61,7 +61,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
         return;
     }
     let flow = program.flow();
-    let step = |id: PointId, point: &FlowNode, before: &Rc<ReferencedVariables>| after(program, id, point, before);
+    let step = |id: FlowNodeId, point: &FlowNode, before: &Rc<ReferencedVariables>| after(program, id, point, before);
     let facts = forward(flow, Rc::default(), step, |known, more| {
         let news = !Rc::ptr_eq(known, more) && !more.is_subset(known);
         if news {
@@ -95,7 +95,7 @@ pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseT
 
 fn after(
     program: &ProgramView<'_>,
-    id: PointId,
+    id: FlowNodeId,
     point: &FlowNode,
     before: &Rc<ReferencedVariables>,
 ) -> Rc<ReferencedVariables> {

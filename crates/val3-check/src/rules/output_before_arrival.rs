@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{FlowNode, PointId, PointKind};
+use val3_analysis::flow::{FlowNode, FlowNodeId, PointKind};
 use val3_lang::instruction::{CallClass, Family};
 use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::types::BaseType;
@@ -62,7 +62,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 }
 
 /// Output that is set at a flow node.
-fn output(program: &ProgramView<'_>, id: PointId, point: &FlowNode) -> Option<ExprId> {
+fn output(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode) -> Option<ExprId> {
     let is_output = |id: ExprId| {
         let ty = program.inference.ty(id).base.builtin();
         matches!(ty, Some(BaseType::Dio | BaseType::Aio)).then_some(id)

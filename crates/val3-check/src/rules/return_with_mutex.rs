@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use smol_str::SmolStr;
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{AccessKind, RootVariable};
-use val3_analysis::flow::{FlowNode, PointId, PointKind, forward};
+use val3_analysis::flow::{FlowNode, FlowNodeId, PointKind, forward};
 use val3_lang::instructions::SET_MUTEX;
 
 use crate::diagnostic::Wording;
@@ -57,7 +57,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if !returns || program.calls_of(SET_MUTEX).next().is_none() || !program.application().sound {
         return;
     }
-    let step = |id: PointId, point: &FlowNode, before: &Taken| after(program, id, point, before);
+    let step = |id: FlowNodeId, point: &FlowNode, before: &Taken| after(program, id, point, before);
     let facts = forward(program.flow(), Taken::new(), step, |known, other| {
         let count = known.len();
         known.retain(|name, _| other.contains_key(name));
@@ -71,7 +71,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
 }
 
-fn after(program: &ProgramView<'_>, id: PointId, point: &FlowNode, before: &Taken) -> Taken {
+fn after(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode, before: &Taken) -> Taken {
     let mut taken = before.clone();
     if matches!(point.kind, PointKind::Call(_)) {
         taken.retain(|name, _| !may_change_elsewhere(program, name));

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::effects::{Access, AccessKind, RootVariable};
-use val3_analysis::flow::{FlowNode, PointId, forward};
+use val3_analysis::flow::{FlowNode, FlowNodeId, forward};
 use val3_lang::runtime_errors::UNLINKED;
 use val3_lang::types::BaseType;
 
@@ -48,7 +48,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
     let arguments = Arguments::of(program);
     let local_use = program.local_use();
-    let step = |id: PointId, _: &FlowNode, before: &Locals| {
+    let step = |id: FlowNodeId, _: &FlowNode, before: &Locals| {
         let links = |(bit, access): &(Locals, &Access)| if arguments.may_link(access) { *bit } else { 0 };
         local_use.at(id).iter().map(links).fold(*before, |linked, bit| linked | bit)
     };

@@ -72,18 +72,18 @@ fn the_command_line_wins() {
     let rule = rules::find("V0701").unwrap();
     let off = "[rules]\nV0701 = \"off\"\n";
     let only = RuleSelection { only: Some(["V0701"].into()), ..RuleSelection::default() };
-    assert!(!settings(off, &only).unwrap().wants(rule), "a family restricts");
+    assert!(!settings(off, &only).unwrap().is_enabled(rule), "a family restricts");
     let named = RuleSelection { named: ["V0701"].into(), ..only.clone() };
-    assert!(settings(off, &named).unwrap().wants(rule), "a name asks");
+    assert!(settings(off, &named).unwrap().is_enabled(rule), "a name asks");
     let never = RuleSelection { never: ["V0701"].into(), ..named };
-    assert!(!settings("", &never).unwrap().wants(rule));
-    assert!(!settings("", &only).unwrap().wants(rules::find("V0101").unwrap()));
+    assert!(!settings("", &never).unwrap().is_enabled(rule));
+    assert!(!settings("", &only).unwrap().is_enabled(rules::find("V0101").unwrap()));
 }
 
 #[test]
 fn rules_that_are_off_must_be_configured() {
     let rule = Rule { on: false, ..*rules::find("V0701").unwrap() };
-    let wants = |text: &str| settings(text, &RuleSelection::default()).unwrap().wants(&rule);
-    assert!(!wants("") && !wants("[rules]\nall = \"default\"\n"));
-    assert!(wants("[rules]\nV0701 = \"on\"\n") && wants("[rules]\nV07 = \"warning\"\n"));
+    let is_enabled = |text: &str| settings(text, &RuleSelection::default()).unwrap().is_enabled(&rule);
+    assert!(!is_enabled("") && !is_enabled("[rules]\nall = \"default\"\n"));
+    assert!(is_enabled("[rules]\nV0701 = \"on\"\n") && is_enabled("[rules]\nV07 = \"warning\"\n"));
 }

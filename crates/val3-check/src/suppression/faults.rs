@@ -51,11 +51,11 @@ pub(crate) fn unused(
     used: &UsedComments,
 ) -> Vec<Diagnostic> {
     let found = suppressions(db, file);
-    if found.is_empty() || !text_faults(db, file).errors.is_empty() || !settings.wants(&unused_suppression::RULE) {
+    if found.is_empty() || !text_faults(db, file).errors.is_empty() || !settings.is_enabled(&unused_suppression::RULE) {
         return Vec::new();
     }
     let is_idle = |word: &SuppressedRule| {
-        let looked_for = rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.wants(rule));
+        let looked_for = rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.is_enabled(rule));
         looked_for && !used.contains(&FileRange { file, range: word.range })
     };
     let mut idle = Vec::new();

@@ -4,7 +4,7 @@ use val3_analysis::data_check::steps;
 use val3_analysis::xml::XmlElement as Xml;
 use val3_bytecode::{FatherLink, LinkTarget};
 use val3_lang::builtins;
-use val3_lang::memory::{ElementType, LinkPlace, Memory, PartInit, Place};
+use val3_lang::memory::{DetachedValue, LinkPlace, Memory, PartInit, Place};
 use val3_lang::types::BaseType;
 
 use super::LoadedLink;
@@ -42,7 +42,7 @@ fn parse(reference: &str) -> Option<FatherLink> {
 }
 
 /// Links a value to its father: immediately if the father is built in, otherwise after all data exist.
-pub(super) fn attach_father(value: &mut ElementType, father: FatherLink, number: u32, links: &mut Vec<LoadedLink>) {
+pub(super) fn attach_father(value: &mut DetachedValue, father: FatherLink, number: u32, links: &mut Vec<LoadedLink>) {
     let builtin = builtins::find(&father.name).filter(|builtin| builtin.is_variable && father.library.is_none());
     match builtin {
         Some(builtin) => {

@@ -6,14 +6,14 @@ use val3_analysis::ty::Base;
 use val3_analysis::xml::XmlElement as Xml;
 use val3_bytecode::{FatherLink, LinkTarget};
 use val3_lang::enumerations::find_in_file;
-use val3_lang::memory::{ElementType, Lanes, ValueType, enumerator, field_offset};
+use val3_lang::memory::{DetachedValue, Lanes, ValueType, enumerator, field_offset};
 use val3_lang::types::{Arm, AttributeValue, BaseType, DefaultValue, ValueAttribute, attributes, field};
 use val3_lang::values::Text;
 
 use super::{LoadedLink, fathers};
 
 /// Returns the value for an omitted element, if it differs from the default in programs (`mdesc`).
-pub(super) fn unwritten(base: Base, kind: &ValueType) -> Option<ElementType> {
+pub(super) fn unwritten(base: Base, kind: &ValueType) -> Option<DetachedValue> {
     let Base::Builtin(base, arm) = base else { return None };
     let value = default_of(base, arm, kind);
     (value != kind.default).then_some(value)
@@ -26,7 +26,7 @@ pub(super) fn read(
     (base, arm, kind): (BaseType, Option<Arm>, &ValueType),
     number: u32,
     links: &mut Vec<LoadedLink>,
-) -> ElementType {
+) -> DetachedValue {
     let mut read = default_of(base, arm, kind);
     for attribute in attributes(base, arm) {
         let Some(offset) = offset(base, arm, attribute.field) else { continue };
@@ -55,7 +55,7 @@ pub(super) fn read(
 }
 
 /// Returns the value for an element without attributes.
-fn default_of(base: BaseType, arm: Option<Arm>, kind: &ValueType) -> ElementType {
+fn default_of(base: BaseType, arm: Option<Arm>, kind: &ValueType) -> DetachedValue {
     let mut value = kind.default.clone();
     for attribute in attributes(base, arm) {
         let Some(offset) = offset(base, arm, attribute.field) else { continue };

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use expect_test::{Expect, expect};
 use val3_bytecode::Image;
-use val3_lang::memory::{ContainerShape, ElementType, LinkPlace, PartInit};
+use val3_lang::memory::{ContainerShape, DetachedValue, LinkPlace, PartInit};
 
 use crate::show::image;
 
@@ -34,7 +34,7 @@ fn part(part: &PartInit) -> String {
     format!("{shape} {}", values.join(" "))
 }
 
-fn element(value: &ElementType) -> String {
+fn element(value: &DetachedValue) -> String {
     let nums: Vec<String> = value.nums.iter().map(ToString::to_string).collect();
     let texts = value.texts.iter().map(|text| format!("{text:?}"));
     let links = value.links.iter().map(|link| match link {

@@ -8,7 +8,7 @@ use val3_analysis::paths::path_key;
 use super::text::{self, Version};
 use crate::applications::TreeFiles;
 use crate::model::{Change, EntryChange, Problem, SettingsChange};
-use crate::read::entries::TomlEntry;
+use crate::read::entries::XmlEntry;
 use crate::read::settings::{is_io, read};
 use crate::tree::{is_settings, text_of};
 
@@ -51,11 +51,11 @@ fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut V
 }
 
 /// Returns the entries that differ, in the order of the new file, followed by removed entries.
-pub(super) fn entries(old: &[TomlEntry], new: &[TomlEntry]) -> Vec<EntryChange> {
+pub(super) fn entries(old: &[XmlEntry], new: &[XmlEntry]) -> Vec<EntryChange> {
     let (old_values, new_values): (BTreeMap<_, _>, BTreeMap<_, _>) =
         (old.iter().cloned().collect(), new.iter().cloned().collect());
     let gone = old.iter().filter(|(name, _)| !new_values.contains_key(name));
-    let change = |(name, _): &TomlEntry| EntryChange {
+    let change = |(name, _): &XmlEntry| EntryChange {
         entry: name.clone(),
         old: old_values.get(name).cloned(),
         new: new_values.get(name).cloned(),

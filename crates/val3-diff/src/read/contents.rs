@@ -4,7 +4,7 @@
 use val3_analysis::xml;
 use val3_lang::types::{BaseType, attributes};
 
-use super::entries::{EntryRules, TomlEntry, entries};
+use super::entries::{EntryRules, XmlEntry, entries};
 
 /// Default values of attributes that files may omit.
 const DEFAULTS: [(&str, &str); 7] = [
@@ -39,7 +39,7 @@ pub(crate) struct Contents {
     /// Name of the root element, which determines the dialect.
     pub(crate) root: String,
     /// Entries, without defaults, elements without name and content, empty attributes, code, and values.
-    pub(crate) entries: Vec<TomlEntry>,
+    pub(crate) entries: Vec<XmlEntry>,
 }
 
 impl Contents {
@@ -56,7 +56,7 @@ impl Contents {
 }
 
 /// Whether an entry has no information, or is compared as a value.
-fn is_usual((path, value): &TomlEntry) -> bool {
+fn is_usual((path, value): &XmlEntry) -> bool {
     if is_unread(path) {
         return false;
     }

@@ -9,7 +9,7 @@ use super::program::text_in;
 const NESTING: usize = 64;
 
 /// An entry: its enclosing elements with the attribute, and the value.
-pub(crate) type TomlEntry = (String, String);
+pub(crate) type XmlEntry = (String, String);
 
 /// Rules for converting elements to entries.
 #[derive(Debug)]
@@ -24,13 +24,13 @@ pub(crate) struct EntryRules {
 }
 
 /// Returns the entries in an element, in order.
-pub(crate) fn entries(root: XmlElement<'_>, style: &EntryRules) -> Vec<TomlEntry> {
+pub(crate) fn entries(root: XmlElement<'_>, style: &EntryRules) -> Vec<XmlEntry> {
     let mut entries = Vec::new();
     add("", root, style, NESTING, &mut entries);
     entries
 }
 
-fn add(around: &str, element: XmlElement<'_>, style: &EntryRules, nesting: usize, entries: &mut Vec<TomlEntry>) {
+fn add(around: &str, element: XmlElement<'_>, style: &EntryRules, nesting: usize, entries: &mut Vec<XmlEntry>) {
     let join = |name: &str| if around.is_empty() { name.to_owned() } else { format!("{around} {name}") };
     let key = key_of(element, style);
     for attribute in

@@ -2,10 +2,10 @@
 
 use val3_analysis::xml;
 
-use super::entries::{EntryRules, TomlEntry, entries};
+use super::entries::{EntryRules, XmlEntry, entries};
 
 /// Reads the entries of a file in order; `None` if it is no XML.
-pub(crate) fn read(text: &str) -> Option<Vec<TomlEntry>> {
+pub(crate) fn read(text: &str) -> Option<Vec<XmlEntry>> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).filter(|_| parse.errors().is_empty())?;
     Some(entries(root, &EntryRules { keys: &["index", "key", "id", "name"], without: &[], has_keys: false }))

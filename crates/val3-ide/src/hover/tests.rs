@@ -353,7 +353,7 @@ fn values_show_units_and_fathers() {
             - `rvel`: num, in degrees per second. Highest turning speed of the tool centre point.
             - `blend`: blend. How the path is rounded at the target.
             - `leave`: num, in mm. Distance before the target at which blending starts.
-            - `reach`: num, in mm. Distance behind the target at which blending ends.
+            - `reach`: num, in mm. Distance after the target at which blending ends.
         "#]],
     );
     check(

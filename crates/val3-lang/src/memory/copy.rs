@@ -1,6 +1,6 @@
 //! Creates containers, and copies values.
 
-use super::{ContainerShape, ElementType, Lanes, Memory, Owner, PartInit, Place, Store, StoreId, ValueType};
+use super::{ContainerShape, DetachedValue, Lanes, Memory, Owner, PartInit, Place, Store, StoreId, ValueType};
 use crate::fault::{Fault, Result};
 
 impl Memory {
@@ -70,10 +70,11 @@ impl Memory {
     pub(super) fn create_parts<'v>(
         &mut self,
         kind: &ValueType,
-        values: impl IntoIterator<Item = Option<&'v ElementType>>,
+        values: impl IntoIterator<Item = Option<&'v DetachedValue>>,
         owner: Owner,
     ) -> Result<Vec<StoreId>> {
-        let parts = |value: Option<&'v ElementType>| value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
+        let parts =
+            |value: Option<&'v DetachedValue>| value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
         let parts = values.into_iter().flat_map(|value| parts(value).unwrap_or(&kind.default.parts));
         self.create_all(parts, |memory, part| memory.create_as(part, owner, true))
     }
@@ -206,7 +207,7 @@ impl Memory {
 }
 
 /// Writes a value's numbers, strings and links.
-fn write_lanes(store: &mut Store, number: u32, value: &ElementType) {
+fn write_lanes(store: &mut Store, number: u32, value: &DetachedValue) {
     let at = store.kind.size * number;
     write(&mut store.nums, at.num, &value.nums);
     write(&mut store.texts, at.text, &value.texts);

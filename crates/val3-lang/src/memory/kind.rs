@@ -17,7 +17,7 @@ pub struct ValueType {
     /// Fields of a user type, ordered like the parts.
     pub fields: Vec<FieldKind>,
     /// Default value for `insert`, `append`, `resize` and new locals.
-    pub default: ElementType,
+    pub default: DetachedValue,
 }
 
 /// Built-in or user type.
@@ -58,12 +58,12 @@ pub struct PartInit {
     /// Sizes, or keys in the order of the values.
     pub shape: ContainerShape,
     /// Values; missing values have the default of the type.
-    pub values: Vec<Option<ElementType>>,
+    pub values: Vec<Option<DetachedValue>>,
 }
 
 /// A value outside of a container.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct ElementType {
+pub struct DetachedValue {
     /// Numbers.
     pub nums: Vec<f64>,
     /// Strings.
@@ -87,7 +87,7 @@ impl ValueType {
     pub fn user(name: String, fields: Vec<FieldKind>) -> Self {
         let parts: Vec<PartInit> = fields.iter().map(|field| field.init.clone()).collect();
         let size = Lanes { part: u32::try_from(fields.len()).unwrap_or(u32::MAX), ..Lanes::default() };
-        Self { base: KindBase::User(name), size, fields, default: ElementType { parts, ..ElementType::default() } }
+        Self { base: KindBase::User(name), size, fields, default: DetachedValue { parts, ..DetachedValue::default() } }
     }
 
     /// Whether a value of one type can be copied to a value of the other: both are the same built-in type, or user
@@ -161,12 +161,12 @@ pub fn path_offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes
     found.map(|(_, offset)| offset)
 }
 
-fn default_of(base: BaseType, arm: Option<Arm>) -> ElementType {
+fn default_of(base: BaseType, arm: Option<Arm>) -> DetachedValue {
     let size = lanes(base);
     let mut nums = Vec::new();
     numbers(base, arm, &mut nums);
     nums.resize(size.num as usize, 0.0);
-    ElementType {
+    DetachedValue {
         nums,
         texts: vec![Text::default(); size.text as usize],
         links: vec![LinkPlace::None; size.link as usize],

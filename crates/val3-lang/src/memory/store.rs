@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    ContainerShape, ElementType, Lanes, LinkPlace, Owner, PartInit, Place, StoreId, ValueType, View, bytes_of,
+    ContainerShape, DetachedValue, Lanes, LinkPlace, Owner, PartInit, Place, StoreId, ValueType, View, bytes_of,
 };
 use crate::fault::{Fault, Result};
 use crate::values::Text;
@@ -191,7 +191,7 @@ impl Store {
 
     /// Appends the lanes of a default value. For a user type, the inner containers are not appended.
     pub(super) fn push_default(&mut self) {
-        let ElementType { nums, texts, links, .. } = &self.kind.default;
+        let DetachedValue { nums, texts, links, .. } = &self.kind.default;
         self.nums.extend_from_slice(nums);
         self.texts.extend_from_slice(texts);
         self.links.extend_from_slice(links);
@@ -215,7 +215,7 @@ impl PartInit {
         let (count, written) =
             written.fold((0u64, 0u64), |(count, bytes), value| (count + 1, bytes.saturating_add(sum(&value.parts))));
         let others = u64::from(self.shape.len()).saturating_sub(count).saturating_mul(sum(&self.kind.default.parts));
-        let kept = bytes_of::<Option<ElementType>>(self.values.len());
+        let kept = bytes_of::<Option<DetachedValue>>(self.values.len());
         [written, others, kept].into_iter().fold(self.shape.bytes(self.kind.size), u64::saturating_add)
     }
 }

@@ -7,7 +7,7 @@ use crate::types::BaseType;
 use crate::values::Text;
 
 /// A declaration: `num nGrid[4,6]`.
-pub(super) struct NotedVariable<'t> {
+pub(super) struct VariableNotation<'t> {
     pub(super) name: &'t str,
     pub(super) base: BaseType,
     pub(super) shape: ContainerShape,
@@ -31,7 +31,7 @@ pub(super) enum WrittenArgument<'t> {
     Name(&'t str, WrittenSubscript),
 }
 
-impl<'t> NotedVariable<'t> {
+impl<'t> VariableNotation<'t> {
     pub(super) fn parse(text: &'t str) -> Self {
         let (base, name) = text.split_once(' ').unwrap();
         let base = BaseType::DECLARABLE.into_iter().find(|found| found.name() == base).unwrap();

@@ -137,7 +137,7 @@ static MDESC: [Field; 8] = [
     number("rvel", NumberUnit::DegreesPerSecond, 9999.0, "Highest turning speed of the tool centre point."),
     choice("blend", BaseType::Blend, "joint", "How the path is rounded at the target."),
     number("leave", NumberUnit::Length, 50.0, "Distance before the target at which blending starts."),
-    number("reach", NumberUnit::Length, 50.0, "Distance behind the target at which blending ends."),
+    number("reach", NumberUnit::Length, 50.0, "Distance after the target at which blending ends."),
 ];
 
 /// Fields of a type, in the order of a `{…}` value; empty for a type without fields.

@@ -42,7 +42,7 @@ pub(crate) struct VariablesResult {
     /// Program name.
     program: String,
     /// Parameters in order.
-    parameters: Vec<WireParameter>,
+    parameters: Vec<Parameter>,
     /// Local variables in order.
     locals: Vec<Local>,
     /// Names of the types that variables may have.
@@ -55,8 +55,7 @@ pub(crate) struct VariablesResult {
 
 /// Parameter of a program.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Parameter")]
-struct WireParameter {
+struct Parameter {
     name: String,
     r#type: String,
     container: ContainerKind,
@@ -111,7 +110,7 @@ pub(crate) fn variables(snapshot: &Snapshot, params: &VariablesParams) -> Result
 
 fn described(snapshot: &Snapshot, file: File, found: Variables) -> VariablesResult {
     let range = |variable: &ProgramVariable| snapshot.range(file, variable.range);
-    let parameter = |it: ProgramVariable| WireParameter {
+    let parameter = |it: ProgramVariable| Parameter {
         range: range(&it),
         name: it.name.to_string(),
         r#type: it.type_name.to_string(),

@@ -1,8 +1,9 @@
 //! Schemas of protocol types in the requests `val3/…`, because `lsp_types` does not derive schemas. The names in the
 //! schema are those of the protocol.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 /// Position in a document. The session determines the unit of `character`.
 #[derive(JsonSchema)]

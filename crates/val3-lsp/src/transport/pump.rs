@@ -12,7 +12,7 @@ use tokio::io::AsyncWrite;
 /// Time limit at the end of the server for writing the last messages.
 const FAREWELL: Duration = Duration::from_millis(300);
 
-enum PumpOrder {
+enum PumpCommand {
     Write(Vec<u8>),
     /// Signals the receiver when all earlier messages have been written.
     Flush(Sender<()>),
@@ -20,7 +20,7 @@ enum PumpOrder {
 
 /// Sender to the writing thread.
 #[derive(Clone)]
-pub(crate) struct Pump(Sender<PumpOrder>);
+pub(crate) struct Pump(Sender<PumpCommand>);
 
 impl Pump {
     /// Starts the thread; `closed` is called if the client no longer reads.
@@ -41,23 +41,23 @@ impl Pump {
     /// Queues complete frames.
     pub(crate) fn write(&self, frames: Vec<u8>) {
         // If the client has closed its side, the server ends, so the error is ignored.
-        let _ = self.0.send(PumpOrder::Write(frames));
+        let _ = self.0.send(PumpCommand::Write(frames));
     }
 
     /// Waits until all queued frames are written, but only up to a time limit.
     pub(crate) fn finish(&self) {
         let (sender, done) = channel();
-        if self.0.send(PumpOrder::Flush(sender)).is_ok() {
+        if self.0.send(PumpCommand::Flush(sender)).is_ok() {
             let _ = done.recv_timeout(FAREWELL);
         }
     }
 }
 
-fn pump(mut output: impl Write, orders: &Receiver<PumpOrder>) -> io::Result<()> {
+fn pump(mut output: impl Write, orders: &Receiver<PumpCommand>) -> io::Result<()> {
     for order in orders {
         match order {
-            PumpOrder::Write(frames) => output.write_all(&frames).and_then(|()| output.flush())?,
-            PumpOrder::Flush(done) => _ = done.send(()),
+            PumpCommand::Write(frames) => output.write_all(&frames).and_then(|()| output.flush())?,
+            PumpCommand::Flush(done) => _ = done.send(()),
         }
     }
     Ok(())

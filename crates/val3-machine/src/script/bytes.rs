@@ -28,13 +28,13 @@ pub struct LineBytes(Vec<u8>);
                  list of these, one after the other"
 )]
 enum Pieces {
-    One(BytePattern),
-    Several(Vec<BytePattern>),
+    One(BytePiece),
+    Several(Vec<BytePiece>),
 }
 
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum BytePattern {
+enum BytePiece {
     Text(String),
     Hex(Hex),
     Bytes(Bytes),
@@ -68,12 +68,12 @@ impl TryFrom<Pieces> for LineBytes {
             Pieces::One(piece) => vec![piece],
             Pieces::Several(pieces) => pieces,
         };
-        let bytes: Result<Vec<Vec<u8>>, String> = pieces.into_iter().map(BytePattern::bytes).collect();
+        let bytes: Result<Vec<Vec<u8>>, String> = pieces.into_iter().map(BytePiece::bytes).collect();
         Ok(Self(bytes?.concat()))
     }
 }
 
-impl BytePattern {
+impl BytePiece {
     fn bytes(self) -> Result<Vec<u8>, String> {
         match self {
             Self::Text(text) => Ok(text.into_bytes()),
@@ -177,10 +177,10 @@ mod tests {
 
     fn parse(value: &str) -> Result<LineBytes, String> {
         #[derive(Deserialize)]
-        struct ByteFile {
+        struct BytesTable {
             b: LineBytes,
         }
-        toml::from_str::<ByteFile>(&format!("b = {value}"))
+        toml::from_str::<BytesTable>(&format!("b = {value}"))
             .map(|file| file.b)
             .map_err(|error| error.message().to_owned())
     }

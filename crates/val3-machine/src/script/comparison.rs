@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Deserialize;
 use val3_lang::types::BaseType;
 
-use super::values::{ScriptLevel, ScriptValue};
+use super::values::{ScriptValue, SignalValue};
 
 /// The value that a variable must have.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -28,7 +28,7 @@ pub enum Comparison {
 )]
 pub enum LevelComparison {
     /// This value.
-    Is(ScriptLevel),
+    Is(SignalValue),
     /// A number in a range.
     Within(ComparedRange),
 }
@@ -102,8 +102,8 @@ impl fmt::Display for ComparedRange {
 impl From<LevelComparison> for Comparison {
     fn from(comparison: LevelComparison) -> Self {
         match comparison {
-            LevelComparison::Is(ScriptLevel::Digital(value)) => Self::Is(ScriptValue::Bool(value)),
-            LevelComparison::Is(ScriptLevel::Analog(value)) => Self::Is(ScriptValue::Num(value)),
+            LevelComparison::Is(SignalValue::Digital(value)) => Self::Is(ScriptValue::Bool(value)),
+            LevelComparison::Is(SignalValue::Analog(value)) => Self::Is(ScriptValue::Num(value)),
             LevelComparison::Within(range) => Self::Within(range),
         }
     }

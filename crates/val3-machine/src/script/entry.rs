@@ -10,8 +10,8 @@ use val3_lang::ports::Time;
 
 use super::bytes::LineBytes;
 use super::values::{
-    FaultEntry, Force, JointPosition, Keys, Locks, Mode, PendantKey, Percent, SafetyFault, ScriptLevel, ScriptValue,
-    Seconds, SignalPaths,
+    FaultEntry, Force, JointPosition, Keys, Locks, Mode, PendantKey, Percent, SafetyFault, ScriptValue, Seconds,
+    SignalPaths, SignalValue,
 };
 
 /// An entry that will be applied.
@@ -75,7 +75,7 @@ pub(crate) struct ScriptEntry {
     pub(super) after: Option<Seconds>,
     /// Inputs and outputs that receive a value from the hardware.
     #[serde(default)]
-    pub(super) io: BTreeMap<String, ScriptLevel>,
+    pub(super) io: BTreeMap<String, SignalValue>,
     /// Inputs and outputs that the operator locks.
     #[serde(default)]
     pub(super) lock: Locks,

@@ -54,14 +54,14 @@ impl Seconds {
 /// Value for an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an input or output is true, false or a number")]
-pub enum ScriptLevel {
+pub enum SignalValue {
     /// Value for a digital signal.
     Digital(bool),
     /// Value for an analog signal.
     Analog(f64),
 }
 
-impl ScriptLevel {
+impl SignalValue {
     pub(super) fn number(self) -> f64 {
         match self {
             Self::Digital(value) => f64::from(u8::from(value)),
@@ -163,7 +163,7 @@ impl SignalPaths {
 )]
 pub(super) enum Locks {
     AsIs(SignalPaths),
-    At(BTreeMap<String, ScriptLevel>),
+    At(BTreeMap<String, SignalValue>),
 }
 
 impl Default for Locks {

@@ -8,7 +8,7 @@ use crate::Picture;
 pub(super) const SAME: f64 = 3.0;
 
 /// Program name and line number.
-pub(super) type LineName<'a> = (&'a str, u32);
+pub(super) type ProgramLine<'a> = (&'a str, u32);
 
 /// Number of targets above which a line is a loop.
 const REPEATED: usize = 3;
@@ -21,7 +21,7 @@ pub(super) struct Named<'a> {
     /// Pixel coordinates of the target.
     pub(super) point: [f64; 2],
     /// Moves to the target.
-    pub(super) origins: Vec<LineName<'a>>,
+    pub(super) origins: Vec<ProgramLine<'a>>,
     /// Label; empty if another target has it.
     pub(super) text: String,
 }
@@ -53,13 +53,13 @@ fn distance([x, y]: [f64; 2], [other_x, other_y]: [f64; 2]) -> f64 {
 }
 
 /// Lines with more than [`REPEATED`] targets, with their number of moves until the label is written.
-struct Loops<'a>(BTreeMap<LineName<'a>, Option<usize>>);
+struct Loops<'a>(BTreeMap<ProgramLine<'a>, Option<usize>>);
 
 impl<'a> Loops<'a> {
     fn of(picture: &Picture, all: &[Named<'a>]) -> Self {
-        let mut targets: BTreeMap<LineName<'_>, usize> = BTreeMap::new();
+        let mut targets: BTreeMap<ProgramLine<'_>, usize> = BTreeMap::new();
         all.iter().flat_map(|named| &named.origins).for_each(|origin| *targets.entry(*origin).or_default() += 1);
-        let moves = |(program, line): LineName<'_>| {
+        let moves = |(program, line): ProgramLine<'_>| {
             picture.moves.iter().filter(|mark| mark.program == program && mark.line == line).count()
         };
         let loops = targets.into_iter().filter(|(_, count)| *count > REPEATED);
@@ -67,7 +67,7 @@ impl<'a> Loops<'a> {
     }
 
     /// Returns the label of a line, with the number of moves if it is a loop; `None` if the loop was already labelled.
-    fn label(&mut self, origin: LineName<'a>) -> Option<(LineName<'a>, Option<usize>)> {
+    fn label(&mut self, origin: ProgramLine<'a>) -> Option<(ProgramLine<'a>, Option<usize>)> {
         match self.0.get_mut(&origin) {
             None => Some((origin, None)),
             Some(count) => count.take().map(|count| (origin, Some(count))),
@@ -76,7 +76,7 @@ impl<'a> Loops<'a> {
 }
 
 /// Joins several lines to a label. The program is written before its first line, unless it is the only program.
-fn together<'a>(lines: impl Iterator<Item = (LineName<'a>, Option<usize>)>, only: Option<&'a str>) -> String {
+fn together<'a>(lines: impl Iterator<Item = (ProgramLine<'a>, Option<usize>)>, only: Option<&'a str>) -> String {
     let mut text = String::new();
     let mut program = only;
     for (index, ((own, line), moves)) in lines.enumerate() {

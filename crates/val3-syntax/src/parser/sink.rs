@@ -5,11 +5,11 @@ use std::sync::Arc;
 use super::ParseEvent;
 use crate::kind::SyntaxKind;
 use crate::lexer::Token;
-use crate::tree::{SyntaxText, TreeEntry, count};
+use crate::tree::{SourceTree, TreeEntry, count};
 
 /// Builds the tree of `text`. Trivia is placed between nodes, except that a `CODE` node contains all trivia inside the
 /// code.
-pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<ParseEvent>) -> SyntaxText {
+pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<ParseEvent>) -> SourceTree {
     let nodes = events.iter().filter(|event| **event == ParseEvent::Finish).count();
     let mut sink = Sink::new(tokens, nodes);
     let mut opening = Vec::new();
@@ -25,7 +25,7 @@ pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<Parse
             Some(ParseEvent::Abandoned) | None => {}
         }
     }
-    SyntaxText::new(text, sink.entries)
+    SourceTree::new(text, sink.entries)
 }
 
 /// Collects the kinds of the nodes that start at `index`, innermost first. Their own `Start` events are consumed.

@@ -3,7 +3,7 @@
 use rowan::{GreenNode, NodeOrToken};
 
 use super::sharing::{GreenElement, Sharing, with_sharing};
-use super::{NodeRef, SyntaxText};
+use super::{NodeRef, SourceTree};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
 use crate::never::TextSlice;
@@ -15,7 +15,7 @@ pub(super) fn build_green(node: NodeRef<'_>) -> GreenNode {
 }
 
 /// Builds the rowan tree of `new`, sharing all unchanged parts with `green`, the rowan tree of `old`.
-pub(super) fn renewed(new: &SyntaxText, old: &SyntaxText, green: &GreenNode) -> GreenNode {
+pub(super) fn renewed(new: &SourceTree, old: &SourceTree, green: &GreenNode) -> GreenNode {
     let change = Change::between(&old.text, &new.text);
     with_sharing(|sharing| TreeReuse { sharing, change }.node(new.root(), old.root(), green))
 }

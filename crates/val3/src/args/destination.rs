@@ -2,12 +2,12 @@
 
 use camino::Utf8Path;
 
-use super::{ArmAction, CheckArgs, CommandLine, DiffFormat, FmtArgs};
+use super::{ArmAction, CheckArgs, CliCommand, DiffFormat, FmtArgs};
 use crate::format::ReportFormat;
 use crate::output::file_kind::OutputFileKind;
 use crate::user_error::UserError;
 
-impl CommandLine {
+impl CliCommand {
     /// Returns the file that replaces the standard output, and its file kind.
     ///
     /// # Errors

@@ -32,7 +32,7 @@ pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, Us
     let mut search = FolderWalk { root: folder, found: Vec::new(), seen: BTreeSet::new() };
     search.folder(folder, 0)?;
     let mut files = Vec::new();
-    for (key, path) in search.found.iter().filter(|(key, _)| FileTree::wants(key) || !is_hidden(key)) {
+    for (key, path) in search.found.iter().filter(|(key, _)| FileTree::includes(key) || !is_hidden(key)) {
         files.push((key.clone(), read(path, path.as_str())?));
     }
     Ok(files)
@@ -63,7 +63,7 @@ impl FolderWalk<'_> {
                 return Err(UserError::new(format!("`{path}` is not compared: {reason}")));
             }
             match Disk.kind(&path) {
-                Some(PathKind::Folder) if FileTree::wants(&self.key(&path)) => {
+                Some(PathKind::Folder) if FileTree::includes(&self.key(&path)) => {
                     return Err(UserError::new(format!("cannot read `{path}`: it is a folder")));
                 }
                 Some(PathKind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
@@ -78,7 +78,7 @@ impl FolderWalk<'_> {
     fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
         let inner = path.strip_prefix(self.root).unwrap_or(path);
         let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
-        let key = if FileTree::wants(&around) && !FileTree::wants(inner) { around } else { inner.to_owned() };
+        let key = if FileTree::includes(&around) && !FileTree::includes(inner) { around } else { inner.to_owned() };
         Utf8PathBuf::from(key.as_str().replace('\\', "/"))
     }
 }

@@ -100,7 +100,7 @@ impl Repository {
         let inner = path.strip_prefix(&self.prefix).ok()?;
         let inner = if inner.as_str().is_empty() { Utf8Path::new(path.file_name()?) } else { inner };
         // For files in `configs`, the file type depends on the whole path.
-        match (FileTree::wants(inner), all.has(path)) {
+        match (FileTree::includes(inner), all.has(path)) {
             (true, _) => Some(inner.to_owned()),
             (false, true) => Some(path.to_owned()),
             (false, false) => None,

@@ -56,7 +56,7 @@ fn tree(path: &Utf8Path, kind: Option<PathKind>) -> Result<FileTree, UserError> 
         return Ok(FileTree::default());
     }
     let files = folder::files(path)?;
-    if !files.iter().any(|(path, _)| FileTree::wants(path)) {
+    if !files.iter().any(|(path, _)| FileTree::includes(path)) {
         let archives = if path.is_dir() { archives_under(&Disk, path) } else { Vec::new() };
         let help = match archives.first() {
             Some(archive) => format!("name the archive in it to compare it: `{}`", shown(&archive.path)?),
@@ -98,11 +98,11 @@ fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<PathKind>; 2]) -> Result<[File
     let named = |path: &Utf8Path, bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| named_by_content(path, bytes));
     let name = named(&paths[1], new).or(named(&paths[0], old)).unwrap_or_default();
     let name = Utf8PathBuf::from(name.file_name().unwrap_or("file"));
-    if !FileTree::wants(&name) && !FileTree::wants(&Utf8Path::new("configs").join(&name)) {
+    if !FileTree::includes(&name) && !FileTree::includes(&Utf8Path::new("configs").join(&name)) {
         return Err(UserError::new(format!("`{}` is not a VAL 3 file", shown(&paths[1])?))
             .with_help("compare a `.pjx`, `.dtx`, `.pgx` or `.cfx`, or a folder with such files"));
     }
-    let key = if FileTree::wants(&name) { name } else { Utf8Path::new("configs").join(name) };
+    let key = if FileTree::includes(&name) { name } else { Utf8Path::new("configs").join(name) };
     let [old, new] = contents;
     Ok([FileTree::new(old.map(|bytes| (key.clone(), bytes))), FileTree::new(new.map(|bytes| (key, bytes)))])
 }
@@ -127,7 +127,7 @@ fn application(path: &Utf8Path) -> Result<FileTree, UserError> {
 
 /// Path with the file extension of the content, because temporary files have other extensions.
 pub(super) fn named_by_content(path: &Utf8Path, bytes: &[u8]) -> Utf8PathBuf {
-    if FileTree::wants(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
+    if FileTree::includes(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
         return path.to_owned();
     }
     let head = String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes));

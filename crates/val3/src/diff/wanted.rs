@@ -23,7 +23,7 @@ impl Wanted {
     /// Whether the file is compared.
     pub(super) fn has(&self, path: &Utf8Path) -> bool {
         let is_of_application = || path.ancestors().skip(1).any(|folder| self.applications.contains(folder));
-        FileTree::wants(path) || (FileTree::is_in_backup(path) || is_of_application()) && !is_hidden(path)
+        FileTree::includes(path) || (FileTree::is_in_backup(path) || is_of_application()) && !is_hidden(path)
     }
 }
 

@@ -12,7 +12,7 @@ use super::golden;
 use super::golden_texts;
 use super::json;
 use super::script_file::ScriptFile;
-use super::tested::{TestedTest, described};
+use super::tested::{FinishedTest, described};
 use super::workers::Bench;
 use crate::args::{EVENTS, RunArgs};
 use crate::paths::{Paths, current_folder};
@@ -70,7 +70,7 @@ pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, 
     golden::judge(&case, &mut result, false)?;
     result.judge_known_failure();
     result.keep_last_events(EVENTS as usize);
-    let tested = TestedTest::of(&case, result);
+    let tested = FinishedTest::of(&case, result);
     let name = tested.case.name();
     let text = match described(&tested.result, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),

@@ -10,7 +10,7 @@ use val3_trace::is_recording;
 
 use super::cell::check_file;
 use super::recorded_file::{RecordedContents, RecordedFile, record, refused};
-use super::tested::TestedTest;
+use super::tested::FinishedTest;
 use crate::output::to_stderr;
 use crate::paths::Paths;
 use crate::user_error::UserError;
@@ -118,7 +118,7 @@ fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
 }
 
 /// Reports the files that `--update` has written.
-pub(super) fn report(tested: &[TestedTest], paths: &Paths) {
+pub(super) fn report(tested: &[FinishedTest], paths: &Paths) {
     for RecordedFile { path, action } in tested.iter().flat_map(|test| &test.recorded) {
         to_stderr(|out| writeln!(out, "{action} {}", paths.shown(path.as_path())));
     }

@@ -8,7 +8,7 @@ use val3_machine::event::seconds;
 
 use super::events;
 use super::results::Results;
-use super::tested::{TestedTest, described};
+use super::tested::{FinishedTest, described};
 use crate::paths::Paths;
 
 const STYLE: &str = include_str!("html/style.css");
@@ -44,12 +44,12 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
 
 /// Writes the failed tests with each failure's first line, linked to the details.
 fn failures(results: &Results, out: &mut dyn WriteColor) -> io::Result<()> {
-    let failed: Vec<&TestedTest> = results.tested.iter().filter(|test| !test.result.has_passed()).collect();
+    let failed: Vec<&FinishedTest> = results.tested.iter().filter(|test| !test.result.has_passed()).collect();
     if failed.is_empty() {
         return Ok(());
     }
     writeln!(out, "<ul>")?;
-    for TestedTest { case, result, .. } in failed {
+    for FinishedTest { case, result, .. } in failed {
         let message = result.failures.first().and_then(|failure| failure.message.lines().next()).unwrap_or_default();
         let name = case.shown_name();
         let (name, message) = (escape(name.as_str()), escape(message));
@@ -72,8 +72,8 @@ fn numbers(results: &Results) -> String {
 }
 
 /// Writes a row for a test, with its circumstances if there are any.
-fn test(tested: &TestedTest, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    let TestedTest { case, result, .. } = tested;
+fn test(tested: &FinishedTest, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let FinishedTest { case, result, .. } = tested;
     let (class, sign) = match (&result.exemption, result.has_passed()) {
         (Some(_), _) => ("exempt", "–"),
         (None, true) => ("passed", "✓"),

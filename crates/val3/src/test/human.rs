@@ -8,7 +8,7 @@ use val3_suite::{Exemption, Failure, TestResult};
 
 use super::events;
 use super::results::Results;
-use super::tested::{TestedTest, described};
+use super::tested::{FinishedTest, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
@@ -23,8 +23,8 @@ pub(super) struct Listing {
 
 impl Listing {
     /// Writes the line of a test, and its failures.
-    pub(super) fn add(&mut self, tested: &TestedTest, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-        let TestedTest { case, result, .. } = tested;
+    pub(super) fn add(&mut self, tested: &FinishedTest, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+        let FinishedTest { case, result, .. } = tested;
         if self.is_quiet && result.has_passed() && result.exemption.is_none() && !tested.is_flaky() {
             return Ok(());
         }
@@ -70,7 +70,7 @@ pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor
     let failed = results.failed();
     if failed > 0 && results.tested.len() > 1 {
         writeln!(out, "failures:")?;
-        let of_test = |test: &TestedTest| Some(failure_line(test, test.result.failures.first()?, paths));
+        let of_test = |test: &FinishedTest| Some(failure_line(test, test.result.failures.first()?, paths));
         results.tested.iter().filter_map(of_test).try_for_each(|line| writeln!(out, "  {line}"))?;
     }
     write!(out, "{} passed, {failed} failed", results.passed())?;
@@ -99,7 +99,7 @@ pub(super) fn slowest(results: &Results, count: usize, out: &mut dyn WriteColor)
 }
 
 /// Location, name and first line of a failure.
-fn failure_line(TestedTest { case, result, .. }: &TestedTest, failure: &Failure, paths: &Paths) -> String {
+fn failure_line(FinishedTest { case, result, .. }: &FinishedTest, failure: &Failure, paths: &Paths) -> String {
     let place = failure.places.iter().find(|place| !place.file.is_empty());
     let (file, line) = place.map_or((&case.file, case.line), |place| (&place.file, place.line));
     let message = failure.message.lines().next().unwrap_or_default();

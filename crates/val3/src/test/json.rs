@@ -10,7 +10,7 @@ use val3_suite::{Exemption, Failure, FailureLocation, RepeatedEvent, TestCase};
 use super::discovery::Listed;
 use super::results::{EarlyEnd, Results};
 use super::source_line::source_line;
-use super::tested::TestedTest;
+use super::tested::FinishedTest;
 use crate::paths::Paths;
 
 /// Writes the object with all tests.
@@ -68,7 +68,7 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 }
 
 /// A test with its result.
-pub(super) fn described(TestedTest { case, result, wall, earlier, .. }: &TestedTest, paths: &Paths) -> Value {
+pub(super) fn described(FinishedTest { case, result, wall, earlier, .. }: &FinishedTest, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let others: Vec<Value> =
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();

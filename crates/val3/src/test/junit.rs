@@ -11,7 +11,7 @@ use val3_suite::{Exemption, TestCase, TestResult};
 
 use super::events;
 use super::results::Results;
-use super::tested::{TestedTest, described};
+use super::tested::{FinishedTest, described};
 use crate::format::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::paths::Paths;
 use crate::printable::one_line;
@@ -19,7 +19,7 @@ use crate::printable::one_line;
 /// A test with its result, or with the reason why it was not executed.
 #[derive(Clone, Copy)]
 enum JunitCase<'r> {
-    Run(&'r TestedTest),
+    Run(&'r FinishedTest),
     NotRun(&'r TestCase, &'static str),
 }
 
@@ -87,7 +87,7 @@ fn suite(tests: &[JunitCase<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> 
 }
 
 /// Writes the controller time of each test in seconds. The schema has properties only in a suite.
-fn controller_times<'t>(mut run: impl Iterator<Item = &'t TestedTest>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn controller_times<'t>(mut run: impl Iterator<Item = &'t FinishedTest>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let properties = writer.create_element("properties");
     let write = |writer: &mut XmlWriter<'_>| {
         run.try_for_each(|test| {
@@ -139,7 +139,7 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
 }
 
 /// Writes the failures of the attempts before the passed attempt.
-fn flaky_failures(tested: &TestedTest, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn flaky_failures(tested: &FinishedTest, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     tested.earlier.iter().filter(|_| tested.is_flaky()).try_for_each(|failed| {
         let message = failed.failures.first().and_then(|failure| failure.message.lines().next());
         let message = allowed(message.unwrap_or_default());

@@ -10,7 +10,7 @@ use val3_lines::LineIndex;
 use val3_session::Application;
 use val3_suite::{Failure, FailureLocation, TestCase, TestKind, TestResult};
 
-use super::tested::TestedTest;
+use super::tested::FinishedTest;
 use crate::user_error::UserError;
 
 /// Test name of the failure that represents all of an application's tests.
@@ -108,16 +108,16 @@ impl RefusedTests {
     }
 
     /// Converts the tests to a failure.
-    pub(super) fn into_tested(self) -> TestedTest {
+    pub(super) fn into_tested(self) -> FinishedTest {
         let Self { case, refusal: Refusal { error, mut findings, .. }, .. } = self;
         let place = FailureLocation { program: case.program.clone(), file: case.file.clone(), line: case.line };
         findings.insert(0, Failure { message: error.lines(), places: vec![place] });
         let result = TestResult { failures: findings, ..TestResult::default() };
-        TestedTest { is_executed: false, ..TestedTest::of(&case, result) }
+        FinishedTest { is_executed: false, ..FinishedTest::of(&case, result) }
     }
 }
 
-impl TestedTest {
+impl FinishedTest {
     /// Creates a failed test for an invalid script.
     pub(super) fn unusable(case: &TestCase, error: &UserError) -> Self {
         let place = FailureLocation { program: case.program_name(), file: case.file.clone(), line: case.line };

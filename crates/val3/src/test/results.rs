@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use val3_suite::{Exemption, TestCase};
 
-use super::tested::TestedTest;
+use super::tested::FinishedTest;
 
 /// Results of a run.
 pub(super) struct Results {
     /// Executed tests, sorted by name.
-    pub(super) tested: Vec<TestedTest>,
+    pub(super) tested: Vec<FinishedTest>,
     /// Selected tests that were not executed, because the run ended early.
     pub(super) not_run: Vec<TestCase>,
     /// Reason why the run ended early.
@@ -57,8 +57,8 @@ impl Results {
     }
 
     /// Slowest tests, slowest first.
-    pub(super) fn slowest(&self, count: usize) -> Vec<&TestedTest> {
-        let mut all: Vec<&TestedTest> = self.tested.iter().collect();
+    pub(super) fn slowest(&self, count: usize) -> Vec<&FinishedTest> {
+        let mut all: Vec<&FinishedTest> = self.tested.iter().collect();
         all.sort_by_key(|test| std::cmp::Reverse(test.wall));
         all.truncate(count);
         all
@@ -90,6 +90,6 @@ impl Results {
 }
 
 /// Number of failed tests.
-pub(super) fn failed(tested: &[TestedTest]) -> usize {
+pub(super) fn failed(tested: &[FinishedTest]) -> usize {
     tested.iter().filter(|test| !test.result.has_passed()).count()
 }

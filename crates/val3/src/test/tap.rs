@@ -6,7 +6,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use val3_suite::Exemption;
 
 use super::results::{EarlyEnd, Results};
-use super::tested::{TestedTest, described};
+use super::tested::{FinishedTest, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
@@ -20,7 +20,7 @@ const MAY_FAIL: &str = concat!("TO", "DO");
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let Results { tested, not_run, .. } = results;
     writeln!(out, "TAP version 14\n1..{}", tested.len() + not_run.len())?;
-    for (TestedTest { case, result, .. }, number) in tested.iter().zip(1..) {
+    for (FinishedTest { case, result, .. }, number) in tested.iter().zip(1..) {
         let word = match &result.exemption {
             Some(Exemption::KnownFailure { .. }) => "not ok",
             _ if result.has_passed() => "ok",

@@ -9,7 +9,7 @@ use super::source_line::source_line;
 use crate::paths::Paths;
 
 /// A test with its result.
-pub(super) struct TestedTest {
+pub(super) struct FinishedTest {
     pub(super) case: TestCase,
     pub(super) result: TestResult,
     /// Recorded motion and texts that `--update` has written.
@@ -22,7 +22,7 @@ pub(super) struct TestedTest {
     pub(super) earlier: Vec<TestResult>,
 }
 
-impl TestedTest {
+impl FinishedTest {
     /// Creates an executed test with its result.
     pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
         let (recorded, earlier) = (Vec::new(), Vec::new());
@@ -83,7 +83,7 @@ pub(super) mod examples {
     use super::*;
 
     /// A test of which two attempts have failed and the third has passed.
-    pub(crate) fn flaky() -> TestedTest {
+    pub(crate) fn flaky() -> FinishedTest {
         let case = TestCase {
             kind: TestKind::Program,
             application: "pal".to_owned(),
@@ -101,6 +101,6 @@ pub(super) mod examples {
             TestResult { failures: vec![failure], ..TestResult::default() }
         };
         let earlier = vec![failed("no <answer>"), failed("it was late")];
-        TestedTest { earlier, ..TestedTest::of(&case, TestResult::default()) }
+        FinishedTest { earlier, ..FinishedTest::of(&case, TestResult::default()) }
     }
 }

@@ -25,7 +25,7 @@ use super::identifiers;
 use super::order::shuffled;
 use super::results::{EarlyEnd, Results};
 use super::script_file::ScriptFile;
-use super::tested::TestedTest;
+use super::tested::FinishedTest;
 use crate::args::TestArgs;
 use crate::run::check_script;
 use crate::signals::Signals;
@@ -37,9 +37,9 @@ pub(super) enum TestEvent<'t> {
     /// A thread has started a test.
     Started(&'t TestCase),
     /// A test has finished.
-    Finished(&'t TestedTest),
+    Finished(&'t FinishedTest),
     /// A test has finished, and so have all its predecessors in the order of the results.
-    Next(&'t TestedTest),
+    Next(&'t FinishedTest),
 }
 
 /// Receives each event when it happens. It can end the execution after the tests that have already started.
@@ -104,14 +104,14 @@ struct Done<'o> {
     order: &'o [usize],
     /// Index in the order of execution and result, by test number. Results are sorted by number, regardless of the
     /// order of execution.
-    tests: BTreeMap<usize, (usize, TestedTest)>,
+    tests: BTreeMap<usize, (usize, FinishedTest)>,
     /// Number of the next test to show.
     shown: usize,
     fail_fast: bool,
 }
 
 impl Done<'_> {
-    fn add(&mut self, place: usize, tested: TestedTest) {
+    fn add(&mut self, place: usize, tested: FinishedTest) {
         if let Some(number) = self.order.get(place) {
             self.tests.insert(*number, (place, tested));
         }
@@ -178,7 +178,7 @@ fn observed(
 /// Message of a thread. The number is the index of the test in the order of execution.
 enum WorkerMessage {
     Started(usize),
-    Finished(usize, Box<TestedTest>),
+    Finished(usize, Box<FinishedTest>),
     /// Coverage of the thread's tests.
     Counted(Coverage),
 }
@@ -342,35 +342,35 @@ impl<'a> Worker<'a> {
     }
 
     /// Executes a test, and repeats it after a failure within the retry limit. `None` if the run was interrupted.
-    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<TestedTest>, UserError> {
+    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<FinishedTest>, UserError> {
         let mut earlier = Vec::new();
         loop {
             let Some(tested) = self.execute(test, queue)? else { return Ok(None) };
             let is_last = earlier.len() >= self.args.retries as usize;
             if tested.result.has_passed() || !tested.is_executed || is_last {
-                return Ok(Some(TestedTest { earlier, ..tested }));
+                return Ok(Some(FinishedTest { earlier, ..tested }));
             }
             earlier.push(tested.result);
         }
     }
 
     /// Executes a test. `None` if the run was interrupted.
-    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<TestedTest>, UserError> {
+    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<FinishedTest>, UserError> {
         let start = Instant::now();
         let file = match ScriptFile::of(test.case) {
             Ok(file) => file,
-            Err(error) => return Ok(Some(TestedTest::unusable(test.case, &error))),
+            Err(error) => return Ok(Some(FinishedTest::unusable(test.case, &error))),
         };
         if let Some(reason) = file.scenario.skip() {
-            return Ok(Some(TestedTest::of(test.case, TestResult::skipped(reason))));
+            return Ok(Some(FinishedTest::of(test.case, TestResult::skipped(reason))));
         }
         let mut bench = match self.bench(test.manifest, &file.keys) {
             Ok(bench) => bench,
-            Err(error) => return Ok(Some(TestedTest::unusable(test.case, &error))),
+            Err(error) => return Ok(Some(FinishedTest::unusable(test.case, &error))),
         };
         if let Err(error) = bench.prepare(&file) {
             self.bench = Some(bench);
-            return Ok(Some(TestedTest::unusable(test.case, &error)));
+            return Ok(Some(FinishedTest::unusable(test.case, &error)));
         }
         let evaluator = &mut self.evaluator;
         let limit = file.scenario.limit().filter(|_| self.args.limit.is_none());
@@ -391,7 +391,7 @@ impl<'a> Worker<'a> {
         recorded.extend(golden::judge(test.case, &mut result, self.args.update)?);
         result.judge_known_failure();
         result.keep_last_events(self.args.events as usize);
-        Ok(Some(TestedTest { recorded, wall: start.elapsed(), ..TestedTest::of(test.case, result) }))
+        Ok(Some(FinishedTest { recorded, wall: start.elapsed(), ..FinishedTest::of(test.case, result) }))
     }
 
     /// Application on a controller; reused from the previous test if the properties are equal.

@@ -3,10 +3,10 @@
 import type * as server from "../serverRequests";
 
 export type {
-  Access, Column, Container, DataEdit, DataFinding, DataLocation as Place, DataPose, DataType, TableCell as CellChange,
+  Access, Column, Container, DataEdit, DataFinding, DataLocation as Place, DataPose, DataType, CellChange,
 } from "../serverRequests";
 
-export type Value = server.CellValue;
+export type Value = server.TableElement;
 
 /** Row content: a variable, or a field of a value, which has no access. */
 export type Datum = server.FieldContent & Partial<Pick<server.Datum, "access">>;

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use smol_str::SmolStr;
 use val3_analysis::body::{Stmt, StmtKind};
 use val3_analysis::effects::{Access, AccessKind, Effects, RootVariable};
-use val3_analysis::flow::{Facts, FlowGraph, FlowNode, PointId, backward, flow};
+use val3_analysis::flow::{Facts, FlowGraph, FlowNode, FlowNodeId, backward, flow};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
@@ -30,7 +30,7 @@ pub(super) struct PassedVariable {
     pub(super) passing: Passing,
 }
 
-type ExpressionNames = BTreeSet<SmolStr>;
+type VariableNames = BTreeSet<SmolStr>;
 
 /// Locals and parameters that the statements in `range` use, by name.
 pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<PassedVariable> {
@@ -118,18 +118,18 @@ fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
 /// Live variables: their values are used later.
 struct LiveVariables {
     /// Live where the statements start.
-    before: ExpressionNames,
+    before: VariableNames,
     /// Live where the statements end.
-    behind: ExpressionNames,
+    behind: VariableNames,
 }
 
 impl LiveVariables {
     fn around(context: &Context<'_>, effects: &Effects<'_>, range: TextRange) -> Self {
         let flow = flow(context.db, context.file);
         let referenced = context.header().params.iter().filter(|param| param.by_reference);
-        let end: ExpressionNames = referenced.map(|param| param.name.clone()).collect();
-        let step = |id: PointId, _: &FlowNode, behind: &ExpressionNames| before(effects, id, behind);
-        let join = |known: &mut ExpressionNames, other: &ExpressionNames| {
+        let end: VariableNames = referenced.map(|param| param.name.clone()).collect();
+        let step = |id: FlowNodeId, _: &FlowNode, behind: &VariableNames| before(effects, id, behind);
+        let join = |known: &mut VariableNames, other: &VariableNames| {
             let len = known.len();
             known.extend(other.iter().cloned());
             known.len() > len
@@ -148,7 +148,7 @@ impl LiveVariables {
 }
 
 /// Variables live at a flow node; all variables if no path leads from it to the end.
-fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<ExpressionNames>, id: PointId) -> ExpressionNames {
+fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<VariableNames>, id: FlowNodeId) -> VariableNames {
     let header = context.header();
     let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
     match facts.after(id) {
@@ -159,7 +159,7 @@ fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<ExpressionName
 }
 
 /// Variables live before a flow node, computed from the variables live after it (backward analysis).
-fn before(effects: &Effects<'_>, id: PointId, behind: &ExpressionNames) -> ExpressionNames {
+fn before(effects: &Effects<'_>, id: FlowNodeId, behind: &VariableNames) -> VariableNames {
     let mut names = behind.clone();
     for access in effects.at(id).iter().rev() {
         let Some(name) = own(access) else { continue };

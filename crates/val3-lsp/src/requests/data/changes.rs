@@ -6,7 +6,7 @@ use std::ops::Range;
 use rustc_hash::FxHasher;
 use val3_ide::{DataOutline, DataType, DatumSource};
 
-use super::messages::{DataFinding, ReplacedValues, Replacement, WireItem};
+use super::messages::{DataFinding, Datum, ReplacedValues, Replacement};
 use crate::lines::PositionConverter;
 
 /// Extract of the last `val3/data` result for a document, sufficient for comparison with the next result.
@@ -41,7 +41,7 @@ struct KeptRows {
 }
 
 impl KeptRows {
-    fn of(datum: &WireItem) -> Self {
+    fn of(datum: &Datum) -> Self {
         let head = hash(&(&datum.name, &datum.access, &datum.type_name, &datum.container, &datum.size));
         Self { head, values: datum.values.iter().map(hash).collect() }
     }
@@ -71,7 +71,7 @@ impl KeptTables {
     }
 
     /// Sets the rows of all data.
-    pub(super) fn set_rows(&mut self, data: &[WireItem]) {
+    pub(super) fn set_rows(&mut self, data: &[Datum]) {
         self.rows = data.iter().map(KeptRows::of).collect();
     }
 
@@ -81,7 +81,7 @@ impl KeptTables {
         &mut self,
         before: &Self,
         difference: &Difference,
-        data: &mut [WireItem],
+        data: &mut [Datum],
     ) -> Option<ReplacedValues> {
         let new = data.iter().map(KeptRows::of);
         self.rows.clone_from(&before.rows);

@@ -23,7 +23,7 @@ pub(super) fn data_types(types: Vec<ide::DataType>) -> Vec<DataType> {
 }
 
 /// Variables of a file.
-pub(super) fn data(lines: &PositionConverter<'_>, data: Vec<ide::TableVariable>) -> Vec<WireItem> {
+pub(super) fn data(lines: &PositionConverter<'_>, data: Vec<ide::TableVariable>) -> Vec<Datum> {
     data.into_iter().map(|data| datum(lines, data)).collect()
 }
 
@@ -77,8 +77,8 @@ fn container(container: types::Container) -> Container {
     }
 }
 
-fn datum(lines: &PositionConverter<'_>, data: ide::TableVariable) -> WireItem {
-    WireItem {
+fn datum(lines: &PositionConverter<'_>, data: ide::TableVariable) -> Datum {
+    Datum {
         name: data.name.to_string(),
         access: if data.public { Access::Public } else { Access::Private },
         type_name: data.type_name.to_string(),
@@ -89,8 +89,8 @@ fn datum(lines: &PositionConverter<'_>, data: ide::TableVariable) -> WireItem {
     }
 }
 
-fn value(value: ide::DatumValue) -> CellValue {
-    CellValue { key: value.key, texts: value.texts, fields: value.fields.into_iter().map(field).collect() }
+fn value(value: ide::DatumValue) -> TableElement {
+    TableElement { key: value.key, texts: value.texts, fields: value.fields.into_iter().map(field).collect() }
 }
 
 fn field(data: ide::TableVariable) -> FieldContent {
@@ -126,7 +126,7 @@ fn finding(snapshot: &Snapshot, found: ide::DataFinding) -> DataFinding {
 }
 
 fn place(place: ide::DataPlace) -> DataLocation {
-    let within = place.within.into_iter().map(|step| PlacementStep { name: step.name, key: step.key }).collect();
+    let within = place.within.into_iter().map(|step| PathStep { name: step.name, key: step.key }).collect();
     DataLocation { name: place.name, key: place.key, within }
 }
 
@@ -139,9 +139,7 @@ pub(super) fn pose(found: ide::DataPose) -> DataPose {
         within,
         world: found.pose,
         chain: found.chain.join(" on "),
-        reach: found
-            .is_reached
-            .map(|reached| if reached { RequestedExtent::Reachable } else { RequestedExtent::OutOfReach }),
+        reach: found.is_reached.map(|reached| if reached { PoseReach::Reachable } else { PoseReach::OutOfReach }),
         why: found.remark,
         joints: found.joints,
     }

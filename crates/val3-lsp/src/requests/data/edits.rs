@@ -33,7 +33,7 @@ pub(super) fn edit(edit: &DataEdit) -> ide::DataEdit {
     }
 }
 
-fn cell(cell: &TableCell) -> ide::CellEdit {
+fn cell(cell: &CellChange) -> ide::CellEdit {
     ide::CellEdit { place: place(&cell.place), column: cell.column.clone(), text: cell.text.clone() }
 }
 
@@ -45,6 +45,6 @@ fn shape(container: Container, size: &[u32]) -> types::Container {
 }
 
 fn place(place: &DataLocation) -> ide::DataPlace {
-    let step = |step: &PlacementStep| ide::FieldStep { name: step.name.clone(), key: step.key.clone() };
+    let step = |step: &PathStep| ide::FieldStep { name: step.name.clone(), key: step.key.clone() };
     ide::DataPlace { name: place.name.clone(), key: place.key.clone(), within: place.within.iter().map(step).collect() }
 }

@@ -36,7 +36,7 @@ pub(crate) struct DataChanges {
     pub(super) result_id: String,
     pub(super) version: Option<i32>,
     pub(super) problem: Option<String>,
-    pub(super) data: Replacement<WireItem>,
+    pub(super) data: Replacement<Datum>,
     /// `null` if the data contain all their values. Otherwise the only new datum contains some of its values, which
     /// replace these values of the earlier datum.
     pub(super) values: Option<ReplacedValues>,
@@ -75,7 +75,7 @@ pub(crate) struct DataTables {
     /// Reason why the file cannot be edited as tables.
     pub(super) problem: Option<String>,
     pub(super) types: Vec<DataType>,
-    pub(super) data: Vec<WireItem>,
+    pub(super) data: Vec<Datum>,
     pub(super) findings: Vec<DataFinding>,
 }
 
@@ -151,8 +151,7 @@ pub(super) enum Access {
 
 /// A variable.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Datum")]
-pub(super) struct WireItem {
+pub(super) struct Datum {
     pub(super) name: String,
     pub(super) access: Access,
     #[serde(rename = "type")]
@@ -164,7 +163,7 @@ pub(super) struct WireItem {
     #[schemars(with = "protocol::RangeSchema")]
     pub(super) range: Range,
     /// Values that the file contains; complete for a collection.
-    pub(super) values: Vec<CellValue>,
+    pub(super) values: Vec<TableElement>,
 }
 
 /// Field of a value of a user type.
@@ -177,12 +176,12 @@ pub(super) struct FieldContent {
     /// Array size, by dimension; for a collection the number of keys.
     pub(super) size: Vec<u32>,
     /// Values that the file contains; complete for a collection.
-    pub(super) values: Vec<CellValue>,
+    pub(super) values: Vec<TableElement>,
 }
 
 /// Element of a variable, with one string per column.
 #[derive(Debug, Hash, Serialize, Deserialize, JsonSchema)]
-pub(super) struct CellValue {
+pub(super) struct TableElement {
     pub(super) key: String,
     /// Strings by column; `null` for the default.
     pub(super) texts: Vec<Option<String>>,
@@ -200,12 +199,12 @@ pub(super) struct DataLocation {
     pub(super) key: Option<String>,
     /// Path to a value within the fields of a user type.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) within: Vec<PlacementStep>,
+    pub(super) within: Vec<PathStep>,
 }
 
 /// Field on the path to a value.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-pub(super) struct PlacementStep {
+pub(super) struct PathStep {
     pub(super) name: String,
     /// Index or key in the field; empty or missing for the field itself.
     #[serde(default)]
@@ -253,7 +252,7 @@ pub(crate) struct EditDataParams {
 #[serde(tag = "kind", rename_all = "camelCase")]
 pub(super) enum DataEdit {
     Set {
-        cells: Vec<TableCell>,
+        cells: Vec<CellChange>,
     },
     Add {
         name: String,
@@ -299,7 +298,7 @@ pub(super) enum DataEdit {
 
 /// New string of a cell.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
-pub(super) struct TableCell {
+pub(super) struct CellChange {
     pub(super) place: DataLocation,
     pub(super) column: String,
     /// `null` for the default.
@@ -334,12 +333,12 @@ pub(crate) struct DataPose {
     pub(super) key: String,
     /// Path to a value within the fields of a user type.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) within: Vec<PlacementStep>,
+    pub(super) within: Vec<PathStep>,
     /// x, y, z in mm and rx, ry, rz in degrees, relative to `world` (tools: to the flange); `null` if unknown.
     pub(super) world: Option<[f64; 6]>,
     /// The value and its fathers, joined by ` on `; empty for joints.
     pub(super) chain: String,
-    pub(super) reach: Option<RequestedExtent>,
+    pub(super) reach: Option<PoseReach>,
     /// Reason why the pose is unknown or out of reach, or the tool with which it is reached.
     pub(super) why: Option<String>,
     /// Joint position in which the arm reaches the pose.
@@ -349,7 +348,7 @@ pub(crate) struct DataPose {
 /// Whether the arm reaches a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
-pub(super) enum RequestedExtent {
+pub(super) enum PoseReach {
     Reachable,
     OutOfReach,
 }

@@ -5,7 +5,7 @@ use val3_data::{SavedContent, SavedData, SavedField, SavedValue, number_text};
 use val3_lang::enumerations;
 use val3_lang::fault::Result;
 use val3_lang::memory::{
-    ContainerShape, ElementType, KindBase, Lanes, LinkPlace, Memory, PartInit, Place, StoreId, ValueType, path_offset,
+    ContainerShape, DetachedValue, KindBase, Lanes, LinkPlace, Memory, PartInit, Place, StoreId, ValueType, path_offset,
 };
 use val3_lang::types::{Arm, AttributeValue, BaseType, DefaultValue, ValueAttribute, attributes};
 use val3_vm::Instance;
@@ -167,7 +167,7 @@ impl Saver<'_> {
         Ok((SavedContent::Fields(fields), unchanged))
     }
 
-    fn is_same(&self, place: Place, size: Lanes, element: &ElementType) -> Result<bool> {
+    fn is_same(&self, place: Place, size: Lanes, element: &DetachedValue) -> Result<bool> {
         for (lane, number) in (0..size.num).zip(&element.nums) {
             if self.memory.num(place, lane)? != *number {
                 return Ok(false);
@@ -181,7 +181,13 @@ impl Saver<'_> {
         Ok(true)
     }
 
-    fn has_links(&self, place: Place, kind: &ValueType, spot: Option<LinkPath>, element: &ElementType) -> Result<bool> {
+    fn has_links(
+        &self,
+        place: Place,
+        kind: &ValueType,
+        spot: Option<LinkPath>,
+        element: &DetachedValue,
+    ) -> Result<bool> {
         for lane in 0..kind.size.link {
             let own = element.links.get(lane as usize).copied().unwrap_or(LinkPlace::None);
             let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, lane));
@@ -195,7 +201,7 @@ impl Saver<'_> {
 
 impl<'l> LoadedValue<'l> {
     /// Returns the number and value that were loaded under a key; a missing value is replaced by the default of `kind`.
-    fn value<'k>(&self, kind: &'k ValueType, key: &str) -> (Option<u32>, &'k ElementType)
+    fn value<'k>(&self, kind: &'k ValueType, key: &str) -> (Option<u32>, &'k DetachedValue)
     where
         'l: 'k,
     {

@@ -16,7 +16,7 @@ use crate::printable::one_line;
 use crate::progress::DelayedProgress;
 use crate::test::discovery::TestFile;
 use crate::test::results::{EarlyEnd, Results};
-use crate::test::tested::TestedTest;
+use crate::test::tested::FinishedTest;
 
 /// Factor by which a test may be slower with a mistake.
 const SLOWNESS: Time = 10;
@@ -77,10 +77,10 @@ pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) 
                     all.coverage.merge(execution.coverage.clone());
                     all.tests.push(original(*test, execution));
                 }
-                tested.push(TestedTest { wall: begun.elapsed(), ..TestedTest::of(test.case, result) });
+                tested.push(FinishedTest { wall: begun.elapsed(), ..FinishedTest::of(test.case, result) });
             }
             Ok(None) => break,
-            Err(error) => tested.push(TestedTest::unusable(test.case, &error)),
+            Err(error) => tested.push(FinishedTest::unusable(test.case, &error)),
         }
         bar.advance();
     }
