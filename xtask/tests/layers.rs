@@ -96,6 +96,11 @@ fn moves_know_poses_and_configurations_alone() {
 }
 
 #[test]
+fn schemas_know_no_crate_of_the_project() {
+    check_only("val3-schema", &[], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn lang_knows_no_tree() {
     check_only("val3-lang", &["val3-geometry", "val3-kinematics", "val3-moves"], &["salsa", "rowan", "clap", "tokio"]);
 }
@@ -127,6 +132,7 @@ fn the_adapter_knows_runs_and_no_transport() {
         "val3-lang",
         "val3-machine",
         "val3-motion",
+        "val3-schema",
         "val3-session",
         "val3-view",
         "val3-vm",
@@ -278,6 +284,7 @@ fn every_crate_has_its_place() {
         "val3-data",
         "val3-lines",
         "val3-files",
+        "val3-schema",
         "val3-config",
         "val3-test",
         "val3-book",
@@ -339,6 +346,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-lang",
         "val3-data",
         "val3-lines",
+        "val3-schema",
         "val3-config",
         "val3-dap",
         "val3-check",

@@ -28,7 +28,6 @@ mod notices;
 pub mod protocol;
 mod request;
 mod requests;
-mod schema;
 mod secret;
 mod session;
 mod session_start;

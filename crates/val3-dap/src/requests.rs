@@ -51,13 +51,13 @@ mod view;
 use schemars::JsonSchema;
 use serde::de::{DeserializeOwned, Error as _};
 use serde_json::{Map, Value};
+use val3_schema::{NameConflict, RequestSchema, RequestWords};
 
 use crate::debugged_run::DebuggedRun;
 use crate::error::RequestError;
 use crate::failure::RequestFailure;
 use crate::protocol::{StandardRequest, content};
 use crate::request::DebugRequest;
-use crate::schema::{self, RequestSchema};
 use crate::session::DebugSession;
 
 use Effect::{ChangesRun, Inspects, MayChangeRun, NeedsStop, Steers};
@@ -199,10 +199,18 @@ fn answer<R: DebugRequest>(
     Ok(Some(body).filter(|body| !body.is_null()))
 }
 
-/// Returns the schema of all requests `val3/…`: arguments and bodies, by command.
-#[must_use]
-pub fn debug_requests_schema() -> Value {
-    schema::of_requests(REQUESTS.iter().filter_map(|handler| handler.schema).map(|schema| schema()))
+/// Returns the JSON schema of all requests `val3/…`: arguments and bodies, by command.
+///
+/// # Errors
+/// Two types have the same name and different schemas.
+pub fn debug_requests_schema() -> Result<Value, NameConflict> {
+    const WORDS: RequestWords = RequestWords {
+        requests: "DebugRequests",
+        received: "arguments",
+        sent: "body",
+        description: "Arguments and bodies of the requests `val3/…`, by command.",
+    };
+    WORDS.schema(REQUESTS.iter().filter_map(|handler| handler.schema).map(|schema| schema()))
 }
 
 /// Returns the handler of a command; `None` if no session has the request.
@@ -246,4 +254,18 @@ fn wrong_argument<'a, T: DeserializeOwned>(arguments: &'a Map<String, Value>, re
         serde_json::from_value::<T>(Value::Object(others)).err().is_none_or(|error| error.to_string() != reason)
     };
     arguments.keys().find(is_wrong).map(String::as_str)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_request_outside_the_specification_has_a_schema() {
+        let schema = debug_requests_schema().unwrap();
+        let described = schema["$defs"]["DebugRequests"]["properties"].as_object().unwrap();
+        let own = || REQUESTS.iter().map(|handler| handler.command).filter(|command| command.starts_with("val3/"));
+        assert_eq!(own().count(), described.len());
+        assert!(own().all(|command| described.contains_key(command)), "{described:?}");
+    }
 }

@@ -40,11 +40,12 @@ pub(crate) use capabilities::{add_capabilities_without_type, capabilities};
 use serde_json::Value;
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;
+use val3_schema::NameConflict;
 
 use crate::job::OnEdit::{Refuse, Retry};
 use crate::pool::Priority::{Background, Latency};
 use crate::routes::Routes;
-use crate::schema::{MethodSchema, of_methods, protocol};
+use crate::schema::{WORDS, described, of, protocol};
 use crate::{initialize, sync, watching, workspace_folders};
 
 /// All handlers by method.
@@ -58,26 +59,23 @@ pub(crate) fn routes() -> Routes {
 }
 
 /// Returns the JSON schema of all requests `val3/…`: parameters and results, by method.
-#[must_use]
-pub fn server_requests_schema() -> Value {
-    of_methods(server_request_schemas())
-}
-
-/// Schemas of the requests `val3/…`.
-pub(crate) fn server_request_schemas() -> Vec<MethodSchema> {
-    vec![
+///
+/// # Errors
+/// Two types have the same name and different schemas.
+pub fn server_requests_schema() -> Result<Value, NameConflict> {
+    WORDS.schema([
         // The parameters are ignored.
-        MethodSchema::described::<workspace_tree::WorkspaceTree, (), Vec<workspace_tree::TreeProject>>(),
-        MethodSchema::of::<libraries::Libraries>(),
-        MethodSchema::described::<libraries::AddLibrary, libraries::AddLibraryParams, protocol::WorkspaceEditSchema>(),
-        MethodSchema::described::<delete_item::Delete, protocol::DocumentPositionSchema, delete_item::Deletion>(),
-        MethodSchema::of::<page::DocPage>(),
-        MethodSchema::of::<variables::VariablesOfProgram>(),
-        MethodSchema::of::<edit_variables::EditVariables>(),
-        MethodSchema::of::<data::DataRequest>(),
-        MethodSchema::of::<data::EditData>(),
-        MethodSchema::of::<data::DataPoses>(),
-    ]
+        described::<workspace_tree::WorkspaceTree, (), Vec<workspace_tree::TreeProject>>(),
+        of::<libraries::Libraries>(),
+        described::<libraries::AddLibrary, libraries::AddLibraryParams, protocol::WorkspaceEditSchema>(),
+        described::<delete_item::Delete, protocol::DocumentPositionSchema, delete_item::Deletion>(),
+        of::<page::DocPage>(),
+        of::<variables::VariablesOfProgram>(),
+        of::<edit_variables::EditVariables>(),
+        of::<data::DataRequest>(),
+        of::<data::EditData>(),
+        of::<data::DataPoses>(),
+    ])
 }
 
 /// Features that show information in or next to the text.
