@@ -1,4 +1,4 @@
-// Validates every recorded message against the types of the protocol.
+// Validates every recorded message against the types of the protocol and the schema of the server's own requests.
 const { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const Ajv = require("ajv").default;
@@ -19,21 +19,33 @@ function makeSchema() {
   return createGenerator(config).createSchema("*");
 }
 
-const schema = makeSchema();
-const ajv = new Ajv({ strict: false, allErrors: false });
-ajv.addSchema(schema, "protocol");
-
-/** Returns validators for the types in `Params` or `Results`, by method. */
-function validators(list) {
-  const methods = schema.definitions[list].properties;
-  const path = (method) => `protocol#/definitions/${list}/properties/${encodeURIComponent(method.replaceAll("~", "~0").replaceAll("/", "~1"))}`;
-  return new Map(Object.keys(methods).map((method) => [method, ajv.compile({ $ref: path(method) })]));
+/** Returns the schema of the requests `val3/…`, in which the protocol describes edits. */
+function ownSchema() {
+  const path = join(__dirname, "..", "..", "..", "editors", "schema", "server-requests.schema.json");
+  const own = JSON.parse(readFileSync(path, "utf8"));
+  // Ajv knows the keywords, not this version of the specification.
+  delete own.$schema;
+  own.$defs.WorkspaceEdit = { $ref: "protocol#/definitions/WorkspaceEdit" };
+  return own;
 }
 
-const PARAMS = validators("Params");
-const RESULTS = validators("Results");
-/** Requests beyond the protocol need no types, but must conform to existing types. */
-const isUntyped = (types, method) => method.startsWith("val3/") && !types.has(method);
+const schema = makeSchema();
+const own = ownSchema();
+const ajv = new Ajv({ strict: false, validateFormats: false });
+ajv.addSchema(schema, "protocol");
+ajv.addSchema(own, "own");
+
+/** Returns a validator for each of these methods; `member` names a part of the method's type. */
+function validators(root, methods, member = "") {
+  const escaped = (method) => encodeURIComponent(method.replaceAll("~", "~0").replaceAll("/", "~1"));
+  return Object.keys(methods).map((method) => [method, ajv.compile({ $ref: `${root}/properties/${escaped(method)}${member}` })]);
+}
+
+const protocolTypes = (list) => validators(`protocol#/definitions/${list}`, schema.definitions[list].properties);
+const ownTypes = (member) => validators("own#/$defs/ServerRequests", own.$defs.ServerRequests.properties, `/properties/${member}`);
+
+const PARAMS = new Map([...protocolTypes("Params"), ...ownTypes("params")]);
+const RESULTS = new Map([...protocolTypes("Results"), ...ownTypes("result")]);
 
 /** Returns the fault of a message; `undefined` if it is valid. Stores the requests, to which responses refer. */
 function fault({ from, message }, open) {
@@ -45,7 +57,7 @@ function fault({ from, message }, open) {
     if (id !== undefined) {
       open.set(`${from} ${id}`, method);
     }
-    return params === undefined || params === null || isUntyped(PARAMS, method) ? undefined : judge(PARAMS.get(method), method, params);
+    return params === undefined || params === null ? undefined : judge(PARAMS.get(method), method, params);
   }
   const asked = open.get(`${from === "client" ? "server" : "client"} ${id}`);
   if (asked === undefined) {
@@ -53,7 +65,7 @@ function fault({ from, message }, open) {
   } else if (error !== undefined) {
     return Number.isInteger(error.code) && typeof error.message === "string" ? undefined : "an error without code or message";
   }
-  return isUntyped(RESULTS, asked) ? undefined : judge(RESULTS.get(asked), `the answer to ${asked}`, result);
+  return judge(RESULTS.get(asked), `the answer to ${asked}`, result);
 }
 
 function judge(validate, what, value) {
@@ -80,7 +92,12 @@ for (const name of readdirSync(TRACES)) {
 }
 
 // A validator that accepts everything would be useless.
-const refused = [["textDocument/hover", { contents: 5 }], ["textDocument/rename", { changes: [] }]];
+const refused = [
+  ["textDocument/hover", { contents: 5 }],
+  ["textDocument/rename", { changes: [] }],
+  ["val3/addLibrary", { changes: [] }],
+  ["val3/data", { resultId: 5 }],
+];
 const tooKind = refused.filter(([method, answer]) => judge(RESULTS.get(method), method, answer) === undefined);
 faults.push(...tooKind.map(([method]) => `a wrong answer to ${method} is not noticed`));
 [...new Set(faults)].slice(0, 20).forEach((found) => console.log(found));

@@ -1,53 +1,9 @@
 // Messages of the protocol that the server and its clients exchange, by method. messages.js generates the schema from
-// these types and validates every recorded message against it.
+// these types and validates every recorded message against it. The requests `val3/…` have a schema of their own,
+// which the server generates: editors/schema/server-requests.schema.json.
 import type * as p from "vscode-languageserver-protocol";
 
-/** Item of `val3/workspaceTree`. */
-interface TreeItem {
-  name: string;
-  detail: string;
-  location: p.Location;
-  range: p.Range;
-}
-
-interface TreeReference extends TreeItem {
-  project: p.DocumentUri | null;
-  loaded: p.DocumentUri[];
-}
-
-type ProjectKind = "application" | "tests" | "library" | "type";
-
-interface TreeProject {
-  name: string;
-  uri: p.DocumentUri;
-  kind: ProjectKind;
-  hasTypes: boolean;
-  programs: (TreeItem & { public: boolean; runs: boolean })[];
-  data: (TreeItem & { public: boolean; type: string; sizes: p.uinteger[]; isCollection: boolean; value: string | null })[];
-  libraries: TreeReference[];
-  types: TreeReference[];
-}
-
-/** Project in the response to `val3/libraries`. */
-interface Candidate {
-  uri: p.DocumentUri;
-  kind: ProjectKind;
-  name: string;
-  path: string;
-  libraries: string[];
-  types: string[];
-  publicPrograms: p.uinteger;
-  publicData: p.uinteger;
-  fits: string[];
-  libraryCircle: boolean;
-  typeCircle: boolean;
-}
-
 export interface Params {
-  "val3/workspaceTree": null;
-  "val3/libraries": { uri: p.DocumentUri };
-  "val3/addLibrary": { uri: p.DocumentUri; kind: "library" | "type"; name: string; path: string };
-  "val3/delete": p.TextDocumentPositionParams;
   "initialize": p.InitializeParams;
   "initialized": p.InitializedParams;
   "$/setTrace": p.SetTraceParams;
@@ -121,113 +77,9 @@ export interface Params {
   "textDocument/formatting": p.DocumentFormattingParams;
   "textDocument/prepareRename": p.PrepareRenameParams;
   "textDocument/rename": p.RenameParams;
-  "val3/variables": { uri: string; program?: string | null };
-  "val3/editVariables": EditVariablesParams;
-  "val3/data": { uri: p.DocumentUri; previousResultId?: string; withoutFindings?: boolean };
-  "val3/editData": { uri: p.DocumentUri; version: p.integer | null; edits: DataEdit[]; check?: boolean };
-  "val3/dataPoses": { uri: p.DocumentUri; names: string[] };
-}
-
-/** Replacement of items in a list. */
-interface Replacement<Item> {
-  start: p.uinteger;
-  deleteCount: p.uinteger;
-  items: Item[];
-}
-
-/** Difference between two results of `val3/data`. */
-export interface DataChanges {
-  resultId: string;
-  version: p.integer | null;
-  problem: string | null;
-  data: Replacement<Datum>;
-  values: { start: p.uinteger; deleteCount: p.uinteger } | null;
-  lineShift: p.integer;
-  findings: Replacement<DataFinding> | null;
-}
-
-/** A data file as tables. */
-export interface DataTables {
-  resultId: string;
-  version: p.integer | null;
-  dialect: "old" | "new";
-  problem: string | null;
-  types: DataType[];
-  data: Datum[];
-  findings: DataFinding[];
-}
-
-export type DataContainer = "array" | "collection";
-export type Access = "public" | "private";
-
-export interface DataType {
-  name: string;
-  columns: Column[];
-  fields: { name: string; type: string; container: DataContainer; size: p.uinteger[] }[];
-  containers: DataContainer[];
-}
-
-export interface Column {
-  id: string;
-  title: string;
-  unit: string | null;
-  kind: "number" | "text" | "bool" | "choice" | "father" | "link";
-  choices: string[];
-  default: string;
-}
-
-/** A variable, or a field without access and range. */
-export interface Datum {
-  name: string;
-  access?: Access;
-  type: string;
-  container: DataContainer;
-  size: p.uinteger[];
-  range?: p.Range;
-  values: { key: string; texts: (string | null)[]; fields?: Datum[] }[];
-}
-
-export interface Place {
-  name: string;
-  key?: string;
-  within?: { name: string; key: string }[];
-}
-
-export interface DataFinding {
-  place: Place;
-  column: string | null;
-  severity: "error" | "warning" | "information" | "hint";
-  code: string;
-  message: string;
-}
-
-export type DataEdit =
-  | { kind: "set"; cells: { place: Place; column: string; text: string | null }[] }
-  | { kind: "add"; name: string; type: string; access: Access; container: DataContainer; size: p.uinteger[]; after?: string | null }
-  | { kind: "duplicate"; name: string; as: string }
-  | { kind: "delete"; names: string[] }
-  | { kind: "access"; names: string[]; access: Access }
-  | { kind: "resize"; place: Place; size: p.uinteger[] }
-  | { kind: "addKey"; place: Place; key: string }
-  | { kind: "removeKey"; place: Place; keys: string[] }
-  | { kind: "renameKey"; place: Place; key: string; as: string };
-
-export interface DataPose {
-  name: string;
-  key: string;
-  within?: { name: string; key: string }[];
-  world: [number, number, number, number, number, number] | null;
-  chain: string;
-  reach: "reachable" | "outOfReach" | null;
-  why: string | null;
-  joints: number[] | null;
 }
 
 export interface Results {
-  "val3/workspaceTree": TreeProject[];
-  "val3/libraries": { hasTypes: boolean; candidates: Candidate[] };
-  "val3/addLibrary": p.WorkspaceEdit;
-  "val3/delete": { edit: p.WorkspaceEdit; uses: p.Location[] };
   "initialize": p.InitializeResult;
   "shutdown": null;
   "client/registerCapability": null;
@@ -287,34 +139,4 @@ export interface Results {
   "textDocument/formatting": p.TextEdit[] | null;
   "textDocument/prepareRename": p.PrepareRenameResult | null;
   "textDocument/rename": p.WorkspaceEdit | null;
-  "val3/variables": VariablesResult | null;
-  "val3/editVariables": { edit: p.WorkspaceEdit | null; refused: string | null };
-  "val3/data": DataTables | DataChanges | null;
-  "val3/editData": { edit: p.WorkspaceEdit | null; refused: string | null; findings: DataFinding[] };
-  "val3/dataPoses": DataPose[];
-}
-
-/** Requests beyond the protocol. */
-type Container = "element" | "array" | "collection";
-type Passing = "value" | "reference";
-
-interface VariablesResult {
-  uri: string;
-  version: number | null;
-  program: string;
-  parameters: { name: string; type: string; container: Container; dimensions: number; passing: Passing; range: p.Range; uses: number }[];
-  locals: { name: string; type: string; container: Container; size: number[]; range: p.Range; uses: number }[];
-  types: string[];
-  isOld: boolean;
-  fixed: string | null;
-}
-
-interface EditVariablesParams {
-  uri: string;
-  version: number | null;
-  program: string;
-  edits: {
-    parameters?: { from?: number | null; name: string; type: string; container: Container; dimensions?: number; passing: Passing; argument?: string }[];
-    locals?: { from?: number | null; name: string; type: string; size: number[] }[];
-  };
 }
