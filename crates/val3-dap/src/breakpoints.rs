@@ -10,7 +10,7 @@ use val3_debug::{
 use val3_machine::controller::Controller;
 
 use crate::assertions;
-use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS};
+use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS, filters};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
 use crate::protocol::{
@@ -51,6 +51,17 @@ struct SourceBreakpoints {
 }
 
 impl BreakpointTable {
+    /// Creates a table without breakpoints, in which the default filters select errors until the client sets filters.
+    pub(crate) fn with_default_filters() -> Self {
+        let mut table = Self::default();
+        let defaults = filters().into_iter().filter(|filter| filter.default == Some(true));
+        for filter in defaults {
+            // The adapter's own filters are valid.
+            let _ = table.add_filter(&filter.filter, None);
+        }
+        table
+    }
+
     /// Replaces the breakpoints of a file.
     pub(crate) fn set(
         &mut self,
@@ -189,35 +200,37 @@ impl BreakpointTable {
         run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
-        let mut errors = StopErrors::default();
-        self.stops_at_assertions = false;
+        (self.errors, self.stops_at_assertions) = (StopErrors::default(), false);
         let options = arguments.filter_options.iter().flatten();
         let options = options.map(|option| (option.filter_id.as_str(), option.condition.as_deref()));
         let filters = arguments.filters.iter().map(|filter| (filter.as_str(), None)).chain(options);
         let mut answer = Vec::new();
         for (filter, condition) in filters {
-            let listed = match filter {
-                LISTED_ERRORS => numbers(condition.unwrap_or_default()),
-                ALL_ERRORS | UNHANDLED_ERRORS | MOTION_ERRORS | ASSERTIONS => Ok(BTreeSet::new()),
-                _ => Err(Unverified(format!("there is no filter `{filter}`"))),
-            };
-            errors.all |= filter == ALL_ERRORS;
-            errors.unhandled |= filter == UNHANDLED_ERRORS;
-            errors.motion |= filter == MOTION_ERRORS;
-            self.stops_at_assertions |= filter == ASSERTIONS;
-            errors.numbers.extend(listed.iter().flatten());
-            let (verified, message) = (listed.is_ok(), listed.err().map(|reason| reason.0));
+            let added = self.add_filter(filter, condition);
+            let (verified, message) = (added.is_ok(), added.err().map(|reason| reason.0));
             answer.push(protocol::Breakpoint { verified, message, ..protocol::Breakpoint::default() });
         }
-        self.errors = errors;
-        run.debugger.set_errors(self.errors.clone());
-        self.place_programs(run, conventions);
+        self.apply_errors(run, conventions);
         answer
     }
 
-    /// Lets the chosen run-time errors stop an application that was opened again.
-    pub(crate) fn apply_errors(&self, run: &mut DebuggedRun<'_>) {
+    /// Adds the errors of a filter.
+    fn add_filter(&mut self, filter: &str, condition: Option<&str>) -> Result<(), Unverified> {
+        match filter {
+            ALL_ERRORS => self.errors.all = true,
+            UNHANDLED_ERRORS => self.errors.unhandled = true,
+            MOTION_ERRORS => self.errors.motion = true,
+            ASSERTIONS => self.stops_at_assertions = true,
+            LISTED_ERRORS => self.errors.numbers.extend(numbers(condition.unwrap_or_default())?),
+            _ => return Err(Unverified(format!("there is no filter `{filter}`"))),
+        }
+        Ok(())
+    }
+
+    /// Lets the selected run-time errors and failed assertions stop the run.
+    pub(crate) fn apply_errors(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) {
         run.debugger.set_errors(self.errors.clone());
+        self.place_programs(run, conventions);
     }
 
     /// Removes the breakpoints on data, because an application that is opened again has new data.

@@ -65,7 +65,8 @@ pub(crate) fn of_attached_runs() -> Capabilities {
     }
 }
 
-fn filters() -> Vec<ExceptionBreakpointsFilter> {
+/// The filters for errors.
+pub(crate) fn filters() -> Vec<ExceptionBreakpointsFilter> {
     let filter = |filter: &str, label: &str, description: &str| ExceptionBreakpointsFilter {
         filter: filter.to_owned(),
         label: label.to_owned(),

@@ -4,6 +4,7 @@
 //! and on the thread of the run, so that they see the controller between two operations. While the run is stopped, the
 //! loop waits for the client, and the controller's clock is stopped.
 
+mod at_end;
 mod control;
 mod evaluation;
 mod search;
@@ -105,7 +106,10 @@ impl DebugSession {
             is_configured: false,
             request: 0,
             action: None,
-            breakpoints: BreakpointTable::default(),
+            breakpoints: match start.is_plain_run {
+                true => BreakpointTable::default(),
+                false => BreakpointTable::with_default_filters(),
+            },
             handles: Handles::default(),
             notices: Notices::default(),
             subscriptions: Subscriptions::default(),
@@ -203,6 +207,7 @@ impl DebugSession {
     /// The client has set its breakpoints: the run begins, stops before its first line, or continues.
     fn configured(&mut self, run: &mut DebuggedRun<'_>) {
         self.is_configured = true;
+        self.breakpoints.apply_errors(run, &self.conventions);
         let controller = &run.debugger.controller;
         let mut notices = self.notices.source_changes(controller, &self.conventions);
         notices.extend(self.notices.task_changes(controller));
@@ -237,7 +242,7 @@ impl DebugSession {
             self.client.event(&notice);
         }
         self.handles.clear();
-        self.breakpoints.apply_errors(run);
+        self.breakpoints.apply_errors(run, &self.conventions);
         let removed = self.breakpoints.remove_data();
         removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         self.place_again(run);

@@ -36,6 +36,11 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
         Stop::Data(stop) => data(stop, controller),
         Stop::Pause { task } => event(StoppedEventReason::Pause, *task),
         Stop::Motion(stop) => motion(stop, controller),
+        Stop::Stuck => StoppedEvent {
+            description: Some("Paused because no task can continue".to_owned()),
+            text: Some(waits(controller).collect::<Vec<_>>().join("; ")),
+            ..event(StoppedEventReason::Pause, first_task(controller))
+        },
         Stop::Beginning => {
             let task = first_task(controller);
             let is_whole = controller.now() == 0;
@@ -47,6 +52,12 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             }
         }
     }
+}
+
+/// Describes what each task does or waits for: ``task `main~` waits for a condition at start() line 5``.
+pub(crate) fn waits(controller: &Controller) -> impl Iterator<Item = String> {
+    let positions = controller.task_positions().into_iter();
+    positions.map(|at| format!("task `{}` {} at {}() line {}", at.name, at.activity, at.program, at.line))
 }
 
 fn first_task(controller: &Controller) -> Option<TaskNumber> {

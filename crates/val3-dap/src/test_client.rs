@@ -208,11 +208,15 @@ impl TestClient {
                     break;
                 }
                 AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
-                    if Pace::default().wait(&mut self.debugger.controller, wake).is_none() {
+                    if Pace::default().wait(&mut run.debugger.controller, wake).is_none() {
+                        self.session.stop_at_end(RunStatus::Stuck, &mut run);
                         break;
                     }
                 }
-                AdvanceResult::Ran(outcome) if outcome.is_final() || outcome == RunStatus::Stuck => break,
+                AdvanceResult::Ran(outcome) if outcome.is_final() || outcome == RunStatus::Stuck => {
+                    self.session.stop_at_end(outcome, &mut run);
+                    break;
+                }
                 AdvanceResult::Ran(_) => {}
             }
         }

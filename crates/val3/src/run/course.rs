@@ -126,6 +126,9 @@ impl<'a> Course<'a> {
                 self.observers.flush(self.debugger.controller.now())?;
             }
             let Some(delay) = self.next(status) else {
+                if self.stop_at_end(RunStatus::Stuck, guide) {
+                    continue;
+                }
                 break Ok(End::Controller(RunStatus::Stuck));
             };
             self.note_waits(guide);
@@ -137,6 +140,11 @@ impl<'a> Course<'a> {
                 break Ok(end);
             }
         }
+    }
+
+    /// Lets the debugger stop a run that would end with this status. Returns `false` if the run ends.
+    fn stop_at_end(&mut self, status: RunStatus, guide: &mut dyn Guide) -> bool {
+        guide.session().is_some_and(|session| session.stop_at_end(status, &mut self.target()))
     }
 
     /// Explains why time is real and where tasks wait, unless the controller or a debugger is visible to the user.

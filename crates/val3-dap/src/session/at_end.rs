@@ -1,0 +1,93 @@
+//! Ends of a run before which it stops, so that the user can inspect it, change what its tasks wait for, or go back.
+
+use val3_debug::Stop;
+use val3_machine::controller::RunStatus;
+
+use super::DebugSession;
+use crate::debugged_run::DebuggedRun;
+use crate::stop_event;
+
+impl DebugSession {
+    /// Stops a run that would end with this status. Returns `false` if the run ends.
+    ///
+    /// Tasks that wait can continue after a change from outside, so a run in which no task can continue stops each
+    /// time.
+    pub fn stop_at_end(&mut self, status: RunStatus, run: &mut DebuggedRun<'_>) -> bool {
+        if self.start.is_plain_run || !self.client.is_connected() || status != RunStatus::Stuck {
+            return false;
+        }
+        let controller = &run.debugger.controller;
+        if controller.has_only_failed_tasks() || !run.debugger.paused_tasks().is_empty() {
+            return false;
+        }
+        let tasks: String = stop_event::waits(controller).map(|task| format!("  {task}\n")).collect();
+        self.client.say(&format!("no task can continue:\n{tasks}"));
+        run.debugger.abandon_step();
+        self.stop(&Stop::Stuck, run);
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::test_client::{EMPTY, MAIN_THREAD, TestClient};
+
+    const WAITING: &str = "bool bGo\nnum nDone\n\nprogram start()\nbegin\n  wait(bGo)\n  nDone=1\n  delay(1)\nend\n";
+
+    fn bodies(events: &[(String, Value)], name: &str) -> Vec<Value> {
+        events.iter().filter(|(event, _)| event == name).map(|(_, body)| body.clone()).collect()
+    }
+
+    #[test]
+    fn a_run_stops_when_no_task_can_continue_and_continues_after_a_change() {
+        let mut client = TestClient::launched(WAITING, json!({}));
+        let events = client.run();
+        let task = "task `main~` waits for a condition at start() line 5";
+        let expected = json!({
+            "reason": "pause",
+            "description": "Paused because no task can continue",
+            "text": task,
+            "threadId": MAIN_THREAD,
+            "allThreadsStopped": true,
+        });
+        assert_eq!(bodies(&events, "stopped"), [expected]);
+        let shown = bodies(&events, "output");
+        assert_eq!(shown[0]["output"], format!("no task can continue:\n  {task}\n"));
+        client.body("evaluate", json!({ "expression": "bGo=true", "context": "repl" }));
+        client.body(
+            "setBreakpoints",
+            json!({
+                "source": crate::test_client::source("start"),
+                "breakpoints": [{ "line": 7 }],
+            }),
+        );
+        assert_eq!(client.stop_after("continue", json!({ "threadId": MAIN_THREAD }))["reason"], "breakpoint");
+        assert_eq!(client.value("nDone"), "1");
+    }
+
+    #[test]
+    fn each_step_over_an_endless_wait_stops() {
+        let mut client = TestClient::stopped(WAITING);
+        for _ in 0..2 {
+            let stop = client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!((&stop["reason"], client.place()), (&json!("pause"), ("main:start()".to_owned(), 5)));
+        }
+    }
+
+    #[test]
+    fn a_run_that_ends_does_not_stop() {
+        let mut client = TestClient::launched(EMPTY, json!({}));
+        assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new());
+    }
+
+    #[test]
+    fn unhandled_errors_stop_the_run_of_a_client_that_sets_no_filters() {
+        let mut client =
+            TestClient::launched("num nCount\n\nprogram start()\nbegin\n  nCount=1/nCount\nend\n", json!({}));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!(stops[0]["text"], "error 10: division by zero");
+        assert_eq!(client.value("nCount"), "0");
+    }
+}
