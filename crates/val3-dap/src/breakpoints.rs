@@ -7,6 +7,7 @@ use val3_debug::{
     Breakpoint, BreakpointId, DataAccess, DataBreakpoint, HitCondition, Placed, ProgramBreakpoint, ProgramName,
     StopErrors, WatchedData,
 };
+use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::assertions;
@@ -212,6 +213,12 @@ impl BreakpointTable {
         }
         self.apply_errors(run, conventions);
         answer
+    }
+
+    /// Whether an error with this number stops the run even if a task can handle it.
+    pub(crate) fn always_stops_at(&self, number: u16) -> bool {
+        let StopErrors { all, motion, numbers, .. } = &self.errors;
+        *all || numbers.contains(&number) || (*motion && runtime_errors::is_motion(number))
     }
 
     /// Adds the errors of a filter.

@@ -30,15 +30,19 @@ pub fn read_messages(input: impl BufRead, inbox: &Sender<Incoming>) {
     loop {
         let incoming = match reader.read() {
             Ok(Some(message)) => Incoming::Message(message),
-            Err(error) if error.can_continue() => Incoming::Garbage(error),
+            Ok(None) => break,
             // Nothing after a frame of unknown length can be read.
-            Ok(None) | Err(_) => Incoming::End,
+            Err(error) if !error.can_continue() => {
+                let _ = inbox.send(Incoming::Garbage(error));
+                break;
+            }
+            Err(error) => Incoming::Garbage(error),
         };
-        let is_over = matches!(incoming, Incoming::End);
-        if inbox.send(incoming).is_err() || is_over {
+        if inbox.send(incoming).is_err() {
             return;
         }
     }
+    let _ = inbox.send(Incoming::End);
 }
 
 /// The connection to a client.

@@ -28,6 +28,7 @@ mod notices;
 pub mod protocol;
 mod request;
 mod requests;
+mod screen_text;
 mod secret;
 mod session;
 mod session_start;

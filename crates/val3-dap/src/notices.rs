@@ -13,6 +13,7 @@ use crate::protocol::{
     LoadedSourceEvent, LoadedSourceEventReason, Module, ModuleEvent, ModuleEventReason, OutputEvent,
     OutputEventCategory, StandardEvent, ThreadEvent, ThreadEventReason,
 };
+use crate::screen_text::ScreenText;
 
 /// Tasks and libraries that were reported to the client.
 #[derive(Debug, Default)]
@@ -20,6 +21,7 @@ pub(crate) struct Notices {
     tasks: BTreeSet<TaskNumber>,
     files: BTreeSet<String>,
     modules: BTreeSet<String>,
+    screen: ScreenText,
 }
 
 impl Notices {
@@ -30,7 +32,7 @@ impl Notices {
         controller: &Controller,
         conventions: &Conventions,
     ) -> Vec<StandardEvent> {
-        let output = events.iter().filter_map(|event| output(event, conventions));
+        let output = events.iter().filter_map(|event| self.output(event, controller, conventions));
         let mut notices: Vec<StandardEvent> = output.map(StandardEvent::Output).collect();
         if events.iter().any(|event| matches!(event.kind, EventKind::Task { .. })) {
             notices.extend(self.task_changes(controller));
@@ -39,6 +41,34 @@ impl Notices {
             notices.extend(self.source_changes(controller, conventions));
         }
         notices
+    }
+
+    /// Sets whether the text on user pages is output.
+    pub(crate) fn show_screen_output(&mut self, is_shown: bool) {
+        self.screen.is_hidden = !is_shown;
+    }
+
+    /// Converts an event with a text for the debug console, at the line that caused it.
+    fn output(
+        &mut self,
+        event: &MachineEvent,
+        controller: &Controller,
+        conventions: &Conventions,
+    ) -> Option<OutputEvent> {
+        let (output, category) = match &event.kind {
+            EventKind::Put { screen, x, y, text, ends_line } => {
+                (self.screen.put(screen, (*x, *y), text, *ends_line)?, OutputEventCategory::Stdout)
+            }
+            _ => message(event).map(|(text, category)| (text + "\n", category))?,
+        };
+        let place = place(event, controller);
+        Some(OutputEvent {
+            output,
+            category: Some(category),
+            line: place.as_ref().map(|(line, _)| conventions.line(*line)),
+            source: place.map(|(_, file)| conventions.source(&file)),
+            ..OutputEvent::default()
+        })
     }
 
     /// Compares the tasks with the reported tasks.
@@ -113,9 +143,9 @@ pub(crate) fn task(thread: i32) -> Option<TaskNumber> {
     u64::try_from(thread).ok()?.checked_sub(1).map(TaskNumber)
 }
 
-/// Event text for the debug console.
-fn output(event: &MachineEvent, conventions: &Conventions) -> Option<OutputEvent> {
-    let (text, category) = match &event.kind {
+/// Text of an event for the debug console, except text on user pages.
+fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
+    Some(match &event.kind {
         EventKind::Print { text } => (text.clone(), OutputEventCategory::Stdout),
         EventKind::Log { level, text } => (format!("{level}: {text}"), OutputEventCategory::Console),
         EventKind::Popup { text } => (format!("pop-up: {text}"), OutputEventCategory::Console),
@@ -129,24 +159,53 @@ fn output(event: &MachineEvent, conventions: &Conventions) -> Option<OutputEvent
             OutputEventCategory::Stderr,
         ),
         _ => return None,
-    };
-    let place = match &event.kind {
+    })
+}
+
+/// Returns line and file of an event.
+fn place(event: &MachineEvent, controller: &Controller) -> Option<(u32, String)> {
+    match &event.kind {
         EventKind::Error { line, file, .. }
         | EventKind::Fault { line, file, .. }
-        | EventKind::Lacking { line, file, .. } => Some((*line, file)),
-        _ => None,
-    };
-    Some(OutputEvent {
-        output: text + "\n",
-        category: Some(category),
-        line: place.map(|(line, _)| conventions.line(line)),
-        source: place.map(|(_, file)| conventions.source(file)),
-        ..OutputEvent::default()
-    })
+        | EventKind::Lacking { line, file, .. } => Some((*line, file.clone())),
+        _ => {
+            let (_, line, file) = controller.devices.place(event.at?);
+            Some((line, file)).filter(|(_, file)| !file.is_empty())
+        }
+    }
 }
 
 fn error_text(code: u16, task: Option<&str>) -> String {
     let short = runtime_errors::find(code).map_or("unknown run-time error", |error| error.short);
     let task = task.map(|task| format!(" (task `{task}`)")).unwrap_or_default();
     format!("error {code}: {short}{task}")
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::test_client::{FIRST_LINE, TestClient, source};
+
+    const PRINTING: &str = "program start()\nbegin\n  put(\"a\")\n  putln(\"b\")\n  logMsg(\"c\")\n  delay(1)\nend\n";
+
+    fn outputs(arguments: Value) -> Vec<Value> {
+        let events = TestClient::launched(PRINTING, arguments).run();
+        events.into_iter().filter(|(event, _)| event == "output").map(|(_, body)| body).collect()
+    }
+
+    #[test]
+    fn output_of_programs_has_its_line() {
+        let expected = |text: &str, category: &str, line: u64| json!({ "output": text, "category": category, "line": FIRST_LINE + line, "source": source("start") });
+        let shown = outputs(json!({}));
+        assert_eq!(shown[..2], [expected("a", "stdout", 0), expected("b\n", "stdout", 1)]);
+        assert_eq!((&shown[2]["line"], &shown[2]["category"]), (&json!(FIRST_LINE + 2), &json!("console")));
+        assert!(shown[2]["output"].as_str().unwrap().ends_with("c\n"), "{shown:?}");
+    }
+
+    #[test]
+    fn text_on_pages_is_no_output_if_the_client_shows_pages() {
+        let shown = outputs(json!({ "screenOutput": false }));
+        assert_eq!(shown.len(), 1, "{shown:?}");
+    }
 }

@@ -97,6 +97,8 @@ pub struct DebugSession {
 impl DebugSession {
     /// Creates a session. The client has received `initialized`.
     pub(crate) fn new(client: Client, conventions: Conventions, start: &SessionStart, run: RunState) -> Self {
+        let mut notices = Notices::default();
+        notices.show_screen_output(start.settings.shows_screen_output);
         Self {
             client,
             conventions,
@@ -111,7 +113,7 @@ impl DebugSession {
                 false => BreakpointTable::with_default_filters(),
             },
             handles: Handles::default(),
-            notices: Notices::default(),
+            notices,
             subscriptions: Subscriptions::default(),
             goto_targets: BTreeMap::new(),
             following: Vec::new(),
@@ -184,7 +186,13 @@ impl DebugSession {
     /// The run, or only one task, has stopped by itself.
     pub fn stop(&mut self, stop: &Stop, run: &mut DebuggedRun<'_>) {
         let is_alone = stop.task_alone().is_some_and(|task| run.debugger.is_task_paused(task));
-        if !is_alone {
+        let event = stop_event::stopped(stop, &mut run.debugger.controller);
+        self.report_stop(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event }, run);
+    }
+
+    /// Reports a stop of the whole run, or of a task alone.
+    pub(crate) fn report_stop(&mut self, event: StoppedEvent, run: &mut DebuggedRun<'_>) {
+        if event.all_threads_stopped == Some(true) {
             self.phase = SessionState::Stopped;
             self.handles.clear();
         }
@@ -192,9 +200,7 @@ impl DebugSession {
             self.client.custom_event("val3/motion", batch);
         }
         self.refresh_view(run);
-        let event = stop_event::stopped(stop, &mut run.debugger.controller);
-        let all_threads_stopped = Some(!is_alone);
-        self.client.event(&StandardEvent::Stopped(StoppedEvent { all_threads_stopped, ..event }));
+        self.client.event(&StandardEvent::Stopped(event));
     }
 
     /// The client has set its breakpoints. Does nothing in later calls.

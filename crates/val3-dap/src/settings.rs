@@ -15,6 +15,8 @@ pub struct SessionSettings {
     past: PastLimits,
     /// The run stops before its first line, or as soon as a client has attached.
     pub(crate) stops_on_entry: bool,
+    /// Whether text on user pages appears in the debug console.
+    pub(crate) shows_screen_output: bool,
     /// The angles of positions are shown in radians.
     pub(crate) has_radians: bool,
     /// Whether a breakpoint, a step or an error stops only its task.
@@ -40,7 +42,8 @@ impl SessionSettings {
         Ok(Self {
             motion_mode: arguments.get("motionMode").map_or(Ok(MotionMode::Continuous), motion_mode)?,
             past: PastLimits { snapshots: snapshots.unwrap_or(usual.snapshots), bytes: bytes.unwrap_or(usual.bytes) },
-            stops_on_entry: arguments.get("stopOnEntry").and_then(Value::as_bool).unwrap_or_default(),
+            stops_on_entry: switch(arguments, "stopOnEntry", false)?,
+            shows_screen_output: switch(arguments, "screenOutput", true)?,
             has_radians: is_second(arguments, "angles", ["degrees", "radians"])?,
             stops_one_task: is_second(arguments, "stopScope", ["all", "task"])?,
         })
@@ -62,6 +65,15 @@ fn number(arguments: &Map<String, Value>, key: &str) -> Result<Option<u64>, Requ
     let number = value.as_u64().filter(|number| *number > 0);
     let invalid = || RequestFailure::Rejected(format!("`{key}` is a whole number of at least 1, not {value}"));
     number.map(Some).ok_or_else(invalid)
+}
+
+/// Whether a key is true; `usual` if it is absent.
+fn switch(arguments: &Map<String, Value>, key: &str, usual: bool) -> Result<bool, RequestFailure> {
+    match arguments.get(key) {
+        None | Some(Value::Null) => Ok(usual),
+        Some(Value::Bool(value)) => Ok(*value),
+        Some(value) => Err(RequestFailure::Rejected(format!("`{key}` is true or false, not {value}"))),
+    }
 }
 
 /// Whether a key has the second value. The default is the first.
@@ -89,7 +101,7 @@ mod tests {
     fn settings_have_usual_values() {
         let usual = of(json!({ "program": "x", "angles": null })).unwrap();
         assert_eq!((usual.motion_mode, usual.past), (MotionMode::Continuous, PastLimits::default()));
-        assert!(!usual.stops_on_entry && !usual.has_radians && !usual.stops_one_task);
+        assert!(usual.shows_screen_output && !usual.stops_on_entry && !usual.has_radians && !usual.stops_one_task);
         let chosen = of(json!({
             "motionMode": "step", "pastSnapshots": 20, "pastMemory": 2, "angles": "radians", "stopScope": "task",
         }));
@@ -100,7 +112,12 @@ mod tests {
 
     #[test]
     fn wrong_values_are_refused() {
-        for (key, value) in [("angles", json!("rad")), ("stopScope", json!(1)), ("motionMode", json!("fast"))] {
+        for (key, value) in [
+            ("angles", json!("rad")),
+            ("stopScope", json!(1)),
+            ("motionMode", json!("fast")),
+            ("stopOnEntry", json!("yes")),
+        ] {
             let reason = of(json!({ key: value.clone() })).unwrap_err();
             assert!(reason.contains(&value.to_string()), "{reason}");
         }

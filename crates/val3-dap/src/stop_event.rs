@@ -36,11 +36,6 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
         Stop::Data(stop) => data(stop, controller),
         Stop::Pause { task } => event(StoppedEventReason::Pause, *task),
         Stop::Motion(stop) => motion(stop, controller),
-        Stop::Stuck => StoppedEvent {
-            description: Some("Paused because no task can continue".to_owned()),
-            text: Some(waits(controller).collect::<Vec<_>>().join("; ")),
-            ..event(StoppedEventReason::Pause, first_task(controller))
-        },
         Stop::Beginning => {
             let task = first_task(controller);
             let is_whole = controller.now() == 0;
@@ -51,6 +46,15 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
                 ..event(StoppedEventReason::Entry, task)
             }
         }
+    }
+}
+
+/// The event of a run in which no task can continue.
+pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused because no task can continue".to_owned()),
+        text: Some(waits(controller).collect::<Vec<_>>().join("; ")),
+        ..event(StoppedEventReason::Pause, first_task(controller))
     }
 }
 

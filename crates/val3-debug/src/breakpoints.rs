@@ -79,6 +79,8 @@ pub enum HitCondition {
     Exactly(u64),
     /// `>=5`: the fifth hit and all later hits.
     From(u64),
+    /// `<=5`: the first five hits.
+    Until(u64),
     /// `%5`: every fifth hit.
     Every(u64),
 }
@@ -89,7 +91,7 @@ pub struct InvalidHitCondition;
 
 impl fmt::Display for InvalidHitCondition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("write a number of hits such as 5, >=5 or %5")
+        f.write_str("write a number of hits such as 5, >5, >=5, <5, <=5 or %5")
     }
 }
 
@@ -100,23 +102,33 @@ impl FromStr for HitCondition {
 
     fn from_str(text: &str) -> Result<Self, InvalidHitCondition> {
         let text = text.trim();
-        let (kind, number): (fn(u64) -> Self, &str) = if let Some(number) = text.strip_prefix(">=") {
-            (Self::From, number)
-        } else if let Some(number) = text.strip_prefix('%') {
-            (Self::Every, number)
-        } else {
-            (Self::Exactly, text.trim_start_matches('='))
+        let end = text.find(|letter: char| letter.is_ascii_digit()).ok_or(InvalidHitCondition)?;
+        let (operator, number) = text.split_at(end);
+        let number: u64 = number.parse().map_err(|_| InvalidHitCondition)?;
+        let condition = match operator.trim_end() {
+            "" | "=" | "==" => Self::Exactly(number),
+            ">=" => Self::From(number),
+            ">" => Self::From(number.checked_add(1).ok_or(InvalidHitCondition)?),
+            "<=" => Self::Until(number),
+            "<" => Self::Until(number.saturating_sub(1)),
+            "%" => Self::Every(number),
+            _ => return Err(InvalidHitCondition),
         };
-        let number = number.trim().parse().ok().filter(|number| *number > 0);
-        number.map(kind).ok_or(InvalidHitCondition)
+        if condition.is_possible() { Ok(condition) } else { Err(InvalidHitCondition) }
     }
 }
 
 impl HitCondition {
+    /// Whether any hit can fulfil the condition. `>=0` would hold for all hits, which nobody writes on purpose.
+    const fn is_possible(self) -> bool {
+        matches!(self, Self::Exactly(1..) | Self::From(1..) | Self::Until(1..) | Self::Every(1..))
+    }
+
     pub(crate) fn holds(self, hit: u64) -> bool {
         match self {
             Self::Exactly(number) => hit == number,
             Self::From(number) => hit >= number,
+            Self::Until(number) => hit <= number,
             Self::Every(number) => hit.is_multiple_of(number),
         }
     }

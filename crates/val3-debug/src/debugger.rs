@@ -90,8 +90,6 @@ pub enum Stop {
     /// The arm has arrived at the end of the motion that a line in step mode or [`Debugger::step_motion`] released, or
     /// does not move.
     Motion(Box<MotionStop>),
-    /// No task can continue without a change from outside.
-    Stuck,
 }
 
 impl Stop {
@@ -102,7 +100,7 @@ impl Stop {
             Self::Breakpoints { task, .. } | Self::Step { task } | Self::Error { task, .. } => Some(*task),
             Self::Data(stop) => stop.task,
             Self::Motion(stop) => stop.task,
-            Self::Pause { .. } | Self::PathFault(_) | Self::Beginning | Self::Stuck => None,
+            Self::Pause { .. } | Self::PathFault(_) | Self::Beginning => None,
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use crate::run_status::RunStatus;
 use serde::{Deserialize, Serialize};
-use val3_lang::ports::{SECOND, Time};
+use val3_lang::ports::{CodePlace, SECOND, Time};
 
 use crate::blend_ends::BlendEnds;
 use crate::sio::RecordedReply;
@@ -17,6 +17,9 @@ pub struct Event {
     /// Task in whose turn the event occurred; `None` for external events.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub task: Option<String>,
+    /// Line of the task that caused the event.
+    #[serde(skip)]
+    pub at: Option<CodePlace>,
     /// Kind of the event, with its data.
     #[serde(flatten)]
     pub kind: EventKind,
@@ -41,6 +44,9 @@ pub enum EventKind {
         y: u8,
         /// The text.
         text: String,
+        /// Whether the cursor moved to the next line after it.
+        #[serde(skip)]
+        ends_line: bool,
     },
     /// The title of a user page has changed.
     Title {

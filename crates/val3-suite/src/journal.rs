@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     fn event(t: f64, task: Option<&str>, kind: EventKind) -> Event {
-        Event { t, task: task.map(str::to_owned), kind }
+        Event { t, task: task.map(str::to_owned), at: None, kind }
     }
 
     fn io(t: f64) -> Event {

@@ -91,7 +91,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
 /// Ends a run that cannot begin. Its event record contains only the end.
 fn refuse(args: &RunArgs, code: ExitCode) -> Result<ExitCode, UserError> {
     let mut record = Record::open(args.events.as_deref())?;
-    record.write(&Event { t: 0.0, task: None, kind: EventKind::End { reason: EndReason::Refused } })?;
+    record.write(&Event { t: 0.0, task: None, at: None, kind: EventKind::End { reason: EndReason::Refused } })?;
     record.flush()?;
     Ok(code)
 }

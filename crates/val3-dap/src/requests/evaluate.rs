@@ -28,11 +28,17 @@ impl DebugRequest for Evaluate {
             Some(EvaluateContext::Repl) => Purpose::Execute,
             _ => Purpose::Watch,
         };
+        let is_copied = arguments.context == Some(EvaluateContext::Clipboard);
+        let is_short = arguments.context == Some(EvaluateContext::Hover);
         let format = session.format(arguments.format.as_ref());
+        let format = DisplayFormat { bare: is_copied, exact: !is_short, ..format };
         let evaluation = session.evaluate_while(context, &arguments.expression, (purpose, format), run)?;
         let Evaluation { value, output, .. } = evaluation;
-        let is_whole = arguments.context == Some(EvaluateContext::Clipboard);
-        let list = value.as_ref().filter(|_| is_whole).and_then(|value| list(value, run, format));
+        let list = value.as_ref().filter(|_| is_copied).and_then(|value| list(value, run, format));
+        let value = value.map(|value| DebugValue {
+            refers_to: value.refers_to.filter(|other| !is_copied && !names(&arguments.expression, other)),
+            ..value
+        });
         let variable = value.map(|value| session.shown(value, run)).unwrap_or_default();
         let mut lines = output;
         lines.extend(Some(list.unwrap_or(variable.value)).filter(|value| !value.is_empty()));
@@ -45,6 +51,12 @@ impl DebugRequest for Evaluate {
             ..EvaluateResponse::default()
         })
     }
+}
+
+/// Whether an expression is the variable, or an element or a field of it.
+fn names(expression: &str, variable: &str) -> bool {
+    let rest = expression.trim().strip_prefix(variable);
+    rest.is_some_and(|rest| !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_'))
 }
 
 /// Returns all values of an array or collection as one text.
@@ -61,6 +73,24 @@ mod tests {
     use serde_json::json;
 
     use crate::test_client::{COUNTER, TestClient};
+
+    #[test]
+    fn copied_values_have_no_notes_and_all_digits() {
+        let listing = "num nThird\nnum nOne[1]\n\nprogram start()\nbegin\n  nThird=1/3\n  delay(1)\nend\n";
+        let mut client = TestClient::stopped(listing);
+        let (thread, _) = client.thread_and_frame();
+        client.stop_after("next", json!({ "threadId": thread }));
+        let (_, frame) = client.thread_and_frame();
+        let mut shown = |expression: &str, context: &str| {
+            let arguments = json!({ "expression": expression, "frameId": frame, "context": context });
+            client.body("evaluate", arguments)["result"].clone()
+        };
+        assert_eq!(shown("nThird", "clipboard"), "0.3333333333333333");
+        assert_eq!(shown("nThird", "watch"), "0.3333333333333333");
+        assert_eq!(shown("nThird", "hover"), "0.33333333333333");
+        assert_eq!(shown("nOne[0]", "watch"), "0");
+        assert_eq!(shown("nThird*3", "watch"), "1");
+    }
 
     #[test]
     fn only_the_console_executes_statements() {

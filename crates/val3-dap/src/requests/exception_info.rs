@@ -20,7 +20,7 @@ impl DebugRequest for ExceptionInfo {
     type Body = ExceptionInfoResponse;
 
     fn answer(
-        _: &mut DebugSession,
+        session: &mut DebugSession,
         run: &mut DebuggedRun<'_>,
         arguments: ExceptionInfoArguments,
     ) -> Result<ExceptionInfoResponse, RequestFailure> {
@@ -30,7 +30,13 @@ impl DebugRequest for ExceptionInfo {
         }
         let known = run.debugger.controller.vm.tasks().iter().find(|known| known.id == task);
         match known.map(|task| task.state) {
-            Some(TaskState::Failed(fault)) => Ok(run_time_error(fault.0)),
+            Some(TaskState::Failed(fault)) => {
+                let break_mode = match session.breakpoints.always_stops_at(fault.0) {
+                    true => ExceptionBreakMode::Always,
+                    false => ExceptionBreakMode::Unhandled,
+                };
+                Ok(ExceptionInfoResponse { break_mode, ..run_time_error(fault.0) })
+            }
             _ => Err(RequestFailure::NoError),
         }
     }
@@ -64,7 +70,21 @@ fn run_time_error(number: u16) -> ExceptionInfoResponse {
 mod tests {
     use serde_json::json;
 
-    use crate::test_client::{EMPTY, TestClient};
+    use crate::test_client::{EMPTY, MAIN_THREAD, TestClient};
+
+    #[test]
+    fn the_mode_tells_whether_a_handled_error_would_stop_the_run() {
+        for (filters, mode) in
+            [(json!([]), "unhandled"), (json!(["unhandled"]), "unhandled"), (json!(["all"]), "always")]
+        {
+            let mut client = TestClient::stopped("program start()\nbegin\n  delay(1/0)\nend\n");
+            client.body("setExceptionBreakpoints", json!({ "filters": filters }));
+            client.body("continue", json!({ "threadId": MAIN_THREAD }));
+            client.run();
+            let info = client.body("exceptionInfo", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!((&info["exceptionId"], &info["breakMode"]), (&json!("error 10"), &json!(mode)), "{filters}");
+        }
+    }
 
     #[test]
     fn a_task_without_an_error_has_no_information() {

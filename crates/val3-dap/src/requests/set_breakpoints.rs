@@ -91,7 +91,7 @@ mod tests {
         let condition = json!({ "line": FIRST_LINE, "condition": "nOther>1" });
         assert_eq!(message(condition), "`nOther` is not declared: no local variable, parameter or data has this name");
         let hits = json!({ "line": FIRST_LINE, "hitCondition": "often" });
-        assert_eq!(message(hits), "write a number of hits such as 5, >=5 or %5");
+        assert_eq!(message(hits), "write a number of hits such as 5, >5, >=5, <5, <=5 or %5");
     }
 
     #[test]

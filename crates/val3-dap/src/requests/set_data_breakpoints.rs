@@ -92,7 +92,7 @@ mod tests {
         );
         assert_eq!(
             message(json!({ "dataId": "main:nCount", "hitCondition": "often" })),
-            "write a number of hits such as 5, >=5 or %5"
+            "write a number of hits such as 5, >5, >=5, <5, <=5 or %5"
         );
     }
 

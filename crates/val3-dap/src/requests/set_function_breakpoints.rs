@@ -72,7 +72,7 @@ mod tests {
         let mut message = |breakpoint| set(&mut client, breakpoint)["message"].clone();
         assert_eq!(
             message(json!({ "name": "work", "hitCondition": "often" })),
-            "write a number of hits such as 5, >=5 or %5"
+            "write a number of hits such as 5, >5, >=5, <5, <=5 or %5"
         );
         assert_eq!(
             message(json!({ "name": "work", "condition": "nOther>1" })),

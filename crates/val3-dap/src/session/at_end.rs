@@ -1,6 +1,5 @@
 //! Ends of a run before which it stops, so that the user can inspect it, change what its tasks wait for, or go back.
 
-use val3_debug::Stop;
 use val3_machine::controller::RunStatus;
 
 use super::DebugSession;
@@ -23,7 +22,7 @@ impl DebugSession {
         let tasks: String = stop_event::waits(controller).map(|task| format!("  {task}\n")).collect();
         self.client.say(&format!("no task can continue:\n{tasks}"));
         run.debugger.abandon_step();
-        self.stop(&Stop::Stuck, run);
+        self.report_stop(stop_event::stuck(&run.debugger.controller), run);
         true
     }
 }

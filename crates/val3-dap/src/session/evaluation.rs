@@ -14,7 +14,7 @@ impl DebugSession {
     /// Returns the number format of a request.
     pub(crate) fn format(&self, format: Option<&ValueFormat>) -> DisplayFormat {
         let hex = format.and_then(|format| format.hex).unwrap_or_default();
-        DisplayFormat { hex, radians: self.start.settings.has_radians }
+        DisplayFormat { hex, radians: self.start.settings.has_radians, exact: true, bare: false }
     }
 
     /// Returns the context of a stack frame; without a stack frame, of the first loaded application.

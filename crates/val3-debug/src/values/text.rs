@@ -16,6 +16,10 @@ pub struct DisplayFormat {
     pub hex: bool,
     /// Whether the angles of positions are in radians: `1.570796 rad`.
     pub radians: bool,
+    /// Whether numbers have all digits that distinguish them: `0.3333333333333333`.
+    pub exact: bool,
+    /// Whether values are without notes, such as the link of an input.
+    pub bare: bool,
 }
 
 /// Formats a value; of a user type only the first fields.
@@ -30,13 +34,19 @@ pub(super) fn shown(
         KindBase::Builtin(BaseType::String, _) => Ok(literal(memory.text(place)?)),
         KindBase::Builtin(BaseType::Num, _) if format.hex => {
             let value = memory.num(place, 0)?;
-            Ok(hexadecimal(value).unwrap_or_else(|| printed::num(value).to_string()))
+            Ok(hexadecimal(value).unwrap_or_else(|| number(value, format)))
         }
+        KindBase::Builtin(BaseType::Num, _) => Ok(number(memory.num(place, 0)?, format)),
         KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
-            Ok(port(devices, *base, memory.link(place, 0)?))
+            Ok(port(devices, *base, memory.link(place, 0)?, format))
         }
         KindBase::Builtin(..) => memory.shown(kind, place),
     }
+}
+
+fn number(value: f64, format: DisplayFormat) -> String {
+    let short = printed::num(value).to_string();
+    if !format.exact || short.parse() == Ok(value) { short } else { format!("{value:?}") }
 }
 
 /// Formats degrees as radians.
@@ -56,7 +66,7 @@ fn hexadecimal(value: f64) -> Option<String> {
 }
 
 /// Formats the state and link of inputs, outputs and channels.
-fn port(devices: &Devices, base: BaseType, link: LinkPlace) -> String {
+fn port(devices: &Devices, base: BaseType, link: LinkPlace, format: DisplayFormat) -> String {
     let LinkPlace::Port(port) = link else { return "not linked".to_owned() };
     let name = devices.port_name(base, port).unwrap_or_default();
     let state = match base {
@@ -65,6 +75,7 @@ fn port(devices: &Devices, base: BaseType, link: LinkPlace) -> String {
         _ => Ok(devices.line_state(port).to_owned()),
     };
     match state {
+        Ok(state) if format.bare => state,
         Ok(state) => format!("{state} ({name})"),
         Err(fault) => format!("error {} ({name})", fault.0),
     }

@@ -142,13 +142,15 @@ fn a_task_stops_at_each_breakpoint() {
 
 #[test]
 fn hits_are_counted() {
-    for (hits, expected) in [("2", 1), (">=2", 2), ("%2", 1), ("3", 1), ("4", 0)] {
+    for (hits, expected) in
+        [("2", 1), (" == 2", 1), (">=2", 2), (">2", 1), ("<3", 2), ("<=3", 3), ("% 2", 1), ("3", 1), ("4", 0)]
+    {
         let mut debugger = debugger(CALLS);
         set(&mut debugger, "add", &[(1, Some(hits))]);
         let stops = std::iter::from_fn(|| run(&mut debugger)).count();
         assert_eq!(stops, expected, "{hits}");
     }
-    for wrong in ["", "x", "0", ">5", "%-1", ">="] {
+    for wrong in ["", "x", "0", "<1", "%0", "!=5", "5x", "%-1", ">="] {
         assert!(wrong.parse::<HitCondition>().is_err(), "{wrong}");
     }
 }

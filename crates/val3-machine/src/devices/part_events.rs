@@ -38,8 +38,8 @@ fn on_screen(pendant: &Pendant, event: ScreenEvent) -> Option<EventKind> {
     let screen = |page| pendant.name(page).to_owned();
     let cell = |number| u8::try_from(number).unwrap_or(u8::MAX);
     Some(match event {
-        ScreenEvent::Put { page, at, text, .. } => {
-            EventKind::Put { screen: screen(page), x: cell(at.column), y: cell(at.row), text }
+        ScreenEvent::Put { page, at, text, ends_line } => {
+            EventKind::Put { screen: screen(page), x: cell(at.column), y: cell(at.row), text, ends_line }
         }
         ScreenEvent::Title(page, text) => EventKind::Title { screen: screen(page), text },
         ScreenEvent::Cleared(page) => EventKind::Cls { screen: screen(page) },

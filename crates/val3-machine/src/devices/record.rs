@@ -48,12 +48,12 @@ impl Record {
     /// Adds an event of the task that runs.
     pub(super) fn push(&mut self, kind: EventKind) {
         let task = self.names.get(&self.origin.task).cloned();
-        self.push_event(Event { t: seconds(self.origin.time), task, kind });
+        self.push_event(Event { t: seconds(self.origin.time), task, at: Some(self.origin.at), kind });
     }
 
     /// Adds an event of no task.
     pub(super) fn push_outside(&mut self, now: Time, kind: EventKind) {
-        self.push_event(Event { t: seconds(now), task: None, kind });
+        self.push_event(Event { t: seconds(now), task: None, at: None, kind });
     }
 
     fn push_event(&mut self, event: Event) {

@@ -130,6 +130,7 @@ mod tests {
         Event {
             t: 1.0,
             task: Some(task.to_owned()),
+            at: None,
             kind: EventKind::Error { code, message: "bad", program, line: 3, file, is_line_missing: false },
         }
     }

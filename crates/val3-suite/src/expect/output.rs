@@ -98,8 +98,9 @@ mod tests {
             output.failures(&ExpectationSource::default()).into_iter().map(|failure| failure.message).collect()
         };
         assert_eq!(missing(&output)[0], "no printed line contains \"b\": there is none");
-        let print = |text: &str| Event { t: 0.0, task: None, kind: EventKind::Print { text: text.to_owned() } };
-        let log = Event { t: 0.0, task: None, kind: EventKind::Log { level: "info", text: "x".to_owned() } };
+        let print =
+            |text: &str| Event { t: 0.0, task: None, at: None, kind: EventKind::Print { text: text.to_owned() } };
+        let log = Event { t: 0.0, task: None, at: None, kind: EventKind::Log { level: "info", text: "x".to_owned() } };
         output.see(&[print("abc"), log]);
         (0..SHOWN).for_each(|number| output.see(&[print(&number.to_string())]));
         assert_eq!(missing(&output), ["no printed line contains \"x\": the last ones\n| 0\n| 1\n| 2\n| 3\n| 4"]);

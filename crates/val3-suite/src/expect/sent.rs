@@ -81,7 +81,7 @@ mod tests {
         let mut sent = Sent::new(&expected);
         for (link, dir, bytes) in pieces {
             let (link, bytes) = ((*link).to_owned(), bytes.as_bytes().to_vec());
-            sent.see(&[Event { t: 0.0, task: None, kind: EventKind::Sio { link, dir, bytes } }]);
+            sent.see(&[Event { t: 0.0, task: None, at: None, kind: EventKind::Sio { link, dir, bytes } }]);
         }
         sent.failure(&ExpectationSource::default()).map(|failure| failure.message)
     }

@@ -42,6 +42,7 @@ fn launch() -> Map<String, Value> {
 /// Keys of both requests.
 fn common() -> Map<String, Value> {
     let stop = json!({ "type": "boolean", "default": false, "description": "Stop immediately, before the first line of a launched run" });
+    let screen = json!({ "type": "boolean", "default": true, "description": "Show text that programs write on user pages in the debug console" });
     let mode = json!({
         "type": "string",
         "enum": ["continuous", "step"],
@@ -73,6 +74,7 @@ fn common() -> Map<String, Value> {
     let limit = |usual: u64, description: &str| json!({ "type": "integer", "minimum": 1, "default": usual, "description": description });
     let keys = [
         ("stopOnEntry", stop),
+        ("screenOutput", screen),
         ("motionMode", mode),
         ("stopScope", scope),
         ("angles", angles),

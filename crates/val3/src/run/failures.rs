@@ -111,6 +111,7 @@ mod tests {
         Event {
             t: at,
             task: Some(task.to_owned()),
+            at: None,
             kind: EventKind::Error { code: 10, message: "", program, line: 1, file, is_line_missing: false },
         }
     }
@@ -118,7 +119,7 @@ mod tests {
     fn killed(name: &str, by: Option<&str>) -> Event {
         let (name, program) = (name.to_owned(), String::new());
         let kind = EventKind::Task { state: "killed", name, program, line: 1, code: None, file: String::new() };
-        Event { t: 0.0, task: by.map(str::to_owned), kind }
+        Event { t: 0.0, task: by.map(str::to_owned), at: None, kind }
     }
 
     #[test]
@@ -135,7 +136,7 @@ mod tests {
     fn a_path_is_a_failure_until_it_is_discarded() {
         let (program, file, text) = (String::new(), String::new(), String::new());
         let kind = EventKind::Fault { id: 0.0, instruction: "movel", text, program, line: 1, file };
-        let fault = Event { t: 1.0, task: None, kind };
+        let fault = Event { t: 1.0, task: None, at: None, kind };
         let mut failures = Failures::default();
         failures.follow(&fault);
         assert!(!failures.is_empty());
@@ -148,14 +149,16 @@ mod tests {
             line: 1,
             blend: BlendEnds::default(),
         };
-        failures.follow(&Event { t: 2.0, task: None, kind });
+        failures.follow(&Event { t: 2.0, task: None, at: None, kind });
         assert!(failures.is_empty());
-        let Event { t, task, kind: EventKind::Error { message, program, line, file, .. } } = error("work", 3.0) else {
+        let Event { t, task, kind: EventKind::Error { message, program, line, file, .. }, .. } = error("work", 3.0)
+        else {
             panic!("no error")
         };
         failures.follow(&Event {
             t,
             task,
+            at: None,
             kind: EventKind::Error { code: MOTION_FAULT, message, program, line, file, is_line_missing: false },
         });
         failures.follow(&fault);

@@ -141,7 +141,7 @@ mod tests {
     use super::*;
 
     fn print(t: f64, text: &str) -> Event {
-        Event { t, task: None, kind: EventKind::Print { text: text.to_owned() } }
+        Event { t, task: None, at: None, kind: EventKind::Print { text: text.to_owned() } }
     }
 
     const PRINTS: &str =

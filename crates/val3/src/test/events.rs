@@ -41,7 +41,7 @@ mod tests {
     #[test]
     fn events_are_worded_for_people() {
         let repeated = |task: Option<&str>, kind, count| {
-            let event = Event { t: 1.25, task: task.map(str::to_owned), kind };
+            let event = Event { t: 1.25, task: task.map(str::to_owned), at: None, kind };
             line(&RepeatedEvent { event, count, since: 0.5 })
         };
         let line = |task, kind| repeated(task, kind, 1);

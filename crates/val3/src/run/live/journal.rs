@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     fn print(text: &str) -> Event {
-        Event { t: 0.0, task: None, kind: EventKind::Print { text: text.to_owned() } }
+        Event { t: 0.0, task: None, at: None, kind: EventKind::Print { text: text.to_owned() } }
     }
 
     #[test]
@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn other_events_are_not_shown() {
         let mut journal = Journal::default();
-        journal.record_event(&Event { t: 0.0, task: None, kind: EventKind::Power { on: true } });
+        journal.record_event(&Event { t: 0.0, task: None, at: None, kind: EventKind::Power { on: true } });
         assert!(journal.take().is_empty());
     }
 }

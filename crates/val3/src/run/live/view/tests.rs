@@ -14,7 +14,12 @@ const PAGE: PageId = PageId::DEFAULT;
 fn picture(pendant: &Pendant, now: Time) -> Buffer {
     let mut journal = Journal::default();
     for number in 1..=5 {
-        journal.record_event(&Event { t: 0.0, task: None, kind: EventKind::Print { text: format!("line {number}") } });
+        journal.record_event(&Event {
+            t: 0.0,
+            task: None,
+            at: None,
+            kind: EventKind::Print { text: format!("line {number}") },
+        });
     }
     let view = View { pendant, robot: &Robot::default(), journal: &journal, now, stopping: false };
     let mut terminal = Terminal::new(TestBackend::new(64, 20)).unwrap();
