@@ -101,6 +101,8 @@ pub struct Clock {
     pub speed: PaceSpeed,
     /// Whether the run is paused.
     pub is_paused: bool,
+    /// Whether a debugger has stopped the run.
+    pub is_stopped: bool,
 }
 
 /// Changed signals.

@@ -8,6 +8,9 @@ import type { Store } from "./store";
 /** Milliseconds between attempts to reconnect. */
 const AGAIN = 1000;
 
+/** Milliseconds without a message after which the server counts as silent. It sends the clock each second. */
+const SILENCE = 3000;
+
 interface Editor {
   postMessage: (message: object) => void;
 }
@@ -60,8 +63,19 @@ function openSocket(store: Store, address: URL): void {
   socket.binaryType = "arraybuffer";
   socket.addEventListener("open", () => (store.send = (command) => socket.send(JSON.stringify(command))));
   const inbox = new Inbox(store);
-  socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => inbox.add(data));
+  let silence: number | undefined;
+  const hear = (): void => {
+    clearTimeout(silence);
+    store.isSilent.value = false;
+    silence = window.setTimeout(() => (store.isSilent.value = true), SILENCE);
+  };
+  socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => {
+    hear();
+    inbox.add(data);
+  });
   socket.addEventListener("close", () => {
+    clearTimeout(silence);
+    store.isSilent.value = false;
     inbox.empty();
     const hasEnded = store.end.peek() !== undefined;
     store.lose(hasEnded ? "The run has ended." : "The connection to the run is lost.");

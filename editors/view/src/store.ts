@@ -23,6 +23,10 @@ export class Store {
   readonly chosen = signal<number | undefined>(undefined);
   readonly time: ReadonlySignal<number> = computed(() => this.chosen.value ?? this.newest.value);
   readonly isPaused = signal(false);
+  /** Whether a debugger has stopped the run. */
+  readonly isStopped = signal(false);
+  /** Whether the server has been silent for so long that it may hang. */
+  readonly isSilent = signal(false);
   readonly speed = signal<number | "max">(1);
   readonly end = signal<string | undefined>(undefined);
   /** Sentence about a lost connection. */
@@ -148,6 +152,7 @@ export class Store {
       case "clock":
         this.speed.value = message.speed;
         this.isPaused.value = message.isPaused;
+        this.isStopped.value = message.isStopped;
         break;
       case "gap": break;
     }

@@ -79,6 +79,8 @@ export interface CellPoint {
 export interface Clock {
   /** Whether the run is paused. */
   isPaused: boolean;
+  /** Whether a debugger has stopped the run. */
+  isStopped: boolean;
   /** Controller seconds per real second. */
   speed: PaceSpeed;
   /** Time in s. */

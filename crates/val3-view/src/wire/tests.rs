@@ -24,12 +24,12 @@ fn check(validator: &Validator, value: &Value) {
 
 #[test]
 fn small_messages_follow_the_schema() {
-    let print = Event { t: 0.5, task: None, kind: EventKind::Print { text: "ready".to_owned() } };
+    let print = Event { t: 0.5, task: None, at: None, kind: EventKind::Print { text: "ready".to_owned() } };
     let point = PointName { name: "pPick".to_owned(), key: None };
     let validator = validator();
     for message in [
-        Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Fastest(Fastest::Max), is_paused: false }),
-        Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Times(2.0), is_paused: true }),
+        Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Fastest(Fastest::Max), is_paused: false, is_stopped: false }),
+        Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Times(2.0), is_paused: true, is_stopped: true }),
         Message::Events(EventsMessage { events: vec![print] }),
         Message::Unsaved(UnsavedMessage { points: vec![point] }),
         Message::End(End { t: 2.0, reason: EndReason::Limit, exit_code: 3 }),

@@ -90,7 +90,9 @@ impl<'a> Course<'a> {
     fn run_cycles(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
         self.tempo.restart_clock(self.debugger.controller.now());
         loop {
-            match guide.attend(&mut self.target()) {
+            let action = guide.attend(&mut self.target());
+            self.tempo.set_debugger_stop(action == NextAction::Wait);
+            match action {
                 NextAction::Run | NextAction::Detach { .. } => {}
                 NextAction::Wait => {
                     if let Some(end) = self.broken_off(signals)? {

@@ -19,6 +19,8 @@ pub(super) struct Tempo {
     clock: WallClock,
     speed: f64,
     is_paused: bool,
+    /// Whether a debugger has stopped the run.
+    is_debugger_stop: bool,
     /// Number of cycles to execute while the run is paused.
     cycles: u64,
 }
@@ -26,7 +28,7 @@ pub(super) struct Tempo {
 impl Tempo {
     /// Creates the pace of a run that is not paused.
     pub(super) fn new(pace: Pace, now: Time) -> Self {
-        Self { pace, clock: WallClock::new(now), speed: 1.0, is_paused: false, cycles: 0 }
+        Self { pace, clock: WallClock::new(now), speed: 1.0, is_paused: false, is_debugger_stop: false, cycles: 0 }
     }
 
     /// Whether the run is paused before its next cycle.
@@ -52,7 +54,12 @@ impl Tempo {
     /// Message `clock` with the pace.
     pub(super) fn message(&self, t: f64) -> Clock {
         let speed = if self.pace.real_time { PaceSpeed::Times(self.speed) } else { PaceSpeed::Fastest(Fastest::Max) };
-        Clock { t, speed, is_paused: self.is_paused }
+        Clock { t, speed, is_paused: self.is_paused, is_stopped: self.is_debugger_stop }
+    }
+
+    /// Sets whether a debugger has stopped the run.
+    pub(super) const fn set_debugger_stop(&mut self, is_stopped: bool) {
+        self.is_debugger_stop = is_stopped;
     }
 
     /// Executes the command `pace`: changes the speed, or pauses the run.
@@ -120,9 +127,10 @@ mod tests {
     fn the_speed_is_a_number_or_max() {
         let mut tempo = Tempo::new(Pace { real_time: true, ..Pace::default() }, 0);
         change(&mut tempo, json!({ "speed": 0.1 })).unwrap();
-        assert_eq!(clock(&tempo, 1.5), r#"{"isPaused":false,"kind":"clock","speed":0.1,"t":1.5}"#);
+        assert_eq!(clock(&tempo, 1.5), r#"{"isPaused":false,"isStopped":false,"kind":"clock","speed":0.1,"t":1.5}"#);
         change(&mut tempo, json!({ "speed": "max", "isPaused": true })).unwrap();
-        assert_eq!(clock(&tempo, 2.0), r#"{"isPaused":true,"kind":"clock","speed":"max","t":2.0}"#);
+        tempo.set_debugger_stop(true);
+        assert_eq!(clock(&tempo, 2.0), r#"{"isPaused":true,"isStopped":true,"kind":"clock","speed":"max","t":2.0}"#);
         for speed in [json!(0), json!(-1), json!(101), json!("fast"), json!(null), json!({})] {
             assert!(change(&mut tempo, json!({ "speed": speed, "isPaused": false })).is_err(), "{speed}");
         }

@@ -1,7 +1,7 @@
 //! Viewers of a run: messages to the viewers, and their commands.
 
 use std::collections::VecDeque;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
@@ -25,6 +25,9 @@ const LASTING: [&str; 3] = ["scene", "source", "tool"];
 /// Command that writes a scenario of the run.
 const RECORD: &str = "record";
 
+/// Real time between two clock messages.
+const HEARTBEAT: Duration = Duration::from_secs(1);
+
 /// Maximum number of commands executed between two cycles. Further commands wait for the next cycle.
 const COMMANDS_PER_CYCLE: usize = 64;
 
@@ -42,6 +45,26 @@ pub(super) struct Viewers {
     sent: usize,
     /// Commands that have arrived during a wait.
     arrived: VecDeque<PendingCommand>,
+    heartbeat: Heartbeat,
+}
+
+/// Clock messages in regular intervals, by which viewers recognise a server that works while nothing changes.
+struct Heartbeat {
+    /// Moment and content of the last clock message.
+    last: Option<(Instant, wire::Clock)>,
+}
+
+impl Heartbeat {
+    /// Returns the clock message that is due now: after an interval, or after a change of the pace.
+    fn due(&mut self, now: Instant, clock: wire::Clock) -> Option<wire::Message> {
+        let is_due = self.last.as_ref().is_none_or(|(sent, last)| {
+            now.duration_since(*sent) >= HEARTBEAT || wire::Clock { t: last.t, ..clock.clone() } != *last
+        });
+        is_due.then(|| {
+            self.last = Some((now, clock.clone()));
+            wire::Message::Clock(clock)
+        })
+    }
 }
 
 impl Viewers {
@@ -62,7 +85,8 @@ impl Viewers {
         let feed = Feed::new(controller, Role::Operator);
         let recorder = ScenarioRecorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
-        let mut viewers = Self { server, feed, operator, recorder, sent: 0, arrived };
+        let mut viewers =
+            Self { server, feed, operator, recorder, sent: 0, arrived, heartbeat: Heartbeat { last: None } };
         viewers.publish();
         Ok(viewers)
     }
@@ -98,15 +122,24 @@ impl Viewers {
             let result = match command.name.as_str() {
                 "pace" => wire::Pace::read(arguments).map_err(|error| error.to_string()).map(|pace| {
                     tempo.change(&pace, now);
-                    self.feed.tell(&wire::Message::Clock(tempo.message(seconds(now))));
                     Map::new()
                 }),
                 "cycle" => tempo.step(arguments, now).map(|()| Map::new()),
                 name => self.operate(name, arguments, controller),
             };
+            self.beat(controller, tempo);
             command.answer(result);
             self.feed.refresh(controller);
             self.publish();
+        }
+        self.beat(controller, tempo);
+        self.publish();
+    }
+
+    /// Adds a clock message if it is due.
+    fn beat(&mut self, controller: &Controller, tempo: &Tempo) {
+        if let Some(message) = self.heartbeat.due(Instant::now(), tempo.message(seconds(controller.now()))) {
+            self.feed.tell(&message);
         }
     }
 
@@ -154,6 +187,26 @@ impl Viewers {
         let messages: Vec<StoredMessage> = self.feed.take().into_iter().map(encoded).collect();
         self.sent += messages.iter().map(StoredMessage::bytes).sum::<usize>();
         self.server.publish(messages);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clock_messages_are_regular_and_follow_changes() {
+        let mut heartbeat = Heartbeat { last: None };
+        let begin = Instant::now();
+        let mut is_due = |milliseconds, t, is_paused| {
+            let clock = wire::Clock { t, speed: wire::PaceSpeed::Times(1.0), is_paused, is_stopped: false };
+            heartbeat.due(begin + Duration::from_millis(milliseconds), clock).is_some()
+        };
+        assert!(is_due(0, 0.0, false));
+        assert!(!is_due(999, 0.9, false));
+        assert!(is_due(999, 0.9, true));
+        assert!(!is_due(1998, 0.9, true));
+        assert!(is_due(1999, 0.9, true));
     }
 }
 

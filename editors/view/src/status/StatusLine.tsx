@@ -10,7 +10,7 @@ import "./status.css";
 export function StatusLine({ store }: { store: Store }): JSX.Element {
   const facts: StatusFacts = {
     lost: store.lost.value, end: store.end.value, role: store.scene.value?.role, isPast: store.chosen.value !== undefined,
-    isPaused: store.isPaused.value, state: store.panels.cell.state.value,
+    isPaused: store.isPaused.value, isStopped: store.isStopped.value, isSilent: store.isSilent.value, state: store.panels.cell.state.value,
   };
   const { kind, text, word } = statusOf(facts);
   const application = store.scene.value?.application;

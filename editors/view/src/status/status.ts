@@ -17,15 +17,22 @@ export interface StatusFacts {
   role: string | undefined;
   isPast: boolean;
   isPaused: boolean;
+  /** Whether a debugger has stopped the run. */
+  isStopped: boolean;
+  /** Whether the server does not answer. */
+  isSilent: boolean;
   state: CellState | undefined;
 }
 
 /** Tasks that are named in a sentence. */
 const NAMED = 2;
 
-export function statusOf({ lost, end, role, isPast, isPaused, state }: StatusFacts): Status {
+export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, state }: StatusFacts): Status {
   if (lost !== undefined) {
     return { kind: "fault", text: lost, word: "no connection" };
+  }
+  if (isSilent && end === undefined) {
+    return { kind: "fault", text: "No answer from the server for 3 s. It is stopped or overloaded.", word: "no answer" };
   }
   if (role === undefined || role === "preview") {
     return { kind: "stopped", text: role === undefined ? "The run has not begun." : "The application does not run.", word: "not running" };
@@ -41,8 +48,8 @@ export function statusOf({ lost, end, role, isPast, isPaused, state }: StatusFac
   if (end !== undefined) {
     return { kind: "stopped", text: `The run has ended: ${end}.`, word: "ended" };
   }
-  if (isPaused) {
-    return role === "debugger"
+  if (isPaused || isStopped) {
+    return isStopped || role === "debugger"
       ? { kind: "stopped", text: "The debugger has stopped the run.", word: "stopped" }
       : { kind: "stopped", text: "The run is paused. Press Play to continue.", word: "paused" };
   }

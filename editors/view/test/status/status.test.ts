@@ -9,7 +9,7 @@ const task = (name: string, fields: Partial<TaskState> = {}): TaskState =>
 const state = (tasks: TaskState[], fields: Partial<CellState> = {}): CellState =>
   ({ tasks, power: true, mode: "remote", emergencyStop: "none", isHeld: false, awaitedHold: null, monitorSpeed: 100, ...fields });
 const facts = (fields: Partial<StatusFacts>): StatusFacts =>
-  ({ lost: undefined, end: undefined, role: "operator", isPast: false, isPaused: false, state: state([task("start")]), ...fields });
+  ({ lost: undefined, end: undefined, role: "operator", isPast: false, isPaused: false, isStopped: false, isSilent: false, state: state([task("start")]), ...fields });
 
 test("the first reason that keeps the run from going on is shown", () => {
   const waiting = task("pick", { waits: "the arm (`movej`), which has no power: call enablePower()", awaits: "the arm (`movej`)" });
@@ -23,6 +23,9 @@ test("the first reason that keeps the run from going on is shown", () => {
     [{ isPast: true }, "stopped", "You are looking at the past."],
     [{ isPast: true, role: "recording" }, "running", "Running."],
     [{ isPaused: true }, "stopped", "The run is paused. Press Play to continue."],
+    [{ isStopped: true }, "stopped", "The debugger has stopped the run."],
+    [{ isSilent: true }, "fault", "No answer from the server for 3 s. It is stopped or overloaded."],
+    [{ isSilent: true, end: "finished" }, "stopped", "The run has ended: finished."],
     [{ isPaused: true, role: "debugger" }, "stopped", "The debugger has stopped the run."],
     [{ state: held }, "stopped", "The arm has no power. Press Power to switch it on. pick waits for the arm (movej) at start:12."],
     [{ state: state([waiting], { emergencyStop: "open" }) }, "stopped", "The E-stop is pressed. Release it, then switch the power on."],
