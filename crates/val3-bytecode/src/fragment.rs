@@ -79,6 +79,8 @@ mod tests {
         assert_eq!(fragment.end(), 1);
         let marks: Vec<LineMark> = fragment.program.code.iter().map(|step| step.mark).collect();
         assert_eq!(marks, [LineMark::Within, LineMark::Stop]);
+        let endless = Fragment::expression(program("on: Jump on"), value(Operand::Frame(Lanes::default())));
+        assert_eq!(endless.program.code[0].mark, LineMark::Within);
     }
 
     #[test]

@@ -27,6 +27,7 @@ begin
 end
 public program idle()
 begin
+  ? 1
 end
 "#;
 
@@ -51,6 +52,7 @@ fn tests_and_assertions_are_not_counted() {
     let mut bench = Bench::open(CELL, "palTest");
     assert!(bench.test("testOne", "").has_passed());
     expect![[r#"
+        pal:idle 0:0
         pal:work 0:1 1:1 2:0 true:0 false:1
     "#]]
     .assert_eq(&programs(&counted(&bench.controller, &bench.application)));

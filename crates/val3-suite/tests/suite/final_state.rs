@@ -3,6 +3,7 @@
 use expect_test::expect;
 use val3_suite::{FinalState, TestResult};
 
+use crate::assertions::bench;
 use crate::bench::Bench;
 use crate::expectations::cell;
 
@@ -69,6 +70,16 @@ fn signals_are_compared() {
     };
     let found = state("doLamp=true").first_difference(&state("doLamp=false")).unwrap();
     assert_eq!(found.to_string(), r"Io\Lamp is 1 instead of 0");
+}
+
+#[test]
+fn data_of_assertions_are_no_state_of_the_application() {
+    let state = |text: &str| {
+        let mut bench = bench(&[("testAbout", &format!("call assert:about(\"{text}\")"))]);
+        let result = bench.test("testAbout", "");
+        FinalState::of(&bench.controller, &result)
+    };
+    assert_eq!(state("a"), state("b"));
 }
 
 #[test]

@@ -143,6 +143,19 @@ fn a_recorded_motion_is_compared() {
     assert!(picture.unwrap().starts_with("<svg"));
 }
 
+/// Returns a trace without some of its columns and without the name of its arm.
+fn without_columns(trace: &str, names: &[&str]) -> String {
+    let rows: Vec<Vec<&str>> =
+        trace.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').collect()).collect();
+    let is_kept = |column: usize| !names.contains(&rows[0][column]);
+    let kept = |row: &Vec<&str>| {
+        let cells: Vec<&str> =
+            row.iter().zip(0..).filter(|(_, column)| is_kept(*column)).map(|(cell, _)| *cell).collect();
+        cells.join(",") + "\n"
+    };
+    rows.iter().map(kept).collect()
+}
+
 #[test]
 fn a_file_that_cannot_be_compared_is_a_failure() {
     let motion = motion("y+100", "y+100");
@@ -150,6 +163,7 @@ fn a_file_that_cannot_be_compared_is_a_failure() {
         motion.missing(),
         motion.refused("no permission"),
         motion.judge("text").failure.unwrap(),
+        motion.judge(&without_columns(&motion.text(), &["j5", "j6"])).failure.unwrap(),
         motion.judge(&motion.text().replace("TX2-90", "TX2-60")).failure.unwrap(),
     ];
     let messages: String = messages.map(|failure| failure.message + "\n").concat();
@@ -157,6 +171,7 @@ fn a_file_that_cannot_be_compared_is_a_failure() {
         there is no recorded motion `day.csv`: `val3 test --update` records this motion
         the recorded motion `day.csv` cannot be read: no permission
         the recorded motion `day.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `text` are others; `val3 test --update` records this motion
+        `day.csv` was recorded with a arm with 4 axes, and this arm is a TX2-90: choose the arm with --arm or in val3.toml; `val3 test --update` records this motion
         `day.csv` was recorded with a TX2-60, and this arm is a TX2-90: choose the arm with --arm or in val3.toml; `val3 test --update` records this motion
     "#]].assert_eq(&messages);
 }

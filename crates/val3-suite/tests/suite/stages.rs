@@ -137,9 +137,10 @@ fn a_failure_shows_the_user_page_and_each_event_once() {
         ("testBlank", "call assert:fail(\"no page\")"),
         ("testLog num l_n", "for l_n=1 to 30\nlogMsg(\"again\")\ndelay(0.1)\nendFor\ncall assert:fail(\"no end\")"),
         ("testPage", "cls()\nputln(\"Part 7\")\nput(\"missing\")\ncall assert:fail(\"no part\")"),
+        ("testPasses", "put(\"done\")"),
     ]);
     assert_eq!(bench.test("testPage", "").page.as_deref(), Some("+\n| Part 7\n| missing"));
-    assert_eq!(bench.test("testBlank", "").page, None);
+    assert_eq!(["testBlank", "testPasses"].map(|title| bench.test(title, "").page), [None, None]);
     let mut result = bench.test("testLog", "");
     assert_eq!((result.events.len(), result.events[0].count), (1, 30));
     result.keep_last_events(0);
