@@ -1,7 +1,6 @@
 //! Tests with complete cells. They are one binary, because each binary contains the entire analysis and runtime.
 
 mod assists;
-mod book;
 mod ci_recipes;
 mod completion;
 mod data_edits;

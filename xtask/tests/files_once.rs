@@ -25,8 +25,7 @@ const FORBIDDEN: &[&str] = &[
 /// The crate itself, tools of the project, and the media and serial lines of running programs.
 const EXCEPTIONS: &[&str] = &[
     "val3-files/src",
-    "val3-book/src",
-    "val3-editors/src",
+    "val3-generate/src",
     "val3-test/src",
     "val3-machine/src/files",
     "val3-machine/src/sio/serial.rs",

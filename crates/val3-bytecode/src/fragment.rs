@@ -54,3 +54,47 @@ impl Fragment {
         u32::try_from(self.program.code.len()).unwrap_or(u32::MAX).saturating_sub(1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use val3_lang::memory::Lanes;
+    use val3_lang::types::BaseType;
+
+    use super::*;
+    use crate::{Image, assemble};
+
+    fn program(code: &str) -> Program {
+        let Image { mut programs, .. } = assemble(&format!("program p\nframe n2\n{code}\nend")).unwrap();
+        programs.remove(0)
+    }
+
+    fn value(operand: Operand) -> FragmentValue {
+        let kind = Arc::new(ValueType::builtin(BaseType::Num, None));
+        FragmentValue { site: ArgumentSite::Value(operand, BaseType::Num), kind }
+    }
+
+    #[test]
+    fn a_task_stops_where_the_value_of_an_expression_can_be_read() {
+        let fragment = Fragment::expression(program("Add n0 n0 n1\nReturn"), value(Operand::Frame(Lanes::default())));
+        assert_eq!(fragment.end(), 1);
+        let marks: Vec<LineMark> = fragment.program.code.iter().map(|step| step.mark).collect();
+        assert_eq!(marks, [LineMark::Within, LineMark::Stop]);
+        let endless = Fragment::expression(program("on: Jump on"), value(Operand::Frame(Lanes::default())));
+        assert_eq!(endless.program.code[0].mark, LineMark::Within);
+    }
+
+    #[test]
+    fn statements_have_no_stop_and_no_value() {
+        let fragment = Fragment::statements(program("line 1 Add n0 n0 n1\nReturn"));
+        assert_eq!((fragment.value, fragment.program.code[1].mark), (None, LineMark::Within));
+        assert_eq!(Fragment::statements(Program::default()).end(), 0);
+    }
+
+    #[test]
+    fn only_a_value_of_the_own_frame_is_a_result() {
+        assert!(value(Operand::Frame(Lanes::default())).is_result());
+        assert!(!value(Operand::Place(0, Lanes::default())).is_result());
+        let kind = Arc::new(ValueType::builtin(BaseType::Num, None));
+        assert!(!FragmentValue { site: ArgumentSite::Library(0), kind }.is_result());
+    }
+}

@@ -144,3 +144,28 @@ impl Image {
         self.data.iter().position(|data| data.name == name).and_then(|at| u16::try_from(at).ok())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assemble;
+
+    #[test]
+    fn programs_and_data_are_found_by_name() {
+        let text = "data nA num[1]\ndata nB num[1]\nprogram a\nReturn\nend\nprogram b\nReturn\nend";
+        let image = assemble(text).unwrap();
+        assert_eq!((image.program("a"), image.program("b"), image.program("nA")), (Some(0), Some(1), None));
+        assert_eq!((image.data("nA"), image.data("nB"), image.data("a")), (Some(0), Some(1), None));
+    }
+
+    #[test]
+    fn the_size_of_the_code_grows_with_operations_and_texts() {
+        let size = |code: &str| assemble(&format!("program a\nframe t1\n{code}\nend")).unwrap().code_bytes();
+        let (empty, operation) = (size("Return"), bytes_of::<Opcode>(1));
+        assert_eq!(empty, operation);
+        assert_eq!(size("Line Line Return"), 3 * operation);
+        assert_eq!(size("TextMove t0 \"a\" TextMove t0 \"b\" Return"), 3 * operation + bytes_of::<Text>(2));
+        let both = assemble("program a\nReturn\nend\nprogram b\nReturn\nend").unwrap().code_bytes();
+        assert_eq!(both, 2 * empty);
+    }
+}

@@ -206,3 +206,52 @@ impl Op {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{assemble, disassemble};
+
+    #[test]
+    fn marks_begin_lines_and_have_counters() {
+        let marks = [
+            (LineMark::Within, false, None),
+            (LineMark::Line, true, None),
+            (LineMark::Stop, true, None),
+            (LineMark::CountedLine(3), true, Some(3)),
+            (LineMark::CountedSide(4), false, Some(4)),
+        ];
+        for (mark, begins_line, counter) in marks {
+            assert_eq!((mark.begins_line(), mark.counter()), (begins_line, counter), "{mark:?}");
+        }
+    }
+
+    /// Jumps refer to labels in the text form; an operation without a target would keep the number of the label.
+    #[test]
+    fn every_operation_with_a_label_has_a_target() {
+        let jumps = "\
+Jump far
+JumpUnless n0 far
+JumpIf n0 far
+IfLess n0 n0 far
+IfLessEqual n0 n0 far
+UnlessLess n0 n0 far
+UnlessLessEqual n0 n0 far
+UnlessEqual n0 n0 far
+IfEqual n0 n0 far
+IfTextEqual t0 t0 far
+UnlessTextEqual t0 t0 far
+WaitUntil n0 far
+Watch n0 n0 n0 far
+ForTest n0 n0 far
+ForNext n0 n0 far
+ForNextUp n0 n0 far
+";
+        let mut image = assemble(&format!("program start\nframe n1/t1\n{jumps}far: Return\nend")).unwrap();
+        let text = disassemble(&image);
+        assert_eq!(text.matches(" L16").count(), jumps.lines().count(), "{text}");
+        let (last, rest) = image.programs[0].code.split_last_mut().unwrap();
+        assert_eq!(last.op.target_mut(), None);
+        assert!(rest.iter_mut().all(|step| step.op.target_mut() == Some(&mut 16)), "{text}");
+    }
+}

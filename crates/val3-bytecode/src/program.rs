@@ -156,3 +156,50 @@ impl Program {
         last.map(|(number, _)| number).or((!self.lines.is_empty()).then_some(0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Image, assemble};
+
+    fn program(text: &str) -> Program {
+        let Image { mut programs, .. } = assemble(&format!("program p\n{text}\nend")).unwrap();
+        programs.remove(0)
+    }
+
+    #[test]
+    fn a_frame_without_links_and_containers_is_plain() {
+        assert!(program("frame n1/t1/p1/v1 Return").is_plain());
+        assert!(!program("frame l1 Return").is_plain());
+        assert!(!program("container num[1] Return").is_plain());
+    }
+
+    #[test]
+    fn a_row_without_code_leads_to_the_next_line() {
+        let program = program("line 5 Line line 8 Line line 8 Line line 6 Return");
+        let found = |row| program.line_from(row).map(|line| program.lines[line].op);
+        assert_eq!([1, 5, 6, 7, 9].map(found), [Some(0), Some(0), Some(3), Some(1), None]);
+    }
+
+    #[test]
+    fn the_entry_is_the_first_line_of_the_file() {
+        assert_eq!(program("line 7 at 50 60 Jump on on: line 6 at 40 49 Return").entry(), Some(1));
+        assert_eq!(program("Return").entry(), None);
+    }
+
+    #[test]
+    fn operations_belong_to_the_line_before_them() {
+        let program = program("Line line 5 Line Line line 6 Line Return");
+        assert_eq!([0, 1, 2, 3, 4].map(|op| program.line_of(op)), [Some(0), Some(0), Some(0), Some(1), Some(1)]);
+        assert_eq!(Program::default().line_of(0), None);
+    }
+
+    #[test]
+    fn the_next_iteration_belongs_to_the_line_of_the_loop() {
+        for next in ["ForNext", "ForNextUp"] {
+            let text = format!("frame n3 line 5 ForTest n0 n1 out body: line 6 Line {next} n0 n1 body out: Return");
+            let program = program(&text);
+            assert_eq!([0, 1, 2].map(|op| program.line_of(op)), [Some(0), Some(1), Some(0)], "{next}");
+        }
+    }
+}

@@ -166,3 +166,36 @@ pub struct TaskSite {
     /// Program of the task.
     pub call: CallSite,
 }
+
+#[cfg(test)]
+mod tests {
+    use val3_lang::instructions;
+
+    use super::*;
+
+    #[test]
+    fn callees_have_names_for_messages_and_handlers() {
+        let print = instructions::find("sin").unwrap();
+        for (callee, name, has_handler) in [
+            (Callee::Form(print, &print.overloads[0]), "sin", true),
+            (Callee::Binary(BinaryOp::from_symbol("*").unwrap(), BaseType::Trsf, None), "*", true),
+            (Callee::Unary(UnaryOp::Not, BaseType::Trsf), "!", true),
+            (Callee::Assignment(BaseType::Bool, BaseType::Dio), "=", true),
+            (Callee::Print(None), "?", true),
+            (Callee::MissingItem("part:gone".to_owned()), "part:gone", true),
+            (Callee::Invalid, "line", true),
+            (Callee::Lacking("$odd".to_owned()), "$odd", false),
+        ] {
+            assert_eq!(callee.name(), name);
+            let site = InstructionSite::new(callee);
+            assert_eq!((site.run.is_some(), site.arguments.len(), site.result), (has_handler, 0, None), "{name}");
+        }
+    }
+
+    #[test]
+    fn only_callees_tell_sites_apart() {
+        let (missing, invalid) = (Callee::MissingItem("a".to_owned()), Callee::Invalid);
+        assert_ne!(InstructionSite::new(missing.clone()), InstructionSite::new(invalid.clone()));
+        assert_eq!(InstructionSite::new(missing).run, InstructionSite::new(invalid).run);
+    }
+}

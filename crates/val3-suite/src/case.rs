@@ -128,3 +128,19 @@ fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCa
         Err(refusal) => vec![TestCase { refusal: Some(refusal), ..case }],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_contain_rows_and_distinguishing_paths() {
+        let mut case = TestCase::scenario("pal", "day", "tests/day.toml");
+        assert_eq!((case.name().as_str(), case.shown_name().as_str()), ("pal:day", "pal:day"));
+        case.row = Some(2);
+        assert_eq!((case.name().as_str(), case.program_name().as_str()), ("pal:day[2]", "pal:day"));
+        assert_eq!(case.shown_name(), "pal:day[2]");
+        (case.application_path, case.scenario_path) = (Some("a/pal".to_owned()), Some("tests/day".to_owned()));
+        assert_eq!((case.name().as_str(), case.shown_name().as_str()), ("pal:day[2]", "a/pal:tests/day"));
+    }
+}

@@ -102,3 +102,44 @@ impl TestApplication<'_> {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_programs_about_positions_depend_on_the_arm() {
+        let (six, scara) = (files(Arm::SixAxis), files(Arm::Scara));
+        let other = six.iter().zip(&scara).filter(|(one, other)| one != other).map(|((name, _), _)| *name);
+        assert_eq!(other.collect::<Vec<_>>(), ["equalJoint.pgx", "equalPose.pgx"]);
+        let pose =
+            |files: &[(&str, String)]| files.iter().find(|(name, _)| *name == "equalPose.pgx").unwrap().1.clone();
+        assert_eq!(pose(&scara), pose(&six).replace("type=\"point\"", "type=\"pointRs\""));
+    }
+
+    #[test]
+    fn a_test_application_is_filled_with_names_and_version() {
+        let version = Version::parse("s8.3").unwrap();
+        let files = TestApplication { application: "pal", alias: "box", version }.files(FIRST_TEST);
+        let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["palTest.pjx", "palTest.dtx", "start.pgx", "stop.pgx", "testFirst.pgx"]);
+        let text: String = files.iter().map(|(_, text)| text.as_str()).collect();
+        for filled in [
+            "version=\"s8.3\"",
+            "palTest.dtx",
+            "alias=\"box\" path=\"../pal/pal.pjx\"",
+            "call testFirst()",
+            "`call box:program()`",
+        ] {
+            assert!(text.contains(filled), "{filled}: {text}");
+        }
+        assert!(!text.contains('{'), "{text}");
+    }
+
+    #[test]
+    fn a_message_is_the_text_after_its_prefix() {
+        let logged = "2026-11-27 10:00:00 USR val3assert failure: 1 instead of 2 ";
+        assert_eq!(after(logged, FAILURE).as_deref(), Some("1 instead of 2"));
+        assert_eq!(after(logged, SKIP), None);
+    }
+}

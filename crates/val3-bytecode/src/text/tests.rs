@@ -1,6 +1,7 @@
 use expect_test::expect;
 
 use super::{assemble, disassemble};
+use crate::{Image, ProgramRef};
 
 fn error(text: &str) -> String {
     let shown = |error: super::AssemblyError| {
@@ -132,4 +133,155 @@ fn a_text_with_a_missing_part_is_an_image_or_an_error() {
             }
         }
     }
+}
+
+#[test]
+fn names_and_texts_are_quoted_where_they_could_be_read_as_something_else() {
+    for name in ["a b", "", "1st", "public", "ä", "a\"b", "a\\b", "a\nb"] {
+        let image = Image { name: name.to_owned(), ..Image::default() };
+        let text = disassemble(&image);
+        assert!(text.starts_with("image \""), "{text}");
+        assert_eq!(assemble(&text).unwrap().name, name);
+    }
+    let image = Image { name: "plain_1".to_owned(), ..Image::default() };
+    assert!(disassemble(&image).starts_with("image plain_1 "));
+}
+
+#[test]
+fn an_item_that_shares_its_name_is_written_as_a_number() {
+    let text =
+        "data nX num[1]\ndata nX num[2]\nprogram start\nframe n1\nLoadFirst n0 $nX 0\nLoadFirst n0 $1 0\nReturn\nend";
+    let image = assemble(text).unwrap();
+    let text = disassemble(&image);
+    assert!(text.contains("LoadFirst n0 $nX 0\n    LoadFirst n0 $1 0\n"), "{text}");
+    assert_eq!(assemble(&text), Ok(image));
+}
+
+#[test]
+fn numbers_are_limited_by_their_place() {
+    let errors =
+        ["stack 4294967296", "stack -1", "data n num[1, 2, 3, 4]", "link 0 () 0 0 father f 1 ()", "arm Xx", "unit mm"];
+    expect![[r#"
+        stack 4294967296         1:7: `4294967296` is too large here
+        stack -1                 1:7: `-1` is found where a number is expected
+        data n num[1, 2, 3, 4]   1:22: one to three sizes are expected here
+        link 0 () 0 0 father f 1 () 1:24: `1` is found where a text in quotation marks is expected
+        arm Xx                   1:5: `Xx` is no arm
+        unit mm                  1:6: `mm` is found where `inch` is expected
+    "#]]
+    .assert_eq(&errors.map(error).concat());
+    assert_eq!(assemble("stack 4294967295").unwrap().stack_size, u32::MAX);
+}
+
+#[test]
+fn a_string_has_at_most_128_bytes() {
+    let data = |text: &str| format!("data s string[1] {{\"{text}\"}}");
+    assert!(assemble(&data(&"a".repeat(128))).is_ok());
+    assert!(error(&data(&"a".repeat(129))).contains("more than 128 bytes"));
+}
+
+#[test]
+fn variables_of_all_places_and_containers_are_kept() {
+    let text = "image \"\" \"\"
+version s7.11
+stack 5000
+
+program public start
+    file 0 stack 24
+    param x_nValue num n1
+    param x_sText string t0
+    param x_dPort dio l1
+    param x_pAt point n2/l0
+    param x_nRef num p0
+    param x_nList num[] v0
+    param x_nGrid num[,] v1
+    param x_nCube num[,,] v2
+    param x_nMap num[\"\"] v3
+    local l_nMany num[] c0
+    frame n8/t1/l2/p1/v4
+    nums n1=2.5, n7=-0.5
+    container num[2, 3, 4] {1, _}
+    container string[] 
+    Return
+end
+";
+    let text = text.replace("[] \n", "[]\n");
+    let image = assemble(&text).unwrap();
+    assert_eq!(disassemble(&image), text);
+    let program = &image.programs[0];
+    assert_eq!((program.params.len(), program.variables.len(), program.frame.lanes.part), (9, 10, 2));
+    assert_eq!(program.nums, [0.0, 2.5, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5]);
+}
+
+#[test]
+fn subscripts_and_offsets_are_kept() {
+    let text = "image \"\" \"\"
+version s7.11
+stack 5000
+data nX num[1]
+
+program start
+    file 0 stack 0
+    frame n9/t9/p9
+    Instruction insert#1 (slot $nX, num n1)
+    Instruction insert#1 (slot $nX[n1], num n1)
+    Instruction insert#1 (slot $nX[n1, n2], num n1)
+    Instruction insert#1 (slot $nX[n1, n2, n3], num n1)
+    Instruction insert#1 (slot $nX[t1], num n1)
+    Instruction print (point p3+n6/l1)
+    Instruction print (view i7 from n2, library 0)
+    Return
+end
+";
+    let text = text.replace(", library 0", "");
+    assert_eq!(disassemble(&assemble(&text).unwrap()), text);
+    let too_many = "data nX num[1] program start Instruction insert#1 (slot $nX[n1, n2, n3, n4]) end";
+    assert!(error(too_many).contains("one to three indexes"), "{}", error(too_many));
+}
+
+#[test]
+fn constants_are_listed_only_in_another_order_than_that_of_their_use() {
+    let first = "program start frame t1 TextMove t0 \"a\" TextMove t0 \"b\" TextMove t0 \"a\" Return end";
+    let image = assemble(first).unwrap();
+    assert_eq!(image.programs[0].texts.len(), 2);
+    assert!(!disassemble(&image).contains("texts"));
+    let other = "program start frame t1 texts \"b\", \"a\", \"a\" TextMove t0 \"a\" TextMove t0 #2 Return end";
+    let image = assemble(other).unwrap();
+    let text = disassemble(&image);
+    assert!(text.contains("texts \"b\", \"a\", \"a\"\n    TextMove t0 \"a\"\n    TextMove t0 #2\n"), "{text}");
+    assert_eq!(assemble(&text), Ok(image));
+}
+
+#[test]
+fn tasks_and_calls_name_programs_in_any_order() {
+    let text = "image \"\" \"\"
+version s7.11
+stack 5000
+library part \"Disk://part/part.pjx\"
+import part tell program ()
+
+program start
+    file 0 stack 0
+    frame n2/t1
+    CreateTask t0 n0 other (num n1)
+    CreateTask \"late\" n0 overrun n1 other ()
+    Call import 0 ()
+    Return
+end
+
+program other
+    file 0 stack 0
+    Return
+end
+";
+    let image = assemble(text).unwrap();
+    assert_eq!(disassemble(&image), text);
+    assert_eq!(image.programs[0].tasks[1].call.program, ProgramRef::Own(1));
+}
+
+#[test]
+fn comments_and_line_breaks_have_no_meaning() {
+    let spread = "stack ; a size\n 7 ; the end";
+    assert_eq!(assemble(spread), assemble("stack 7"));
+    assert_eq!(assemble("file \"a;b\"").unwrap().files, ["a;b"]);
 }

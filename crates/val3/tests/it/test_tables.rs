@@ -3,7 +3,7 @@
 use expect_test::expect;
 use serde_json::Value;
 
-use crate::support::{CommandOutput, Folder};
+use crate::support::Folder;
 use crate::test_command::cell;
 
 /// A test application with `testSum` and its table: numbers and their squares; the last square is wrong.
@@ -36,10 +36,6 @@ fn data(name: &str, ty: &str, values: &[&str]) -> String {
 
 pub(crate) const ROW: &str = r#"<Parameter name="x_nCase" type="num" xsi:type="element" />"#;
 
-fn tested(parameter: &str, code: &str) -> CommandOutput {
-    squares(parameter, code).val3(&["test", "usrapp"])
-}
-
 #[test]
 fn a_test_with_a_table_is_executed_once_a_row() {
     let folder = squares(ROW, "call assert:equalNum(nIn[x_nCase]*nIn[x_nCase],nOut[(x_nCase)],0)");
@@ -64,43 +60,4 @@ fn a_test_with_a_table_is_executed_once_a_row() {
     let json = folder.val3(&["test", "usrapp", "--format", "json"]);
     let report: Value = serde_json::from_str(&json.stdout).unwrap();
     assert_eq!((&report["tests"][2]["program"], &report["tests"][2]["row"]), (&"testSum".into(), &2.into()));
-}
-
-#[test]
-fn rows_do_not_see_each_other() {
-    let run =
-        tested(ROW, "nOut[x_nCase]=nOut[x_nCase]+1\n? nOut[0]+10*nOut[1]+100*nOut[2]\ncall assert:fail(\"shown\")");
-    for shown in ["| 841", "| 850", "| 940"] {
-        assert!(run.stdout.contains(shown), "{shown}: {}", run.stdout);
-    }
-}
-
-#[test]
-fn a_test_that_cannot_be_executed_fails_with_the_reason() {
-    for (parameter, code, reason) in [
-        (ROW, "? x_nCase", "`testSum` reads no global array by `x_nCase`, so that it has no rows"),
-        (
-            ROW,
-            "? nIn[x_nCase]\n? sName[x_nCase]",
-            "the columns of its table have different numbers of rows: `nIn` 3, `sName` 2",
-        ),
-        (
-            r#"<Parameter name="x_nOther" type="num" xsi:type="element" />"#,
-            "? nIn[x_nOther]",
-            "`testSum` has parameters: a test has none, or only `num x_nCase`, the number of a row",
-        ),
-        (
-            r#"<Parameter name="x_nCase" type="string" xsi:type="element" />"#,
-            "? x_nCase",
-            "`testSum` has parameters: a test has none, or only `num x_nCase`, the number of a row",
-        ),
-        (
-            r#"<Parameter name="x_nCase" type="num" xsi:type="element" use="reference" />"#,
-            "? nIn[x_nCase]",
-            "`testSum` has parameters: a test has none, or only `num x_nCase`, the number of a row",
-        ),
-    ] {
-        let run = tested(parameter, code);
-        assert_eq!((run.code, run.stdout.contains(reason)), (1, true), "{run:?}");
-    }
 }

@@ -2,8 +2,6 @@
 //! and launch configurations in the manifest of the VS Code extension. They derive from the catalogue, the rules and
 //! the debugger's schema, and are never edited by hand.
 
-#![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
-
 mod debugger;
 mod grammar;
 mod manifest;
@@ -13,11 +11,11 @@ mod wire;
 mod words;
 mod xml_grammar;
 
-use std::fs;
-
 use anyhow::{Context as _, Result};
 use camino::Utf8Path;
 use serde_json::Value;
+
+use crate::files;
 
 /// Manifest of the VS Code extension. Only its settings, debugger, version, address and publisher are generated.
 const MANIFEST: &str = "editors/vscode/package.json";
@@ -38,9 +36,9 @@ pub struct GeneratedFile {
 /// # Errors
 /// The manifest of the extension cannot be read, or does not contain a generated value.
 pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
-    let read = |path| fs::read_to_string(root.join(path)).with_context(|| format!("reading {path}"));
-    let schema = serde_json::from_str(&read(DEBUGGER_SCHEMA)?).with_context(|| format!("reading {DEBUGGER_SCHEMA}"))?;
-    let manifest = manifest::with_list(&read(MANIFEST)?, "configuration", &settings::all())?;
+    let schema = serde_json::from_str(&files::read(&root.join(DEBUGGER_SCHEMA))?)
+        .with_context(|| format!("reading {DEBUGGER_SCHEMA}"))?;
+    let manifest = manifest::with_list(&files::read(&root.join(MANIFEST))?, "configuration", &settings::all())?;
     let manifest = manifest::with_list(&manifest, "debuggers", &debugger::all(&schema))?;
     let manifest = manifest::with_origin(&manifest)?;
     let mut files = vec![
@@ -62,8 +60,7 @@ pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
 /// A file cannot be read or written.
 pub fn write(root: &Utf8Path) -> Result<()> {
     for file in generated(root)? {
-        let path = root.join(file.path);
-        fs::write(&path, file.text).with_context(|| format!("writing {path}"))?;
+        files::write(&root.join(file.path), &file.text)?;
     }
     Ok(())
 }

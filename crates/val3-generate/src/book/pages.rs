@@ -5,9 +5,10 @@ use std::fs;
 use anyhow::{Context as _, Result};
 use camino::Utf8Path;
 
-use crate::names::PageNames;
-use crate::page::BookPage;
-use crate::{arms, code, filled, links, read, reference, spans};
+use super::{arms, code, filled, links, reference, spans};
+use crate::book::names::PageNames;
+use crate::book::page::BookPage;
+use crate::files::read;
 
 /// Line of `SUMMARY.md` that the entries of generated pages replace.
 const GENERATED: &str = "<!-- generated pages -->\n";

@@ -1,7 +1,5 @@
 //! Builds the book: hand-written pages, and a generated page for every rule, instruction, type, word and error.
 
-#![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
-
 mod arms;
 mod code;
 mod descriptions;
@@ -18,6 +16,7 @@ use anyhow::{Context as _, Result};
 use camino::{Utf8Path, Utf8PathBuf};
 use mdbook_driver::MDBook;
 
+use crate::files::{read, write};
 use page::BookPage;
 
 /// Builds the book of the project at `root` as HTML in `target/book/html` and returns the folder.
@@ -84,17 +83,6 @@ const ROOT: &str = "](../../";
 
 /// Beginning of a repository address with a known owner.
 const GITHUB: &str = "https://github.com/";
-
-fn read(path: &Utf8Path) -> Result<String> {
-    fs::read_to_string(path).with_context(|| format!("reading {path}"))
-}
-
-fn write(path: &Utf8Path, text: &str) -> Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).with_context(|| format!("creating {folder}"))?;
-    }
-    fs::write(path, text).with_context(|| format!("writing {path}"))
-}
 
 #[cfg(test)]
 mod tests {

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use anyhow::Result;
 use val3_kinematics::Arm;
 
-use crate::page::BookPage;
+use crate::book::page::BookPage;
 
 /// Path of the page.
 const PATH: &str = "arm-list.md";

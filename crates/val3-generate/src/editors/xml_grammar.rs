@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::grammar::{self, CodeForm};
+use super::grammar::{self, CodeForm};
 
 /// Returns the grammar of `.pgx`.
 pub(crate) fn program() -> Value {

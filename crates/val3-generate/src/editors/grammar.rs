@@ -5,7 +5,7 @@
 
 use serde_json::{Value, json};
 
-use crate::words;
+use super::words;
 
 /// Form of code in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
-use crate::page::BookPage;
+use crate::book::page::BookPage;
 
 /// Path of `docs/fidelity.md` in the book.
 pub(crate) const FIDELITY: &str = "fidelity.md";

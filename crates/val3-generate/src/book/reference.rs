@@ -2,7 +2,7 @@
 
 use val3_check::topics::{self, Topic, TopicKind};
 
-use crate::page::{BookPage, Subject};
+use crate::book::page::{BookPage, Subject};
 
 /// Pages of a kind.
 pub(crate) struct Section {

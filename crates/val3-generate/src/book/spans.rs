@@ -4,9 +4,9 @@ use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use val3_check::topics::TopicKind;
 use val3_lang::instructions;
 
-use crate::links::{options, replaced};
-use crate::names::{PageNames, runtime_error};
-use crate::page::BookPage;
+use crate::book::links::{options, replaced};
+use crate::book::names::{PageNames, runtime_error};
+use crate::book::page::BookPage;
 
 /// Adds links to a page where it names other pages.
 pub(crate) fn linked(page: &BookPage, names: &PageNames) -> String {
@@ -116,7 +116,7 @@ impl ErrorNumbers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::Subject;
+    use crate::book::page::Subject;
 
     fn page(kind: TopicKind, name: &str, text: &str) -> BookPage {
         let subject = Subject { kind, name: name.to_owned() };

@@ -8,9 +8,9 @@ use val3_lang::types::BaseType;
 use val3_lang::{builtins, enumerations, instructions};
 use val3_syntax::{SyntaxKind, SyntaxToken, TextRange, TextSize, parse};
 
-use crate::links::{options, replaced};
-use crate::names::PageNames;
-use crate::page::BookPage;
+use crate::book::links::{options, replaced};
+use crate::book::names::PageNames;
+use crate::book::page::BookPage;
 
 /// Replaces blocks of VAL 3 code in a page by HTML. Blocks in lists remain unchanged.
 pub(crate) fn coloured(page: &BookPage, names: &PageNames) -> String {

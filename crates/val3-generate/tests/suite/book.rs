@@ -1,21 +1,14 @@
 //! The book can be built, its links have targets, and its examples have the findings that they name.
 
-#![allow(
-    clippy::disallowed_methods,
-    clippy::unwrap_used,
-    reason = "the book is read from the disk, and a test may stop"
-)]
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
 use val3_check::testing::check_files;
+use val3_generate::book;
 use val3_test::{Fixture, ROOT};
 
-fn root() -> Utf8PathBuf {
-    Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
+use crate::root;
 
 /// Returns every hand-written page: file name and text.
 fn pages() -> Vec<(String, String)> {
@@ -26,7 +19,7 @@ fn pages() -> Vec<(String, String)> {
 
 #[test]
 fn the_book_can_be_built() {
-    let html = val3_book::build(&root()).unwrap();
+    let html = book::build(&root()).unwrap();
     for page in ["index.html", "ci.html", "rules/V0203.html", "instructions/movej.html", "errors/80.html"] {
         assert!(html.join(page).is_file(), "{page}");
     }
@@ -145,7 +138,7 @@ fn check_search(html: &Utf8Path) {
 fn the_book_names_the_address_of_the_workspace() {
     let folder = tempfile::tempdir().unwrap();
     let folder = Utf8Path::from_path(folder.path()).unwrap();
-    val3_book::write_sources(&root().join("docs"), folder).unwrap();
+    book::write_sources(&root().join("docs"), folder).unwrap();
     let read = |path: &str| fs::read_to_string(folder.join(path)).unwrap();
     let repository = env!("CARGO_PKG_REPOSITORY");
     assert!(read("book.toml").contains(&format!("git-repository-url = \"{repository}\"")));
@@ -176,7 +169,7 @@ fn recipes_name_the_version_of_the_workspace() {
 fn links_between_pages_have_targets() {
     let folder = tempfile::tempdir().unwrap();
     let folder = Utf8Path::from_path(folder.path()).unwrap();
-    val3_book::write_sources(&root().join("docs"), folder).unwrap();
+    book::write_sources(&root().join("docs"), folder).unwrap();
     let mut dead = Vec::new();
     for (page, text) in pages() {
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {

@@ -4,9 +4,9 @@ use anyhow::{Result, bail};
 use camino::Utf8Path;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
-use crate::links::options;
-use crate::page::BookPage;
-use crate::read;
+use crate::book::links::options;
+use crate::book::page::BookPage;
+use crate::files;
 
 /// Largest length of a description, in characters.
 const LONGEST: usize = 160;
@@ -18,11 +18,11 @@ const META: &str = "<meta name=\"description\" content=\"";
 pub(crate) fn write(html: &Utf8Path, pages: &[BookPage]) -> Result<()> {
     for page in pages.iter().filter(|page| page.path != "SUMMARY.md") {
         let file = html.join(page.path.replace(".md", ".html"));
-        let text = read(&file)?;
+        let text = files::read(&file)?;
         let Some((before, rest)) = text.split_once(META) else { bail!("{file} has no description") };
         let Some((_, after)) = rest.split_once('"') else { bail!("the description of {file} has no end") };
         let new = escaped(&description(&page.text));
-        crate::write(&file, &format!("{before}{META}{new}\"{after}"))?;
+        files::write(&file, &format!("{before}{META}{new}\"{after}"))?;
     }
     Ok(())
 }

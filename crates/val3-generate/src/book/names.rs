@@ -6,8 +6,8 @@ use val3_check::topics::{self, TopicKind};
 use val3_lang::runtime_errors;
 use val3_lang::types::{Arm, BaseType, attributes, fields};
 
-use crate::page::BookPage;
-use crate::reference;
+use super::reference;
+use crate::book::page::BookPage;
 
 /// Pages by name.
 pub(crate) struct PageNames {
