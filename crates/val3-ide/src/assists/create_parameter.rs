@@ -3,7 +3,8 @@
 
 mod callers;
 
-use val3_analysis::body::{Expr, ExprId, StmtKind};
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
 use val3_analysis::items::project::{items, signature};
 use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::Container;
@@ -46,12 +47,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 /// Whether the program assigns to the name, or passes it to a call that may.
 fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
     let body = context.body();
-    let names = |mut id: ExprId| {
-        while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
-            id = *base;
-        }
-        matches!(body.expr(id), Expr::Name(name) if *name == unknown.name)
-    };
+    let names = |id| root_name(body, id) == Some(&unknown.name);
     let assigned = body.stmts().iter().any(|stmt| match &stmt.kind {
         StmtKind::Assign { target, .. } => names(*target),
         StmtKind::For { counter: Some(counter), .. } => names(*counter),
@@ -66,6 +62,17 @@ fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
             }
             _ => false,
         })
+}
+
+/// Name at the start of `name[…].field`.
+fn root_name(body: &Body, mut id: ExprId) -> Option<&SmolStr> {
+    while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
+        id = *base;
+    }
+    match body.expr(id) {
+        Expr::Name(name) => Some(name),
+        _ => None,
+    }
 }
 
 /// Whether the callee's parameter `at` requires a variable, not a value.
@@ -169,14 +176,16 @@ mod tests {
 
     #[test]
     fn escaped_calls_are_changed() {
-        let old = |name: &str, code: &str| {
-            format!(
-                "=== main/{name}.pgx\n<programList xmlns=\"ProgramNameSpace\"><program name=\"{name}\" public=\"false\"><paramSection /><localSection /><source><code>begin\n{code}\nend</code></source></program></programList>\n"
-            )
-        };
-        let done =
-            done(&format!("num nZ\n{}{}", old("start", "call other()"), old("other", "put(x_$0s+&quot;a&quot;)")), ID);
+        let (start, other) = (old("start", "call other()"), old("other", "put(x_$0s+&quot;a&quot;)"));
+        let done = done(&format!("num nZ\n{start}{other}"), ID);
         assert!(done.contains("call other(&quot;&quot;)"), "{done}");
+    }
+
+    /// A program file in the old dialect.
+    fn old(name: &str, code: &str) -> String {
+        format!(
+            "=== main/{name}.pgx\n<programList xmlns=\"ProgramNameSpace\"><program name=\"{name}\" public=\"false\"><paramSection /><localSection /><source><code>begin\n{code}\nend</code></source></program></programList>\n"
+        )
     }
 
     #[test]

@@ -146,13 +146,17 @@ impl<'db> Evaluation<'db> {
             let evaluated = evaluated(self.body.expr(*whole));
             earlier.extend(evaluated.into_iter().take_while(|other| other != part));
         }
-        let conflicts = |other: &ExprId| match self.has_effects(value) {
-            true => self.body.constant(*other).is_none(),
-            false => self.has_effects(*other),
-        };
-        match earlier.iter().any(conflicts) && self.body.constant(value).is_none() {
-            true => Err("The statement evaluates something else first, and one of the two has an effect".to_owned()),
-            false => Ok(()),
+        if self.body.constant(value).is_none() && earlier.iter().any(|other| self.conflict(value, *other)) {
+            return Err("The statement evaluates something else first, and one of the two has an effect".to_owned());
+        }
+        Ok(())
+    }
+
+    /// Whether the order in which the two expressions are evaluated matters.
+    fn conflict(&self, value: ExprId, other: ExprId) -> bool {
+        match self.has_effects(value) {
+            true => self.body.constant(other).is_none(),
+            false => self.has_effects(other),
         }
     }
 

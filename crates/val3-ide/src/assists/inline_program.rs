@@ -1,5 +1,6 @@
 //! Replaces a call by the code of the called program.
 
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::File;
@@ -14,6 +15,7 @@ use super::lines::{dedented, plain_with, with_comments};
 use super::{AssistKind, Assists};
 use crate::declare::{self, NewVariable, free};
 use crate::edit::SourceChange;
+use crate::variables::declares_variable;
 use crate::xml_list::whole_line;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -51,6 +53,11 @@ struct NewName {
     local: Option<NewVariable>,
 }
 
+/// Whether one of the new locals has this name, in any letter case.
+fn is_new_local(names: &[NewName], name: &str) -> bool {
+    names.iter().any(|other| other.local.is_some() && other.new.eq_ignore_ascii_case(name))
+}
+
 impl InlinedProgram<'_, '_> {
     /// Replacements of parameters and locals; `None` if the behaviour would change.
     fn names(&self, call: TextRange, arguments: &[ExprId]) -> Option<Vec<NewName>> {
@@ -74,11 +81,7 @@ impl InlinedProgram<'_, '_> {
             })
             .collect::<Option<_>>()?;
         for local in self.used_locals() {
-            let taken = |name: &str| {
-                let again = names.iter().any(|other| other.local.is_some() && other.new.eq_ignore_ascii_case(name));
-                again || self.context.is_taken(name)
-            };
-            let new = free(&local.name, taken);
+            let new = free(&local.name, |name| is_new_local(&names, name) || self.context.is_taken(name));
             let variable = NewVariable {
                 name: new.clone(),
                 type_name: local.type_name.to_string(),
@@ -92,10 +95,12 @@ impl InlinedProgram<'_, '_> {
 
     /// Locals that the code uses. Unused locals are not copied to the caller.
     fn used_locals(&self) -> impl Iterator<Item = &LocalDecl> {
-        let is_used = |local: &&LocalDecl| {
-            self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if *name == local.name))
-        };
-        self.header.locals.iter().filter(is_used)
+        let names: FxHashSet<&SmolStr> = self
+            .body
+            .exprs()
+            .filter_map(|(_, expr, _)| if let Expr::Name(name) = expr { Some(name) } else { None })
+            .collect();
+        self.header.locals.iter().filter(move |local| names.contains(&local.name))
     }
 
     /// Text that replaces a parameter; `None` if an expression would be evaluated several times.
@@ -132,16 +137,10 @@ impl InlinedProgram<'_, '_> {
 
     /// Whether a local or parameter of the caller hides a global that the program uses.
     fn hides_globals(&self) -> bool {
-        let caller = self.context.header();
-        let hidden = |name: &SmolStr| {
-            caller.locals.iter().any(|local| local.name == *name)
-                || caller.params.iter().any(|param| param.name == *name)
-        };
-        let own = |name: &SmolStr| {
-            self.header.locals.iter().any(|local| local.name == *name)
-                || self.header.params.iter().any(|param| param.name == *name)
-        };
-        self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if !own(name) && hidden(name)))
+        self.body.exprs().any(|(_, expr, _)| match expr {
+            Expr::Name(name) => !declares_variable(self.header, name) && declares_variable(self.context.header(), name),
+            _ => false,
+        })
     }
 
     fn is_repeated(&self, call: TextRange) -> bool {
@@ -295,14 +294,16 @@ mod tests {
 
     #[test]
     fn code_with_the_end_of_a_cdata_section_is_refused() {
-        let other = |code: &str| {
-            format!(
-                "num nA[3]\nnum nB[3]\nbool bA\ncall ot$0her()\n=== main/other.pgx\n<Programs><Program name=\"other\"><Code>begin\n\
-                 {code}\nend</Code></Program></Programs>\n"
-            )
-        };
-        assert_eq!(offered(&other("bA=nA[nB[0]]&gt;2"), ID), None);
-        assert!(offered(&other("bA=nA[0]&gt;2"), ID).is_some());
+        assert_eq!(offered(&call_of_escaped("bA=nA[nB[0]]&gt;2"), ID), None);
+        assert!(offered(&call_of_escaped("bA=nA[0]&gt;2"), ID).is_some());
+    }
+
+    /// A call of a program whose code is escaped, not in a CDATA section.
+    fn call_of_escaped(code: &str) -> String {
+        format!(
+            "num nA[3]\nnum nB[3]\nbool bA\ncall ot$0her()\n=== main/other.pgx\n<Programs><Program name=\"other\"><Code>begin\n\
+             {code}\nend</Code></Program></Programs>\n"
+        )
     }
 
     #[test]

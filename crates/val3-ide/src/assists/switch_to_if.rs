@@ -1,5 +1,7 @@
 //! Converts a `switch` into an `if` chain.
 
+use std::ops::Range;
+
 use val3_lang::operators::BinaryOp;
 use val3_syntax::ast::{AstNode, CaseClause, DefaultClause, Expr, SwitchStmt};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
@@ -44,14 +46,10 @@ fn written(
     let line_end = context.line_end();
     let inner = format!("{outer}{}", context.level());
     let comments = own_comments(switch.syntax());
-    let between = |from: TextSize, to: TextSize, indent: &str| -> String {
-        let own = comments.iter().filter(|comment| from <= comment.start() && comment.end() <= to);
-        own.map(|comment| format!("{line_end}{indent}{}", context.slice(*comment))).collect()
-    };
     let start = switch.syntax().text_range().start();
     let first = clauses.first()?.syntax().text_range().start();
     // A comment before the first case belongs to the entire statement.
-    let head = between(start, first, outer);
+    let head = comment_lines(context, &comments, start..first, outer);
     let mut text = head.strip_prefix(&format!("{line_end}{outer}")).map_or_else(String::new, str::to_owned);
     let mut done = first;
     for clause in clauses {
@@ -60,18 +58,25 @@ fn written(
         let word = if done == first { "if" } else { "elseIf" };
         let before = if text.is_empty() { String::new() } else { format!("{line_end}{outer}") };
         let range = clause.syntax().text_range();
-        let moved = between(done, range.start(), &inner);
+        let moved = comment_lines(context, &comments, done..range.start(), &inner);
         text += &format!("{before}{word} {values}{moved}{}", relaid(context, &clause.block()?, &inner));
         done = range.end();
     }
     if let Some(clause) = default {
         let range = clause.syntax().text_range();
-        let moved = between(done, range.start(), &inner);
+        let moved = comment_lines(context, &comments, done..range.start(), &inner);
         text += &format!("{line_end}{outer}else{moved}{}", relaid(context, &clause.block()?, &inner));
         done = range.end();
     }
-    text += &between(done, switch.syntax().text_range().end(), &inner);
+    text += &comment_lines(context, &comments, done..switch.syntax().text_range().end(), &inner);
     Some(text + &format!("{line_end}{outer}endIf"))
+}
+
+/// Comments in `range`, each preceded by a line end and `indent`.
+fn comment_lines(context: &Context<'_>, comments: &[TextRange], range: Range<TextSize>, indent: &str) -> String {
+    let line_end = context.line_end();
+    let inside = comments.iter().filter(|comment| range.start <= comment.start() && comment.end() <= range.end);
+    inside.map(|comment| format!("{line_end}{indent}{}", context.slice(*comment))).collect()
 }
 
 /// Whether the cursor is outside all blocks.

@@ -67,20 +67,22 @@ fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<()
     let Some(first) = acting.first() else { return Ok(()) };
     let kept: Vec<usize> = wanted.iter().filter_map(|new| new.from).collect();
     let caller = &header(db, call.file).name;
-    let shown = |index: &usize| {
-        let place = call.places(db).get(*index).copied().unwrap_or_default();
-        text_at(call.file.text(db), place).to_owned()
-    };
     if let Some(removed) = acting.iter().find(|index| !kept.contains(index)) {
-        return Err(format!("the argument `{}` of a call in `{caller}` has an effect", shown(removed)));
+        let argument = argument_text(db, call, *removed);
+        return Err(format!("the argument `{argument}` of a call in `{caller}` has an effect"));
     }
     if !kept.is_sorted() {
+        let argument = argument_text(db, call, *first);
         return Err(format!(
-            "the argument `{}` of a call in `{caller}` has an effect, so the order of its arguments matters",
-            shown(first)
+            "the argument `{argument}` of a call in `{caller}` has an effect, so the order of its arguments matters"
         ));
     }
     Ok(())
+}
+
+fn argument_text<'db>(db: &'db dyn Db, call: &Call, index: usize) -> &'db str {
+    let place = call.places(db).get(index).copied().unwrap_or_default();
+    text_at(call.file.text(db), place)
 }
 
 /// Checks that the expression that callers pass is a single expression on one line.

@@ -2,7 +2,7 @@
 
 use memchr::memmem;
 use smol_str::SmolStr;
-use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::effects::Effects;
 use val3_analysis::infer::infer;
@@ -136,14 +136,10 @@ impl Call {
     pub(super) fn passes_variable(&self, db: &dyn Db, index: usize, ty: Base) -> bool {
         let Some(argument) = self.arguments.get(index) else { return false };
         let body = body(db, self.file);
-        let creates = |stmt: &&Stmt| {
-            let is_task = matches!(stmt.kind, StmtKind::TaskCreate { .. });
-            is_task && stmt.range.contains_range(body.range(*argument))
-        };
         let is_variable = matches!(body.expr(*argument), Expr::Name(_) | Expr::Path { .. } | Expr::Index(..))
             && Effects::new(db, self.project, self.file).root(*argument).is_some();
         let is_same = infer(db, self.project, self.file).ty(*argument).base.same_as(ty);
-        is_variable && is_same && !body.stmts().iter().any(creates)
+        is_variable && is_same && !is_in_task_create(body, body.range(*argument))
     }
 
     /// Indexes of the arguments whose evaluation has side effects.
@@ -169,10 +165,15 @@ impl Call {
     pub(super) fn separator(&self, db: &dyn Db) -> &'static str {
         let places = self.places(db);
         let text: &str = self.file.text(db);
-        let between = |pair: &[TextRange]| match pair {
-            [one, other] => text.get(usize::from(one.end())..usize::from(other.start())),
-            _ => None,
-        };
-        if places.windows(2).any(|pair| between(pair) == Some(", ")) { ", " } else { "," }
+        let pairs = places.iter().zip(places.iter().skip(1));
+        let mut separators = pairs.map(|(one, next)| text.get(usize::from(one.end())..usize::from(next.start())));
+        if separators.any(|separator| separator == Some(", ")) { ", " } else { "," }
     }
+}
+
+/// Whether a `taskCreate` contains the range.
+fn is_in_task_create(body: &Body, range: TextRange) -> bool {
+    let stmts = body.stmts();
+    let mut creations = stmts.iter().filter(|stmt| matches!(stmt.kind, StmtKind::TaskCreate { .. }));
+    creations.any(|stmt| stmt.range.contains_range(range))
 }

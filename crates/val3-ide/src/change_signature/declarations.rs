@@ -35,27 +35,27 @@ pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Ve
 type NewList = (Vec<ListSlot>, Vec<SlotEdit>);
 
 fn parameters(of: &Declarations<'_>, old: &[XmlElement<'_>], header: &Header, wanted: &NewVariables) -> NewList {
-    let entry = |new: &NewParameter| match new.from {
+    let slots = wanted.parameters.iter().map(|new| match new.from {
         Some(index) => ListSlot::Kept(index),
         None => ListSlot::Added(declare::parameter_entry(of.is_old, &variable(new), new.by_reference)),
-    };
+    });
     let inner = wanted.parameters.iter().filter_map(|new| {
         let index = new.from?;
         Some(attributes::of_parameter(of.text, *old.get(index)?, header.params.get(index)?, new))
     });
-    (wanted.parameters.iter().map(entry).collect(), sorted(inner.flatten()))
+    (slots.collect(), sorted(inner.flatten()))
 }
 
 fn locals_of(of: &Declarations<'_>, old: &[XmlElement<'_>], header: &Header, wanted: &NewVariables) -> NewList {
-    let entry = |new: &NewLocal| match new.from {
+    let slots = wanted.locals.iter().map(|new| match new.from {
         Some(index) => ListSlot::Kept(index),
         None => ListSlot::Added(declare::local_entry(of.is_old, &local_variable(new))),
-    };
+    });
     let inner = wanted.locals.iter().filter_map(|new| {
         let index = new.from?;
         Some(attributes::of_local(of.text, *old.get(index)?, header.locals.get(index)?, new))
     });
-    (wanted.locals.iter().map(entry).collect(), sorted(inner.flatten()))
+    (slots.collect(), sorted(inner.flatten()))
 }
 
 fn sorted(edits: impl Iterator<Item = SlotEdit>) -> Vec<SlotEdit> {

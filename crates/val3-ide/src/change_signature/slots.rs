@@ -157,12 +157,12 @@ mod tests {
         }
         let separator = if text.contains(", ") { ", " } else { "," };
         let slots = Slots { text, entries: &entries, inner: &[], separator, removal: Removal::Separator };
-        let entry = |letter: char| match letter.to_digit(10) {
+        let order = order.chars().map(|letter| match letter.to_digit(10) {
             Some(index) => ListSlot::Kept(index as usize),
             None => ListSlot::Added(letter.to_string()),
-        };
+        });
         let mut changed = text.to_owned();
-        for (range, new) in slots.edits(&order.chars().map(entry).collect::<Vec<_>>()).into_iter().rev() {
+        for (range, new) in slots.edits(&order.collect::<Vec<_>>()).into_iter().rev() {
             changed.replace_range(std::ops::Range::<usize>::from(range), &new);
         }
         changed

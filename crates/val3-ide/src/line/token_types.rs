@@ -12,6 +12,7 @@ use val3_syntax::{SyntaxToken, TextSlice};
 
 use super::call::{CallSite, Callee};
 use super::open_bracket;
+use crate::variables::declares_variable;
 
 /// Names visible in a program.
 pub(crate) struct VisibleNames<'db> {
@@ -143,8 +144,7 @@ impl<'db> VisibleNames<'db> {
 
     /// Whether a variable, program, library identifier or user type has this name.
     pub(crate) fn is_declared(&self, name: &str) -> bool {
-        self.header.locals.iter().any(|local| local.name == name)
-            || self.header.params.iter().any(|param| param.name == name)
+        declares_variable(self.header, name)
             || self.items.data.contains_key(name)
             || self.items.programs.contains_key(name)
             || self.items.libraries.contains_key(name)

@@ -5,7 +5,7 @@ use val3_analysis::interfaces::is_public;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::ty::Ty;
+use val3_analysis::ty::{Base, Ty};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
@@ -73,17 +73,22 @@ fn is_available(context: &Context<'_>, unknown: &UnknownName, file: File, user: 
     if file == context.file {
         return true;
     }
-    let (header, types) = (header(db, file), &items(db, user).types);
-    let wanted = unknown.ty();
-    let suits = |type_name: &str, container: Container| {
-        let base = resolve_type(types, type_name);
-        let is_array = matches!(wanted.container, Container::Array { .. } | Container::Collection);
-        base.is_some_and(|base| base.same_as(wanted.base)) && (!is_array || container == wanted.container)
-    };
+    let header = header(db, file);
     let local = header.locals.iter().find(|local| local.name == unknown.name);
     let param = header.params.iter().find(|param| param.name == unknown.name);
-    local.is_some_and(|local| suits(&local.type_name, local.container))
-        || param.is_some_and(|param| suits(&param.type_name, param.container))
+    let mut variables = local
+        .map(|local| (&local.type_name, local.container))
+        .into_iter()
+        .chain(param.map(|param| (&param.type_name, param.container)));
+    variables.any(|(type_name, container)| {
+        resolve_type(&items(db, user).types, type_name).is_some_and(|base| suits(unknown.ty(), base, container))
+    })
+}
+
+/// Whether a variable has the type that the unknown name must have.
+fn suits(expected: Ty, base: Base, container: Container) -> bool {
+    let is_array = matches!(expected.container, Container::Array { .. } | Container::Collection);
+    base.same_as(expected.base) && (!is_array || container == expected.container)
 }
 
 /// Literal that is passed for a single value; `None` if a variable is required.

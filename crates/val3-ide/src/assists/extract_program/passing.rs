@@ -82,15 +82,11 @@ fn passed(
 
 /// Declaration of a local or parameter; the second value is true for a local.
 fn declared(context: &Context<'_>, name: &str) -> Option<(NewVariable, bool)> {
-    let variable = |type_name: &str, container, sizes: Vec<u32>| NewVariable {
-        name: name.to_owned(),
-        type_name: type_name.to_owned(),
-        container,
-        sizes,
-    };
     let header = context.header();
+    let name = name.to_owned();
     if let Some(local) = header.locals.iter().find(|local| local.name == name) {
-        return Some((variable(&local.type_name, local.container, local.sizes.clone()), true));
+        let (type_name, container, sizes) = (local.type_name.to_string(), local.container, local.sizes.clone());
+        return Some((NewVariable { name, type_name, container, sizes }, true));
     }
     let param = header.params.iter().find(|param| param.name == name)?;
     // A parameter of the old dialect may be an array, so it is passed unchanged.
@@ -98,7 +94,8 @@ fn declared(context: &Context<'_>, name: &str) -> Option<(NewVariable, bool)> {
         Container::Array { dims } => vec![2; usize::from(dims)],
         _ => vec![1],
     };
-    Some((variable(&param.type_name, param.container, sizes), false))
+    let (type_name, container) = (param.type_name.to_string(), param.container);
+    Some((NewVariable { name, type_name, container, sizes }, false))
 }
 
 /// Whether the variable must be passed by reference. Arrays and collections always are, and inputs, outputs and serial
@@ -115,6 +112,13 @@ fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
     context.body().stmts().iter().filter(|stmt| around(stmt)).any(|stmt| repeats(&stmt.kind))
 }
 
+/// Adds the names of `other` to `names`. Returns whether a name was new.
+fn add_names(names: &mut VariableNames, other: &VariableNames) -> bool {
+    let len = names.len();
+    names.extend(other.iter().cloned());
+    names.len() > len
+}
+
 /// Live variables: their values are used later.
 struct LiveVariables {
     /// Live where the statements start.
@@ -129,12 +133,7 @@ impl LiveVariables {
         let referenced = context.header().params.iter().filter(|param| param.by_reference);
         let end: VariableNames = referenced.map(|param| param.name.clone()).collect();
         let step = |id: FlowNodeId, _: &FlowNode, behind: &VariableNames| before(effects, id, behind);
-        let join = |known: &mut VariableNames, other: &VariableNames| {
-            let len = known.len();
-            known.extend(other.iter().cloned());
-            known.len() > len
-        };
-        let facts = backward(flow, end, step, join);
+        let facts = backward(flow, end, step, add_names);
         let is_inside = |point: &FlowNode| range.contains_range(point.range) && !point.range.is_empty();
         let mut inside = flow.points().filter(|(_, point)| is_inside(point)).peekable();
         let entry = inside.peek().map(|(id, _)| *id);

@@ -13,6 +13,7 @@ use val3_syntax::ast::{AstNode, CaseClause};
 
 use super::super::context::Context;
 use super::constants::{Constants, common_prefix};
+use crate::variables::declares_variable;
 
 /// Values in order, with their source texts. A named constant and a literal with the same number are one value.
 #[derive(Default)]
@@ -54,13 +55,7 @@ pub(super) fn missing(
     }
     let mut known = CaseSearch { constants, found: CaseValues::default() };
     labels.iter().for_each(|label| known.label(own, *label));
-    let is_known = |key: &CaseKey| match key {
-        CaseKey::Other(_, text) => {
-            known.found.0.keys().any(|other| matches!(other, CaseKey::Other(_, known) if known == text))
-        }
-        number => known.found.0.contains_key(number),
-    };
-    search.found.0.into_iter().filter(|(key, _)| !is_known(key)).map(|(_, text)| text).collect()
+    search.found.0.into_iter().filter(|(key, _)| !known.found.contains(key)).map(|(_, text)| text).collect()
 }
 
 impl CaseValues {
@@ -73,6 +68,15 @@ impl CaseValues {
 
     fn add_other(&mut self, at: usize, text: &str) {
         self.0.insert(CaseKey::Other(at, text.to_owned()), text.to_owned());
+    }
+
+    fn contains(&self, key: &CaseKey) -> bool {
+        match key {
+            CaseKey::Other(_, text) => {
+                self.0.keys().any(|other| matches!(other, CaseKey::Other(_, known) if known == text))
+            }
+            number => self.0.contains_key(number),
+        }
     }
 }
 
@@ -123,10 +127,7 @@ impl CaseSearch<'_> {
     fn uses(&mut self, context: &Context<'_>, selector: ExprId) {
         let Some(place) = place(context.body(), selector) else { return };
         let root = place.split('.').next().unwrap_or("");
-        let is_own = |file| {
-            let header = header(context.db, file);
-            header.locals.iter().any(|it| it.name == root) || header.params.iter().any(|it| it.name == root)
-        };
+        let is_own = |file| declares_variable(header(context.db, file), root);
         let files = match is_own(context.file) {
             true => vec![context.file],
             false => program_files(context.db, context.project).iter().copied().filter(|file| !is_own(*file)).collect(),
