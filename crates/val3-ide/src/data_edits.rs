@@ -12,6 +12,8 @@ mod walk;
 pub use check::added_data_findings;
 pub use edit::{CellEdit, DataEdit, NewDatum};
 
+use std::ops::Range;
+
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::parse;
 use val3_analysis::xml;
@@ -47,16 +49,16 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         done = compose(&done, &new);
     }
     let is_latin1 = matches!(file.status(db), FileStatus::Read { encoding: Encoding::Latin1, .. });
-    let edit = |edit: TextEdit| FileEdit {
-        file,
-        range: edit.range,
-        text: if is_latin1 { with_references(&edit.text) } else { edit.text },
-    };
-    let is_change = |edit: &TextEdit| {
-        let range = std::ops::Range::<usize>::from(edit.range);
-        file.text(db).get(range) != Some(edit.text.as_str())
-    };
-    Ok(SourceChange::of(done.into_iter().filter(is_change).map(edit)))
+    done.retain(|edit| changes(file.text(db), edit));
+    Ok(SourceChange::of(done.into_iter().map(|edit| {
+        let text = if is_latin1 { with_references(&edit.text) } else { edit.text };
+        FileEdit { file, range: edit.range, text }
+    })))
+}
+
+/// Whether the edit changes the text.
+fn changes(text: &str, edit: &TextEdit) -> bool {
+    text.get(Range::<usize>::from(edit.range)) != Some(edit.text.as_str())
 }
 
 fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<TextEdit>, DataProblem> {

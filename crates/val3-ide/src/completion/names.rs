@@ -9,6 +9,7 @@ use val3_lang::types::{self, BaseType};
 
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::line::Expected;
+use crate::variables::declares_variable;
 
 /// Score bonus for the expected type.
 pub(super) const FITS: i32 = 60;
@@ -63,11 +64,7 @@ pub(super) fn variables(found: &mut CompletionList<'_>, expected: &Expected) {
         let added = added.scored(fit(&expected.bases, base) + OWN + NEAR);
         added.of(|| Symbol::Param(file, param.name.clone()));
     }
-    let is_hidden = |name: &str| {
-        names.header.locals.iter().any(|local| local.name == name)
-            || names.header.params.iter().any(|param| param.name == name)
-    };
-    for (name, item) in names.items.data.iter().filter(|(name, _)| !is_hidden(name)) {
+    for (name, item) in names.items.data.iter().filter(|(name, _)| !declares_variable(names.header, name)) {
         let added = found.add(name, Kind::Data).detail(|| data_detail(item)).data(item);
         added.scored(fit(&expected.bases, item.base) + OWN).of(|| Symbol::Data(project, name.clone()));
     }

@@ -24,11 +24,11 @@ pub struct DataFinding {
 pub fn data_findings(db: &dyn Db, file: File, findings: impl IntoIterator<Item = Diagnostic>) -> Vec<DataFinding> {
     let parse = parse(db, file);
     let elements: Vec<XmlElement<'_>> = data::elements(parse.view()).collect();
-    let placed = |diagnostic: Diagnostic| {
+    let placed = findings.into_iter().filter(|found| found.place.file == file).map(|diagnostic| {
         let (place, column) = place_of(&elements, diagnostic.place.range);
         DataFinding { place, column, diagnostic }
-    };
-    findings.into_iter().filter(|found| found.place.file == file).map(placed).collect()
+    });
+    placed.collect()
 }
 
 fn place_of(elements: &[XmlElement<'_>], range: TextRange) -> (DataPlace, Option<String>) {

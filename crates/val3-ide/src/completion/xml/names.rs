@@ -123,15 +123,14 @@ fn undeclared_in(db: &dyn Db, project: Project, file: File) -> Vec<SmolStr> {
         .exprs()
         .filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None })
         .collect();
-    let is_known = |name: &str| {
-        names.is_declared(name)
-            || builtins::find(name).is_some()
-            || enumerations::find(name).is_some()
-            || instructions::find(name).is_some()
-    };
     let unknown = body.exprs().filter(|(id, ..)| !callees.contains(id)).filter_map(|(_, expr, _)| match expr {
-        Expr::Name(name) if !is_known(name) => Some(name.clone()),
+        Expr::Name(name) if !names.is_declared(name) && !is_predefined(name) => Some(name.clone()),
         _ => None,
     });
     unknown.collect()
+}
+
+/// Whether the language defines the name.
+fn is_predefined(name: &str) -> bool {
+    builtins::find(name).is_some() || enumerations::find(name).is_some() || instructions::find(name).is_some()
 }
