@@ -163,10 +163,10 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
 fn change_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<SourceChange> {
     match id {
         FIX_ALL => {
-            let change = |findings: Vec<Diagnostic>| {
-                snapshot.with_fixes(|context| val3_ide::fix_all(context, &findings, at.file))
-            };
-            snapshot.findings(at.file).map(change).find(|change| !change.is_empty())
+            let changes = snapshot
+                .findings(at.file)
+                .map(|findings| snapshot.with_fixes(|context| val3_ide::fix_all(context, &findings, at.file)));
+            changes.into_iter().find(|change| !change.is_empty())
         }
         _ => val3_ide::resolve_assist(snapshot.db(), id, at),
     }
@@ -201,12 +201,14 @@ struct RequestedKinds<'a>(Option<&'a [CodeActionKind]>);
 
 impl RequestedKinds<'_> {
     fn has(&self, kind: &CodeActionKind) -> bool {
-        let covers = |wanted: &CodeActionKind| {
-            let rest = kind.as_str().strip_prefix(wanted.as_str());
-            wanted.as_str().is_empty() || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-        };
-        self.0.is_none_or(|only| only.iter().any(covers))
+        self.0.is_none_or(|only| only.iter().any(|requested| includes(requested.as_str(), kind.as_str())))
     }
+}
+
+/// Whether `kind` is the requested kind, or a kind below it.
+fn includes(requested: &str, kind: &str) -> bool {
+    let rest = kind.strip_prefix(requested);
+    requested.is_empty() || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 const ASSIST_KINDS: [AssistKind; 5] =
