@@ -16,11 +16,11 @@ const OUTPUT: &str = "ioLink";
 /// Values of a variable, each with the variable's father.
 pub(crate) fn read(element: XmlElement<'_>) -> SavedData {
     let father = father_element(element).map(|found| ("fatherId".into(), reference::text(found)));
-    let value = |value: XmlElement<'_>| SavedValue {
+    let values = values(element).map(|value| SavedValue {
         key: value.value("index").unwrap_or_default().into_owned(),
         content: SavedContent::Attributes(attributes(value).chain(father.clone()).collect()),
-    };
-    let values: Vec<SavedValue> = values(element).map(value).collect();
+    });
+    let values: Vec<SavedValue> = values.collect();
     let size = element.value("size").and_then(|text| text.trim().parse().ok());
     let size = size.unwrap_or_else(|| u32::try_from(values.len()).unwrap_or(u32::MAX)).max(1);
     SavedData {

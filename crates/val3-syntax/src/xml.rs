@@ -167,12 +167,13 @@ mod tests {
 
     #[test]
     fn the_line_of_an_entry() {
+        assert_eq!(line_of("<e/>"), "\r\n  <e/>");
+        assert_eq!(line_of("<f/>"), "<f/>");
+    }
+
+    fn line_of(part: &str) -> &str {
         let text = "<L>\r\n  <e/>\r\n  <f/></L>";
-        let line = |part: &str| {
-            let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
-            &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
-        };
-        assert_eq!(line("<e/>"), "\r\n  <e/>");
-        assert_eq!(line("<f/>"), "<f/>");
+        let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
+        &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
     }
 }
