@@ -111,10 +111,10 @@ fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
         stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect();
     let stem = if keywords::is_identifier(&allowed) { allowed } else { format!("_{allowed}") };
     let beginning = |length: usize| -> String { stem.chars().take(length).collect() };
-    let is_taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
+    let taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
     let whole = beginning(limit);
     // Otherwise the name is shortened so that a two-digit number fits.
-    if is_taken(&whole) { free(&beginning(limit.saturating_sub(2)), is_taken) } else { whole }
+    if taken(&whole) { free(&beginning(limit.saturating_sub(2)), taken) } else { whole }
 }
 
 /// Whether `from` uses `to` as a library or type, directly or indirectly.

@@ -137,11 +137,10 @@ fn renames(db: &dyn Db, program: &AffectedProgram) -> Vec<FileEdit> {
 /// Uses of a parameter or local, without its declaration.
 pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
     let (Symbol::Param(file, _) | Symbol::Local(file, _)) = symbol else { return Vec::new() };
-    let declared: Vec<TextRange> =
-        all_params(db, *file).into_iter().chain(all_locals(db, *file)).map(|declared| declared.element).collect();
-    let is_declaration = |range: &TextRange| declared.iter().any(|element| element.contains_range(*range));
-    let mut found: Vec<TextRange> =
-        uses(db, symbol).map(|(_, _, range)| range).filter(|range| !is_declaration(range)).collect();
+    let declared = all_params(db, *file).into_iter().chain(all_locals(db, *file));
+    let declared: Vec<TextRange> = declared.map(|declared| declared.element).collect();
+    let mut found: Vec<TextRange> = uses(db, symbol).map(|(_, _, range)| range).collect();
+    found.retain(|range| !declared.iter().any(|element| element.contains_range(*range)));
     found.sort_unstable_by_key(|range| range.start());
     found.dedup();
     found
@@ -157,8 +156,9 @@ fn removed_are_unused(db: &dyn Db, program: &AffectedProgram, removed: &[(File, 
     let locals = (0..).zip(&header.locals).filter(|(index, _)| !keeps_local(*index));
     let locals = locals.map(|(_, local)| ("the local variable", &local.name, Symbol::Local(file, local.name.clone())));
     for (what, name, symbol) in params.chain(locals) {
-        let is_gone = |range: &TextRange| removed.iter().any(|(of, gone)| *of == file && gone.contains_range(*range));
-        let left = in_code(db, &symbol).into_iter().filter(|range| !is_gone(range)).count();
+        let mut uses = in_code(db, &symbol);
+        uses.retain(|range| !removed.iter().any(|(of, gone)| *of == file && gone.contains_range(*range)));
+        let left = uses.len();
         if left > 0 {
             let times = if left == 1 { "once".to_owned() } else { format!("{left} times") };
             return Err(format!("{what} `{name}` is used {times} in `{}`", header.name));

@@ -103,8 +103,7 @@ fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
             }
         });
     }
-    let is_new = |project: &Project| !lies_in(file.path(db), folder(db, *project));
-    if let Some(target) = target.filter(is_new).filter(|_| listed) {
+    if let Some(target) = target.filter(|target| listed && !lies_in(file.path(db), folder(db, *target))) {
         let name = vec![to.file_name().unwrap_or("").to_owned()];
         edits.extend(match has_extension(to, "pgx") {
             true => program_entries(db, target, &name),

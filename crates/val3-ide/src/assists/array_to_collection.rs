@@ -44,8 +44,7 @@ fn obstacle(
         return Err(format!("the values of `{name}` are not in the order of their indexes"));
     }
     let uses = index_uses(context.db, context.project, name)?;
-    let is_index = |text: &str| number(text).is_some_and(|index| index < size);
-    match uses.iter().find(|found| found.is_key || !is_index(&found.text)) {
+    match uses.iter().find(|found| found.is_key || number(&found.text).is_none_or(|index| index >= size)) {
         Some(found) => Err(format!("`{name}` has no value with the index `{}`", found.text)),
         None => Ok(uses),
     }

@@ -159,18 +159,15 @@ mod tests {
             +      <Parameter name="x_nB" type="num" xsi:type="element" />
         "#]],
         );
-        let by_value =
-            |body: &str| offered(&PICK.replace("num x_nB", "num& x_nB").replace("put(x_n$0B)", body), "pass-by-value");
+        let by_reference = PICK.replace("num x_nB", "num& x_nB");
         for body in ["x_n$0B=1", "nA=x_n$0B", "delay(x_n$0B)", "call pick(x_n$0B,x_nB,true)"] {
-            assert_eq!(by_value(body), None, "{body}");
+            assert_eq!(offered(&by_reference.replace("put(x_n$0B)", body), "pass-by-value"), None, "{body}");
         }
-        let by_reference = |call: &str| offered(&PICK.replace("call pick(1,nA,true)", call), "pass-by-reference");
         for call in ["call pick(1,2,true)", "call pick(1,nA+1,true)", "taskCreate \"a\",10,pick(1,nA,true)"] {
-            assert_eq!(by_reference(call), None, "{call}");
+            assert_eq!(offered(&PICK.replace("call pick(1,nA,true)", call), "pass-by-reference"), None, "{call}");
         }
-        let task = "taskCreate \"a\",10,pick(1,nA,true)";
-        let by_value = PICK.replace("num x_nB", "num& x_nB").replace("call pick(1,nA,true)", task);
-        assert_eq!(offered(&by_value, "pass-by-value"), None);
+        let task = by_reference.replace("call pick(1,nA,true)", "taskCreate \"a\",10,pick(1,nA,true)");
+        assert_eq!(offered(&task, "pass-by-value"), None);
         assert_eq!(offered(&PICK.replace("num x_nB", "num& x_nB[]"), "pass-by-value"), None);
     }
 }

@@ -129,7 +129,7 @@ mod tests {
         assert_eq!(offered(&cell_of_s6("dI$0n[\"a\"]=true"), ID), None);
     }
 
-    /// A cell of s6 without data of this code.
+    /// A cell of s6 with this code and without data.
     fn cell_of_s6(code: &str) -> String {
         format!(
             "{code}\n=== main/main.pjx\n<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" stackSize=\"5000\" millimeterUnit=\"true\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection></project>\n=== main/main.dtx\n<dataList><numSection/><dioSection/></dataList>\n"

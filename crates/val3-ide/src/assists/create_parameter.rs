@@ -78,12 +78,14 @@ fn root_name(body: &Body, mut id: ExprId) -> Option<&SmolStr> {
 /// Whether the callee's parameter `at` requires a variable, not a value.
 fn takes_reference(context: &Context<'_>, call: ExprId, callee: ExprId, at: usize) -> bool {
     if let Some(found) = context.inference().call(call) {
-        let is_variable = |shape| !matches!(shape, ArgumentForm::Value | ArgumentForm::ProgramCall);
         let mut forms = match found.form {
             Some(form) => std::slice::from_ref(form).iter(),
             None => found.instruction.overloads.iter(),
         };
-        return forms.any(|form| form.params.get(at).is_some_and(|param| is_variable(param.shape)));
+        return forms.any(|form| {
+            let param = form.params.get(at);
+            param.is_some_and(|param| !matches!(param.shape, ArgumentForm::Value | ArgumentForm::ProgramCall))
+        });
     }
     let (project, name) = match context.body().expr(callee) {
         Expr::Name(name) => (Some(context.project), name),

@@ -10,6 +10,11 @@ use val3_lang::types::BaseType;
 
 use super::context::Context;
 
+/// Whether the statement is a loop.
+pub(super) fn is_loop(stmt: &Stmt) -> bool {
+    matches!(stmt.kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. })
+}
+
 /// Expressions in a program.
 pub(super) struct Evaluation<'db> {
     pub(super) body: &'db Body,
@@ -51,8 +56,9 @@ impl<'db> Evaluation<'db> {
 
     /// Whether only the value of `id` is used, so that another expression with the same value can replace it.
     pub(super) fn is_value(&self, id: ExprId) -> bool {
-        let is_base = |parent: ExprId| matches!(self.body.expr(parent), Expr::Index(base, _) if *base == id);
-        if self.parent(id).is_some_and(is_base) {
+        if let Some(parent) = self.parent(id)
+            && matches!(self.body.expr(parent), Expr::Index(base, _) if *base == id)
+        {
             return false;
         }
         let place = self.place(id);

@@ -11,6 +11,7 @@ use val3_syntax::ast::{AstNode as _, CallStmt, Code};
 use val3_syntax::{TextRange, TextSize};
 
 use super::context::Context;
+use super::evaluation::is_loop;
 use super::lines::{dedented, plain_with, with_comments};
 use super::{AssistKind, Assists};
 use crate::declare::{self, NewVariable, free};
@@ -51,6 +52,10 @@ struct NewName {
     new: String,
     /// Variable to be declared in the caller.
     local: Option<NewVariable>,
+}
+
+fn is_array(container: Container) -> bool {
+    matches!(container, Container::Array { .. })
 }
 
 /// Whether one of the new locals has this name, in any letter case.
@@ -95,11 +100,11 @@ impl InlinedProgram<'_, '_> {
 
     /// Locals that the code uses. Unused locals are not copied to the caller.
     fn used_locals(&self) -> impl Iterator<Item = &LocalDecl> {
-        let names: FxHashSet<&SmolStr> = self
-            .body
-            .exprs()
-            .filter_map(|(_, expr, _)| if let Expr::Name(name) = expr { Some(name) } else { None })
-            .collect();
+        let names = self.body.exprs().filter_map(|(_, expr, _)| match expr {
+            Expr::Name(name) => Some(name),
+            _ => None,
+        });
+        let names: FxHashSet<&SmolStr> = names.collect();
         self.header.locals.iter().filter(move |local| names.contains(&local.name))
     }
 
@@ -109,10 +114,9 @@ impl InlinedProgram<'_, '_> {
         let text = self.context.plain(own.range(argument));
         let effects = Effects::new(self.context.db, self.context.project, self.file);
         let by_reference = param.by_reference;
-        let is_param = |root: &RootVariable| matches!(root, RootVariable::Param(name) if *name == param.name);
-        let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
+        let mut writes = effects.all().iter().filter(|access| access.kind != AccessKind::Read);
+        let written = writes.any(|access| matches!(&access.root, RootVariable::Param(name) if *name == param.name));
         // Code with an array parameter may use an index, which a single value does not support.
-        let is_array = |container| matches!(container, Container::Array { .. });
         if is_array(param.container) && !is_array(self.context.inference().ty(argument).container) {
             return None;
         }
@@ -144,10 +148,8 @@ impl InlinedProgram<'_, '_> {
     }
 
     fn is_repeated(&self, call: TextRange) -> bool {
-        let repeats =
-            |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
         let stmts = self.context.body().stmts();
-        stmts.iter().any(|stmt| stmt.range.contains_range(call) && repeats(&stmt.kind))
+        stmts.iter().any(|stmt| stmt.range.contains_range(call) && is_loop(stmt))
     }
 
     fn change(&self, call: TextRange, names: &[NewName]) -> Option<SourceChange> {

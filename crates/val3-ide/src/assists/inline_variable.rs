@@ -9,7 +9,7 @@ use val3_analysis::items::project::resolve_type;
 use val3_syntax::{SyntaxKind, TextSlice};
 
 use super::context::Context;
-use super::evaluation::Evaluation;
+use super::evaluation::{Evaluation, is_loop};
 use super::lines::whole_lines;
 use super::precedence::needs_parentheses;
 use super::stability::Dependencies;
@@ -165,10 +165,8 @@ impl<'c, 'db> Inlining<'c, 'db> {
 
     fn is_in_loop(&self, stmts: &[Stmt], read: ExprId) -> bool {
         let range = self.evaluation.body.range(read);
-        let repeats =
-            |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
         let inner = stmts.iter().flat_map(Stmt::with_inner);
-        inner.filter(|stmt| stmt.range.contains_range(range)).any(|stmt| repeats(&stmt.kind))
+        inner.filter(|stmt| stmt.range.contains_range(range)).any(is_loop)
     }
 
     fn change(&self) -> Option<SourceChange> {

@@ -90,11 +90,11 @@ fn equal(context: &Context<'_>, selector: &Expr, value: TextRange) -> String {
     let selected = context.slice(selector.syntax().text_range());
     let selected = if is_simple(selector) { selected.to_owned() } else { format!("({selected})") };
     let compared = context.slice(value);
-    let body = context.body();
-    let is_loose = |id| needs_parentheses_after(body, BinaryOp::Equal, id);
-    let compared =
-        if context.expr_at(value).is_none_or(is_loose) { format!("({compared})") } else { compared.to_owned() };
-    format!("{selected}=={compared}")
+    let value = context.expr_at(value);
+    match value.is_none_or(|id| needs_parentheses_after(context.body(), BinaryOp::Equal, id)) {
+        true => format!("{selected}==({compared})"),
+        false => format!("{selected}=={compared}"),
+    }
 }
 
 fn is_simple(expr: &Expr) -> bool {

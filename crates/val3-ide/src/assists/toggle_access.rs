@@ -244,8 +244,8 @@ mod tests {
             Some("the interface `part` declares `nWeight` differently")
         );
         assert_eq!(offered(&library("num"), ID).as_deref(), Some("Make public"));
-        let interface =
-            |other: &str| format!("{LOADER}--- box\n{other}\n--- part\n=== part/part.dtx\n{}", private("num"));
+        let own = private("num");
+        let interface = |other| format!("{LOADER}--- box\n{other}\n--- part\n=== part/part.dtx\n{own}");
         assert_eq!(
             refused(&interface("num nWeight"), ID).as_deref(),
             Some("`box` is loaded for this interface and has no matching public `nWeight`")

@@ -48,9 +48,8 @@ pub(super) fn edits(
     };
     let edits = slots.edits(&order).into_iter();
     let edits = edits.map(|(range, text)| FileEdit { file: call.file, range, text }).collect();
-    let is_removed = |index: &usize| !order.contains(&ListSlot::Kept(*index));
-    let removed = (0..places.len()).filter(is_removed).filter_map(|index| places.get(index).copied());
-    Ok(NewArguments { edits, removed: removed.collect() })
+    let removed = (0..).zip(&places).filter(|(index, _)| !order.contains(&ListSlot::Kept(*index)));
+    Ok(NewArguments { edits, removed: removed.map(|(_, place)| *place).collect() })
 }
 
 fn entry(call: &Call, new: &NewParameter) -> ListSlot {

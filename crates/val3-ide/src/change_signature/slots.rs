@@ -47,8 +47,8 @@ pub(super) struct Slots<'a> {
 impl Slots<'_> {
     /// Edits that produce this order, sorted and without overlap. An empty list has no edits.
     pub(super) fn edits(&self, order: &[ListSlot]) -> Vec<SlotEdit> {
-        let is_kept = |index: &usize| order.contains(&ListSlot::Kept(*index));
-        let (kept, mut removed): (Vec<usize>, Vec<usize>) = (0..self.entries.len()).partition(is_kept);
+        let (kept, mut removed): (Vec<usize>, Vec<usize>) =
+            (0..self.entries.len()).partition(|index| order.contains(&ListSlot::Kept(*index)));
         let mut edits = Vec::new();
         if kept.is_empty() && !order.is_empty() && !removed.is_empty() {
             edits.push((self.range(0), self.joined(order)));

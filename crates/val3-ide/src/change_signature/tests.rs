@@ -435,8 +435,7 @@ fn names_and_types_that_do_not_suit_are_refused() {
     let renamed = |name: &str| refused(&|wanted: &mut NewVariables| wanted.parameters[0].name = name.to_owned());
     let retyped = |name: &str| refused(&|wanted: &mut NewVariables| wanted.locals[0].type_name = name.to_owned());
     let resized = |sizes: &[u32]| refused(&|wanted: &mut NewVariables| wanted.locals[0].sizes = sizes.to_vec());
-    let passed =
-        |argument: &str| refused(&|wanted: &mut NewVariables| wanted.parameters.push(added("x_nB", "num", argument)));
+    let passed = |text: &str| refused(&|new: &mut NewVariables| new.parameters.push(added("x_nB", "num", text)));
     let all = [
         renamed("l_nC"),
         renamed("nA"),

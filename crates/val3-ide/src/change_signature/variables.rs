@@ -52,10 +52,9 @@ impl NewVariables {
 
     /// Whether the arguments of calls are unchanged: the parameters are the same, possibly renamed.
     pub(super) fn keeps_arguments(&self, header: &Header) -> bool {
-        let is_same =
-            |(index, (new, old)): (usize, (&NewParameter, &ParamDecl))| new.from == Some(index) && !new.is_retyped(old);
+        let mut pairs = (0..).zip(self.parameters.iter().zip(&header.params));
         self.parameters.len() == header.params.len()
-            && self.parameters.iter().zip(&header.params).enumerate().all(is_same)
+            && pairs.all(|(index, (new, old))| new.from == Some(index) && !new.is_retyped(old))
     }
 
     /// Whether a variable is new, or has another type, size or passing than before.

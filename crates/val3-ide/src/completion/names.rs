@@ -33,8 +33,8 @@ fn fit_one(expected: Base, base: Base) -> i32 {
         (Base::Builtin(BaseType::Bool, _), Base::Builtin(BaseType::Dio, _)) => FITS,
         (Base::Builtin(BaseType::Num, _), Base::Builtin(BaseType::Aio, _)) => FITS,
         (expected, Base::Builtin(ty, arm)) => {
-            let has_field = |ty, arm| types::fields(ty, arm).iter().any(|field| Base::of(field.ty).same_as(expected));
-            if has_field(ty, arm) { LEADS_ON } else { 0 }
+            let has_field = types::fields(ty, arm).iter().any(|field| Base::of(field.ty).same_as(expected));
+            if has_field { LEADS_ON } else { 0 }
         }
         _ => 0,
     }

@@ -15,9 +15,11 @@ fn found(listing: &str) -> Vec<Completion> {
 
 /// Checks the first completions.
 fn check(listing: &str, expected: Expect) {
-    let line =
-        |item: &Completion| format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n";
     expected.assert_eq(&found(listing).iter().take(6).map(line).collect::<String>());
+}
+
+fn line(item: &Completion) -> String {
+    format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n"
 }
 
 /// Checks the inserted text of the completion `label`, with and without placeholders, and its additional edits.

@@ -72,7 +72,7 @@ struct ValueText<'db> {
 }
 
 impl ValueText<'_> {
-    /// Lines of the first values, and the number of the other ones.
+    /// Lines of the first values, and the number of further values.
     fn values(&self, element: XmlElement<'_>, single: bool) -> Vec<String> {
         let values = element.elements().filter(|value| !value.name().ends_with("Father"));
         let values: Vec<XmlElement<'_>> = values.collect();

@@ -38,7 +38,7 @@ pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: b
         same_elsewhere(context.db, *project, name)?;
         let symbol = Symbol::Program(*project, name.clone());
         for (file, user, range) in uses(context.db, &symbol) {
-            let Some(call) = Call::at(context.db, (file, user), range)? else { continue };
+            let Some(call) = Call::at(context.db, file, user, range)? else { continue };
             let argument = match is_available(context, unknown, file, user) {
                 true => unknown.name.as_str(),
                 false => default(unknown.ty(), by_reference)
@@ -74,13 +74,10 @@ fn is_available(context: &Context<'_>, unknown: &UnknownName, file: File, user: 
         return true;
     }
     let header = header(db, file);
-    let local = header.locals.iter().find(|local| local.name == unknown.name);
-    let param = header.params.iter().find(|param| param.name == unknown.name);
-    let mut variables = local
-        .map(|local| (&local.type_name, local.container))
-        .into_iter()
-        .chain(param.map(|param| (&param.type_name, param.container)));
-    variables.any(|(type_name, container)| {
+    let locals = header.locals.iter().map(|local| (&local.name, &local.type_name, local.container));
+    let params = header.params.iter().map(|param| (&param.name, &param.type_name, param.container));
+    let mut named = locals.chain(params).filter(|(name, ..)| **name == unknown.name);
+    named.any(|(_, type_name, container)| {
         resolve_type(&items(db, user).types, type_name).is_some_and(|base| suits(unknown.ty(), base, container))
     })
 }

@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use smol_str::SmolStr;
-use val3_analysis::body::{Stmt, StmtKind};
 use val3_analysis::effects::{Access, AccessKind, Effects, RootVariable};
 use val3_analysis::flow::{Facts, FlowGraph, FlowNode, FlowNodeId, backward, flow};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
 use super::super::context::Context;
+use super::super::evaluation::is_loop;
 use crate::declare::NewVariable;
 
 /// Passing of a variable to the extracted program.
@@ -22,6 +22,13 @@ pub(super) enum Passing {
     /// Not passed: its value is neither read before it is written nor used afterwards, so both programs have their own
     /// local.
     Apart,
+}
+
+impl Passing {
+    /// Whether the variable becomes a local of the extracted program.
+    pub(super) fn is_local(self) -> bool {
+        matches!(self, Self::Inside | Self::Apart)
+    }
 }
 
 /// A local or parameter that the extracted program uses.
@@ -60,8 +67,8 @@ fn passed(
     name: &SmolStr,
     uses: &[&Access],
 ) -> Option<PassedVariable> {
-    let is_inside = |access: &&&Access| range.contains_range(context.body().range(access.id));
-    let inside: Vec<&&Access> = uses.iter().filter(is_inside).collect();
+    let inside = uses.iter().filter(|access| range.contains_range(context.body().range(access.id)));
+    let inside: Vec<&&Access> = inside.collect();
     if inside.is_empty() {
         return None;
     }
@@ -107,9 +114,13 @@ fn is_whole(variable: &NewVariable) -> bool {
 
 /// Whether the statements are inside a loop of the program.
 fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
-    let repeats = |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
-    let around = |stmt: &&Stmt| stmt.range.contains_range(range) && stmt.range != range;
-    context.body().stmts().iter().filter(|stmt| around(stmt)).any(|stmt| repeats(&stmt.kind))
+    let stmts = context.body().stmts();
+    stmts.iter().any(|stmt| is_loop(stmt) && stmt.range.contains_range(range) && stmt.range != range)
+}
+
+/// Whether the node is code in the range.
+fn is_inside(range: TextRange, point: &FlowNode) -> bool {
+    range.contains_range(point.range) && !point.range.is_empty()
 }
 
 /// Adds the names of `other` to `names`. Returns whether a name was new.
@@ -134,11 +145,10 @@ impl LiveVariables {
         let end: VariableNames = referenced.map(|param| param.name.clone()).collect();
         let step = |id: FlowNodeId, _: &FlowNode, behind: &VariableNames| before(effects, id, behind);
         let facts = backward(flow, end, step, add_names);
-        let is_inside = |point: &FlowNode| range.contains_range(point.range) && !point.range.is_empty();
-        let mut inside = flow.points().filter(|(_, point)| is_inside(point)).peekable();
+        let mut inside = flow.points().filter(|(_, point)| is_inside(range, point)).peekable();
         let entry = inside.peek().map(|(id, _)| *id);
         let exits = inside.flat_map(|(_, point)| &point.next);
-        let exits = exits.filter(|next| flow.point(**next).is_some_and(|point| !is_inside(point)));
+        let exits = exits.filter(|next| flow.point(**next).is_some_and(|point| !is_inside(range, point)));
         Self {
             before: entry.map(|id| at(context, effects, &facts, id)).unwrap_or_default(),
             behind: exits.flat_map(|id| at(context, effects, &facts, *id)).collect(),

@@ -127,20 +127,21 @@ impl CaseSearch<'_> {
     fn uses(&mut self, context: &Context<'_>, selector: ExprId) {
         let Some(place) = place(context.body(), selector) else { return };
         let root = place.split('.').next().unwrap_or("");
-        let is_own = |file| declares_variable(header(context.db, file), root);
-        let files = match is_own(context.file) {
+        let declares = |file| declares_variable(header(context.db, file), root);
+        let programs = program_files(context.db, context.project).iter().copied();
+        let files = match declares(context.file) {
             true => vec![context.file],
-            false => program_files(context.db, context.project).iter().copied().filter(|file| !is_own(*file)).collect(),
+            false => programs.filter(|file| !declares(*file)).collect(),
         };
         files.into_iter().for_each(|file| self.uses_in(body(context.db, file), &place));
     }
 
     fn uses_in(&mut self, body: &Body, wanted: &str) {
-        let is_place = |id: ExprId| place(body, id).is_some_and(|found| found == wanted);
+        let uses = |id: ExprId| place(body, id).is_some_and(|found| found == wanted);
         for stmt in body.stmts() {
             match &stmt.kind {
-                StmtKind::Assign { target, value } if is_place(*target) => self.value(body, *value),
-                StmtKind::Switch { selector: Some(selector), cases } if is_place(*selector) => {
+                StmtKind::Assign { target, value } if uses(*target) => self.value(body, *value),
+                StmtKind::Switch { selector: Some(selector), cases } if uses(*selector) => {
                     cases.iter().flat_map(|(values, _)| values).for_each(|value| self.label(body, *value));
                 }
                 _ => {}
@@ -148,12 +149,12 @@ impl CaseSearch<'_> {
         }
         for (_, expr, _) in body.exprs() {
             match expr {
-                Expr::Assign(target, value) if is_place(*target) => self.value(body, *value),
+                Expr::Assign(target, value) if uses(*target) => self.value(body, *value),
                 Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) => {
-                    if is_place(*left) {
+                    if uses(*left) {
                         self.label(body, *right);
                     }
-                    if is_place(*right) {
+                    if uses(*right) {
                         self.label(body, *left);
                     }
                 }

@@ -31,7 +31,7 @@ pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<
         false if is_old => (0..=context.cursor.siblings.len()).map(|index| index.to_string()).collect(),
         false => indexes(&data.value("size").and_then(sizes).unwrap_or_else(|| vec![1]), context.cursor.siblings.len()),
     };
-    keys.into_iter().filter(|key| !context.cursor.has_sibling(attribute, key)).take(SHOWN).collect()
+    keys.into_iter().filter(|key| !context.cursor.has_sibling_with(attribute, key)).take(SHOWN).collect()
 }
 
 fn is_collection(context: &XmlContext<'_>) -> bool {

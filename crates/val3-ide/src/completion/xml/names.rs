@@ -60,10 +60,12 @@ pub(super) fn stem(db: &dyn Db, file: File) -> Option<String> {
 pub(super) fn files(found: &CompletionList<'_>, extension: &str) -> Vec<(SmolStr, bool)> {
     let (db, project) = (found.db, found.project);
     let manifest = manifest(db, project.manifest(db));
-    let is_listed =
-        |name: &str| manifest.programs.iter().chain(&manifest.data).any(|listed| listed.eq_ignore_ascii_case(name));
     let files = project.beside(db).iter().filter(|name| name.to_ascii_lowercase().ends_with(extension));
-    files.map(|name| (name.clone(), is_listed(name))).collect()
+    let files = files.map(|name| {
+        let mut entries = manifest.programs.iter().chain(&manifest.data);
+        (name.clone(), entries.any(|entry| entry.eq_ignore_ascii_case(name)))
+    });
+    files.collect()
 }
 
 fn unlisted(found: &CompletionList<'_>, extension: &str) -> Option<String> {
