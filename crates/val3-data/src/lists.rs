@@ -61,7 +61,7 @@ pub(crate) fn data(edits: &mut Edits, layout: &DataLayout<'_>, element: XmlEleme
             edits.replace(xml::whole_line(layout.text, found.view().range()), String::new());
         }
     }
-    let added = (found.len()..count).map(|index| copy(layout, *last, data, (index, value(index))));
+    let added = (found.len()..count).map(|index| copy(layout, *last, data, index, value(index)));
     let text: String = added.map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
     if !text.is_empty() {
         edits.insert(last.view().range().end(), text);
@@ -134,7 +134,8 @@ fn copy(
     layout: &DataLayout<'_>,
     last: XmlElement<'_>,
     data: &SavedData,
-    (index, value): (usize, Option<&SavedValue>),
+    index: usize,
+    value: Option<&SavedValue>,
 ) -> String {
     let text = layout.slice(last.view().range());
     let parse = val3_syntax::parse(text);

@@ -253,7 +253,7 @@ fn only_lines_of_the_range_change() {
     assert_eq!(formatted_part("1\n b"), "begin\n  a=1\n  b=2\n c = 3\nend");
 }
 
-/// Code of a program with three lines after the range of `part` was formatted.
+/// Code of a program after formatting the range of `part`.
 fn formatted_part(part: &str) -> String {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[begin\n a = 1\n b = 2\n c = 3\nend]]></Code></Program></Programs>";
     let start = TextSize::try_from(text.find(part).unwrap()).unwrap();

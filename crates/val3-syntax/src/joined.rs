@@ -95,8 +95,8 @@ fn without_rest_of_section(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxErro
     let end = if errors.is_empty() { None } else { early_section_end(text) };
     let Some(end) = end else { return errors.to_vec() };
     let line = text.get(..end).and_then(|before| before.rfind(['\r', '\n'])).unwrap_or(0);
-    let is_before = |error: &&SyntaxError| usize::from(error.range.start()) < line;
-    let mut kept: Vec<SyntaxError> = errors.iter().filter(is_before).cloned().collect();
+    let before = errors.iter().filter(|error| usize::from(error.range.start()) < line);
+    let mut kept: Vec<SyntaxError> = before.cloned().collect();
     if kept.len() < errors.len()
         && let Ok(start) = TextSize::try_from(end)
     {

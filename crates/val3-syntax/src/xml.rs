@@ -66,8 +66,9 @@ impl<'g> XmlElement<'g> {
 
     /// Returns the attribute called `name`.
     pub fn attribute(self, name: &str) -> Option<Attribute<'g>> {
-        let is_named = |view: &View<'_>| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.is(name));
-        self.tag.children().filter(is_named).find_map(Attribute::new)
+        let children = self.tag.children();
+        let mut named = children.filter(|view| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.is(name)));
+        named.find_map(Attribute::new)
     }
 
     /// Returns the decoded value of the attribute called `name`.

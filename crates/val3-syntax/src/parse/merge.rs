@@ -40,7 +40,7 @@ fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
     markers
 }
 
-/// Whether the marker is the opening one, `<<<<<<<` or `&lt;&lt;…`.
+/// Whether the marker opens a conflict: `<<<<<<<` or `&lt;&lt;…`.
 fn opens(text: &str, marker: &SyntaxError) -> bool {
     let marker = text.get(Range::<usize>::from(marker.range));
     marker.is_some_and(|text| text.starts_with(['<', '&']) && !text.starts_with("&gt;"))
