@@ -16,8 +16,7 @@ pub fn remove(text: &str, root: XmlElement<'_>, data: &[XmlElement<'_>]) -> Vec<
     let removed: FxHashSet<TextRange> = data.iter().map(|data| data.view().range()).collect();
     let mut edits = Edits::default();
     for list in root.elements() {
-        let is_removed = |data: &XmlElement<'_>| removed.contains(&data.view().range());
-        let (gone, kept): (Vec<_>, Vec<_>) = list.elements().partition(is_removed);
+        let (gone, kept): (Vec<_>, Vec<_>) = list.elements().partition(|data| removed.contains(&data.view().range()));
         if !gone.is_empty() && kept.is_empty() && layout.is_plain(list) {
             let (range, text) = layout.emptied_list(list);
             edits.replace(range, text);
@@ -90,9 +89,9 @@ fn ended(layout: &DataLayout<'_>, line: String) -> String {
 fn ordered(layout: &DataLayout<'_>, root: XmlElement<'_>, line: &str) -> String {
     let parse = val3_syntax::parse(line);
     let Some(own) = xml::root(parse.view()) else { return line.to_owned() };
-    let shape = |element: XmlElement<'_>| element.value("xsi:type").map(|shape| shape.into_owned());
-    let is_like = |other: &XmlElement<'_>| other.name() == own.name() && shape(*other) == shape(own);
-    let Some(model) = elements(root).find(is_like).or_else(|| elements(root).next()) else { return line.to_owned() };
+    let alike =
+        elements(root).find(|other| other.name() == own.name() && other.value("xsi:type") == own.value("xsi:type"));
+    let Some(model) = alike.or_else(|| elements(root).next()) else { return line.to_owned() };
     let mut attributes: Vec<_> = own.attributes().collect();
     let place = |name: &str| model.attributes().position(|other| other.name == name).unwrap_or(usize::MAX);
     attributes.sort_by_key(|attribute| place(attribute.name));

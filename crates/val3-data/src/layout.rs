@@ -55,17 +55,23 @@ impl<'t> DataLayout<'t> {
 
     /// Whether the element contains only elements and whitespace.
     pub(crate) fn is_plain(&self, element: XmlElement<'_>) -> bool {
-        let range = element.view().range();
         let mut from = element.tag_range().end();
-        let mut is_blank = |to: TextSize, next: TextSize| {
-            let between = self.slice(TextRange::new(from, to.max(from)));
-            from = next;
-            between.trim().is_empty()
-        };
-        let inside = element.elements().all(|found| is_blank(found.view().range().start(), found.view().range().end()));
+        for inner in element.elements() {
+            let range = inner.view().range();
+            if !self.is_blank(from, range.start()) {
+                return false;
+            }
+            from = range.end();
+        }
+        let range = element.view().range();
         let tag = self.slice(range).rfind("</").filter(|_| self.has_end_tag(element));
         let close = tag.map_or(range.end(), |at| range.start() + text_size(at));
-        inside && is_blank(close, range.end())
+        self.is_blank(from, close)
+    }
+
+    /// Whether the text between the offsets is whitespace, or `to` is not after `from`.
+    fn is_blank(&self, from: TextSize, to: TextSize) -> bool {
+        self.slice(TextRange::new(from, to.max(from))).trim().is_empty()
     }
 
     pub(crate) fn slice(&self, range: TextRange) -> &'t str {

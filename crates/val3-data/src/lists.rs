@@ -16,11 +16,11 @@ const OUTPUT: &str = "ioLink";
 /// Values of a variable, each with the variable's father.
 pub(crate) fn read(element: XmlElement<'_>) -> SavedData {
     let father = father_element(element).map(|found| ("fatherId".into(), reference::text(found)));
-    let value = |value: XmlElement<'_>| SavedValue {
+    let values = values(element).map(|value| SavedValue {
         key: value.value("index").unwrap_or_default().into_owned(),
         content: SavedContent::Attributes(attributes(value).chain(father.clone()).collect()),
-    };
-    let values: Vec<SavedValue> = values(element).map(value).collect();
+    });
+    let values: Vec<SavedValue> = values.collect();
     let size = element.value("size").and_then(|text| text.trim().parse().ok());
     let size = size.unwrap_or_else(|| u32::try_from(values.len()).unwrap_or(u32::MAX)).max(1);
     SavedData {
@@ -61,7 +61,7 @@ pub(crate) fn data(edits: &mut Edits, layout: &DataLayout<'_>, element: XmlEleme
             edits.replace(xml::whole_line(layout.text, found.view().range()), String::new());
         }
     }
-    let added = (found.len()..count).map(|index| copy(layout, *last, data, (index, value(index))));
+    let added = (found.len()..count).map(|index| copy(layout, *last, data, index, value(index)));
     let text: String = added.map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
     if !text.is_empty() {
         edits.insert(last.view().range().end(), text);
@@ -134,7 +134,8 @@ fn copy(
     layout: &DataLayout<'_>,
     last: XmlElement<'_>,
     data: &SavedData,
-    (index, value): (usize, Option<&SavedValue>),
+    index: usize,
+    value: Option<&SavedValue>,
 ) -> String {
     let text = layout.slice(last.view().range());
     let parse = val3_syntax::parse(text);

@@ -30,16 +30,18 @@ pub fn type_name(element: XmlElement<'_>) -> smol_str::SmolStr {
 fn read_nested(element: XmlElement<'_>, nesting: usize) -> SavedData {
     let type_name = element.value("type").unwrap_or_default();
     let is_user = BaseType::from_file_name(&type_name).is_none();
-    let values = element.elements().filter(|found| found.name() == "Value");
-    let content = |value: XmlElement<'_>| match is_user && nesting > 0 {
-        true => SavedContent::Fields(fields(value, nesting - 1)),
-        false => SavedContent::Attributes(attributes(value)),
-    };
+    let values = element.elements().filter(|found| found.name() == "Value").map(|value| {
+        let content = match is_user && nesting > 0 {
+            true => SavedContent::Fields(fields(value, nesting - 1)),
+            false => SavedContent::Attributes(attributes(value)),
+        };
+        SavedValue { key: key(value), content }
+    });
     SavedData {
         name: element.value("name").unwrap_or_default().into(),
         type_name: type_name.into(),
         shape: shape(element),
-        values: values.map(|value| SavedValue { key: key(value), content: content(value) }).collect(),
+        values: values.collect(),
         is_part: false,
     }
 }

@@ -37,12 +37,9 @@ pub(crate) fn is_default(type_name: &str, element: XmlElement<'_>) -> bool {
 
 /// Whether an attribute other than `name` contains an explicit default, or defaults are generally explicit in the file.
 pub(crate) fn spells_another(layout: &DataLayout<'_>, type_name: &str, element: XmlElement<'_>, name: &str) -> bool {
-    let is_default = |other: Attribute<'_>| {
-        other.name != name
-            && other.name != "key"
-            && saved_data::same_text(type_name, other.name, Some(&other.text()), None)
-    };
-    element.attributes().any(is_default) || layout.spells_defaults()
+    let mut others = element.attributes().filter(|other| other.name != name && other.name != "key");
+    others.any(|other| saved_data::same_text(type_name, other.name, Some(&other.text()), None))
+        || layout.spells_defaults()
 }
 
 /// Numbers of explicit and omitted defaults in the values of a variable with a built-in type.

@@ -22,8 +22,8 @@ pub(crate) fn data(edits: &mut Edits, layout: &DataLayout<'_>, element: XmlEleme
     let (kept, removed): (Vec<_>, Vec<_>) =
         spelt(element).partition(|found| stays(layout, data, *found, value(*found)));
     let known: FxHashSet<Cow<'_, str>> = kept.iter().chain(&removed).map(|found| key(*found)).collect();
-    let is_new = |value: &&SavedValue| is_spelt(data, value) && !known.contains(value.key.as_str());
-    let added: Vec<_> = data.values.iter().filter(is_new).collect();
+    let spelt_values = data.values.iter().filter(|value| is_spelt(data, value));
+    let added: Vec<_> = spelt_values.filter(|value| !known.contains(value.key.as_str())).collect();
     if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) && layout.is_plain(element) {
         return refill(edits, layout, element, data, &added);
     }
@@ -36,38 +36,43 @@ pub(crate) fn data(edits: &mut Edits, layout: &DataLayout<'_>, element: XmlEleme
         }
     }
     if !added.is_empty() {
-        insert(edits, layout, (element, &kept), data, &added);
+        NewValues { element, data, kept: &kept, added: &added }.insert(edits, layout);
     }
 }
 
-/// Inserts new values in order, each after the last existing value that precedes it.
-fn insert(
-    edits: &mut Edits,
-    layout: &DataLayout<'_>,
-    (element, kept): (XmlElement<'_>, &[XmlElement<'_>]),
-    data: &SavedData,
-    added: &[&SavedValue],
-) {
-    // Minimum order from each element to the end. It is ascending, which allows a binary search for the last element
-    // before a value.
-    let mut least: Vec<_> = kept.iter().map(|found| order(data, &key(*found))).collect();
-    for at in (1..least.len()).rev() {
-        let (before, after) = least.split_at_mut(at);
-        if let (Some(before), Some(after)) = (before.last_mut(), after.first()) {
-            *before = (*before).min(*after);
+/// New values of a variable or field.
+struct NewValues<'a, 'g> {
+    element: XmlElement<'g>,
+    data: &'a SavedData,
+    /// Existing values that remain.
+    kept: &'a [XmlElement<'g>],
+    added: &'a [&'a SavedValue],
+}
+
+impl NewValues<'_, '_> {
+    /// Inserts the values in order, each after the last existing value that precedes it.
+    fn insert(&self, edits: &mut Edits, layout: &DataLayout<'_>) {
+        // Minimum order from each element to the end. It is ascending, which allows a binary search for the last
+        // element before a value.
+        let mut least: Vec<_> = self.kept.iter().map(|found| order(self.data, &key(*found))).collect();
+        for at in (1..least.len()).rev() {
+            let (before, after) = least.split_at_mut(at);
+            if let (Some(before), Some(after)) = (before.last_mut(), after.first()) {
+                *before = (*before).min(*after);
+            }
         }
-    }
-    for value in added {
-        let order = order(data, &value.key);
-        let count = least.partition_point(|least| *least <= order);
-        let before = count.checked_sub(1).and_then(|last| kept.get(last));
-        let lines = layout.value(data, value);
-        let text = match before.or(kept.first()) {
-            Some(neighbour) => layout.beside(neighbour.tag_range().start(), &lines),
-            None => layout.inside(element.tag_range().start(), &lines),
-        };
-        let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
-        edits.insert(at, text);
+        for value in self.added {
+            let order = order(self.data, &value.key);
+            let count = least.partition_point(|least| *least <= order);
+            let before = count.checked_sub(1).and_then(|last| self.kept.get(last));
+            let lines = layout.value(self.data, value);
+            let text = match before.or(self.kept.first()) {
+                Some(neighbour) => layout.beside(neighbour.tag_range().start(), &lines),
+                None => layout.inside(self.element.tag_range().start(), &lines),
+            };
+            let at = before.map_or(self.element.tag_range().end(), |before| before.view().range().end());
+            edits.insert(at, text);
+        }
     }
 }
 
@@ -163,18 +168,21 @@ fn change(edits: &mut Edits, layout: &DataLayout<'_>, data: &SavedData, found: X
 
 /// Writes the fields of a value whose element contains fields.
 fn fields(edits: &mut Edits, layout: &DataLayout<'_>, value: XmlElement<'_>, fields: &[SavedField]) {
-    let is =
-        |found: &XmlElement<'_>, field: &SavedField| found.value("name").is_some_and(|name| name == *field.data.name);
     for found in value.elements() {
-        match fields.iter().find(|field| is(&found, field)) {
+        match fields.iter().find(|field| is_of(found, field)) {
             Some(field) => data(edits, layout, found, &field.data),
             None => edits.replace(xml::whole_line(layout.text, found.view().range()), String::new()),
         }
     }
-    let missing = fields.iter().filter(|field| !field.initial && !value.elements().any(|found| is(&found, field)));
+    let missing = fields.iter().filter(|field| !field.initial && !value.elements().any(|found| is_of(found, field)));
     let lines: Vec<String> = missing.flat_map(|field| layout.field(&field.data)).collect();
     if let Some(last) = value.elements().last().filter(|_| !lines.is_empty()) {
         let text = layout.beside(last.tag_range().start(), &lines);
         edits.insert(last.view().range().end(), text);
     }
+}
+
+/// Whether the element contains the field.
+fn is_of(element: XmlElement<'_>, field: &SavedField) -> bool {
+    element.value("name").is_some_and(|name| name == *field.data.name)
 }

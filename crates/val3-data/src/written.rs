@@ -111,15 +111,14 @@ mod tests {
     fn shown(text: &str) -> Vec<String> {
         let parse = val3_syntax::parse(text);
         let variables = written(xml::root(parse.view()).unwrap());
-        let line = |variable: &WrittenVariable<'_>| {
-            let values: Vec<String> = variable
-                .attributes
-                .iter()
-                .map(|attribute| format!("{}={}", attribute.path, attribute.text.text()))
-                .collect();
-            format!("{} in {}: {}", variable.name, variable.fathers.join(" "), values.join(" "))
-        };
         variables.iter().map(line).collect()
+    }
+
+    fn line(variable: &WrittenVariable<'_>) -> String {
+        let attributes = variable.attributes.iter();
+        let values = attributes.map(|attribute| format!("{}={}", attribute.path, attribute.text.text()));
+        let values: Vec<String> = values.collect();
+        format!("{} in {}: {}", variable.name, variable.fathers.join(" "), values.join(" "))
     }
 
     #[test]

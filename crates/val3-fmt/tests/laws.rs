@@ -26,15 +26,12 @@ fn statement(depth: u32) -> BoxedStrategy<Vec<String>> {
         return simple.boxed();
     }
     let inner = || block(depth - 1);
-    let around = |open: &'static str, close: &'static str| {
-        inner().prop_map(move |lines| [vec![open.to_owned()], lines, vec![close.to_owned()]].concat())
-    };
     prop_oneof![
         4 => simple,
-        1 => around("if a·==·\"x\"", "endIf"),
-        1 => around("while n·<·1", "endWhile"),
-        1 => around("for n·=·0 to 9 step 2", "endFor"),
-        1 => around("do", "until n·>=·1"),
+        1 => enclosed(inner(), "if a·==·\"x\"", "endIf"),
+        1 => enclosed(inner(), "while n·<·1", "endWhile"),
+        1 => enclosed(inner(), "for n·=·0 to 9 step 2", "endFor"),
+        1 => enclosed(inner(), "do", "until n·>=·1"),
         1 => (inner(), inner()).prop_map(|(yes, no)| {
             [vec!["if a".to_owned()], yes, vec!["elseIf b".into(), "else".into()], no, vec!["endIf".into()]].concat()
         }),
@@ -44,6 +41,15 @@ fn statement(depth: u32) -> BoxedStrategy<Vec<String>> {
         }),
     ]
     .boxed()
+}
+
+/// The lines of a block between two lines.
+fn enclosed(
+    block: impl Strategy<Value = Vec<String>>,
+    open: &'static str,
+    close: &'static str,
+) -> impl Strategy<Value = Vec<String>> {
+    block.prop_map(move |lines| [vec![open.to_owned()], lines, vec![close.to_owned()]].concat())
 }
 
 fn block(depth: u32) -> impl Strategy<Value = Vec<String>> {

@@ -248,13 +248,15 @@ fn the_xml_before_the_code_is_kept() {
 
 #[test]
 fn only_lines_of_the_range_change() {
+    assert_eq!(formatted_part("2"), "begin\n a = 1\n  b=2\n c = 3\nend");
+    assert_eq!(formatted_part(" b = 2\n"), "begin\n a = 1\n  b=2\n c = 3\nend");
+    assert_eq!(formatted_part("1\n b"), "begin\n  a=1\n  b=2\n c = 3\nend");
+}
+
+/// Code of a program after formatting the range of `part`.
+fn formatted_part(part: &str) -> String {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[begin\n a = 1\n b = 2\n c = 3\nend]]></Code></Program></Programs>";
-    let formatted = |part: &str| {
-        let start = TextSize::try_from(text.find(part).unwrap()).unwrap();
-        let edits = format_range(text, &parse(text), &CodeStyle::default(), TextRange::at(start, TextSize::of(part)));
-        TextEdit::apply_all(text, &edits).split_once("CDATA[").unwrap().1.replace("]]></Code></Program></Programs>", "")
-    };
-    assert_eq!(formatted("2"), "begin\n a = 1\n  b=2\n c = 3\nend");
-    assert_eq!(formatted(" b = 2\n"), "begin\n a = 1\n  b=2\n c = 3\nend");
-    assert_eq!(formatted("1\n b"), "begin\n  a=1\n  b=2\n c = 3\nend");
+    let start = TextSize::try_from(text.find(part).unwrap()).unwrap();
+    let edits = format_range(text, &parse(text), &CodeStyle::default(), TextRange::at(start, TextSize::of(part)));
+    TextEdit::apply_all(text, &edits).split_once("CDATA[").unwrap().1.replace("]]></Code></Program></Programs>", "")
 }

@@ -1,7 +1,6 @@
 //! Adding libraries and user types to a project: the available projects, and their elements in the `.pjx`.
 
 use rustc_hash::FxHashSet;
-use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::interfaces::{Fit, fit};
 use val3_analysis::items::manifest::manifest;
@@ -74,12 +73,6 @@ fn candidate(db: &dyn Db, project: Project, other: &Reachable) -> ReferenceCandi
     let libraries = libraries.map(|(alias, _)| (ReferenceKind::Library, alias.to_string()));
     let mut present: Vec<_> = libraries.chain(types.map(|(name, _)| (ReferenceKind::Type, name.to_string()))).collect();
     present.sort_by(|one, other| one.1.cmp(&other.1));
-    let is_fitting = |alias: &&SmolStr| {
-        let own = declared.libraries.get(*alias).is_some_and(|library| library.interface == Some(other.project));
-        !own && fit(db, project, alias, other.project) != Fit::Lacks
-    };
-    let mut fits: Vec<String> = declared.libraries.keys().filter(is_fitting).map(ToString::to_string).collect();
-    fits.sort_unstable();
     ReferenceCandidate {
         project: other.project,
         name: free_name(db, project, other.name(db)),
@@ -87,19 +80,28 @@ fn candidate(db: &dyn Db, project: Project, other: &Reachable) -> ReferenceCandi
         present,
         programs: of_other.programs.values().filter(|file| header(db, **file).public).count(),
         data: of_other.data.values().filter(|item| item.decl.public).count(),
-        fits,
+        fits: replaceable_aliases(db, project, other.project),
         library_circle: leads_to(db, other.project, project, ReferenceKind::Library),
         type_circle: leads_to(db, other.project, project, ReferenceKind::Type),
     }
 }
 
+/// Library identifiers of `project` with another interface that can also load `other`, in alphabetical order.
+fn replaceable_aliases(db: &dyn Db, project: Project, other: Project) -> Vec<String> {
+    let libraries = items(db, project).libraries.iter();
+    let of_others = libraries.filter(|(_, library)| library.interface != Some(other)).map(|(alias, _)| alias);
+    let fitting = of_others.filter(|alias| fit(db, project, alias, other) != Fit::Lacks);
+    let mut fitting: Vec<String> = fitting.map(ToString::to_string).collect();
+    fitting.sort_unstable();
+    fitting
+}
+
 /// Reason why a new library identifier or user type cannot have this name; `None` if it can.
 fn new_name_fault(db: &dyn Db, project: Project, name: &str) -> Option<String> {
-    let taken = || {
+    name_fault(name, Some(items(db, project).version)).or_else(|| {
         let what = other_item(db, project, &Symbol::Library(project, name.into()), name)?;
         Some(format!("there is already {what} called `{name}`"))
-    };
-    name_fault(name, Some(items(db, project).version)).or_else(taken)
+    })
 }
 
 /// Derives from `stem` a name that the project does not use yet.
@@ -109,10 +111,10 @@ fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
         stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect();
     let stem = if keywords::is_identifier(&allowed) { allowed } else { format!("_{allowed}") };
     let beginning = |length: usize| -> String { stem.chars().take(length).collect() };
-    let is_taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
+    let taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
     let whole = beginning(limit);
     // Otherwise the name is shortened so that a two-digit number fits.
-    if is_taken(&whole) { free(&beginning(limit.saturating_sub(2)), is_taken) } else { whole }
+    if taken(&whole) { free(&beginning(limit.saturating_sub(2)), taken) } else { whole }
 }
 
 /// Whether `from` uses `to` as a library or type, directly or indirectly.

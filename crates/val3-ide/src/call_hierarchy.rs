@@ -90,17 +90,22 @@ struct CallSiteKind {
 
 /// Call whose program name is at `range`; `None` if the name is not called.
 fn called(body: &Body, range: TextRange) -> Option<CallSiteKind> {
-    let names = |id: ExprId| match body.expr(id) {
+    body.stmts().into_iter().find_map(|stmt| {
+        let (call, in_task) = match &stmt.kind {
+            StmtKind::Call(id) => (id, false),
+            StmtKind::TaskCreate { arguments, .. } => (arguments.last()?, true),
+            _ => return None,
+        };
+        names_callee(body, *call, range).then_some(CallSiteKind { in_task })
+    })
+}
+
+/// Whether the expression is a call with its callee at `range`.
+fn names_callee(body: &Body, call: ExprId, range: TextRange) -> bool {
+    match body.expr(call) {
         Expr::Call(callee, _) => body.range(*callee).contains_range(range),
         _ => false,
-    };
-    body.stmts().into_iter().find_map(|stmt| match &stmt.kind {
-        StmtKind::Call(id) => names(*id).then_some(CallSiteKind { in_task: false }),
-        StmtKind::TaskCreate { arguments, .. } => {
-            arguments.last().is_some_and(|id| names(*id)).then_some(CallSiteKind { in_task: true })
-        }
-        _ => None,
-    })
+    }
 }
 
 fn item(db: &dyn Db, project: Project, name: &str) -> Option<CallItem> {
@@ -130,13 +135,14 @@ mod tests {
 
     /// Renders the calls, with their locations in the caller's file, which `caller` selects.
     fn check(calls: &[Call], caller: impl Fn(&Call) -> File, db: &dyn Db, expected: Expect) {
-        let line = |call: &Call| {
-            let place = |range: &TextRange| shown(db, FileRange { file: caller(call), range: *range });
-            let places: Vec<String> = call.places.iter().map(place).collect();
-            let task = if call.in_task { " in a task" } else { "" };
-            format!("{}:{}{task}: {}\n", call.item.project, call.item.name, places.join(", "))
-        };
-        expected.assert_eq(&calls.iter().map(line).collect::<String>());
+        expected.assert_eq(&calls.iter().map(|call| line(db, call, caller(call))).collect::<String>());
+    }
+
+    fn line(db: &dyn Db, call: &Call, caller: File) -> String {
+        let places = call.places.iter().map(|range| shown(db, FileRange { file: caller, range: *range }));
+        let places: Vec<String> = places.collect();
+        let task = if call.in_task { " in a task" } else { "" };
+        format!("{}:{}{task}: {}\n", call.item.project, call.item.name, places.join(", "))
     }
 
     #[test]

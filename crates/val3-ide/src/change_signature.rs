@@ -47,11 +47,7 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
         return Err("the program was changed meanwhile".to_owned());
     }
     let calls_change = !wanted.keeps_arguments(header);
-    let is_renamed = |new: &NewParameter| {
-        let old = new.from.and_then(|index| header.params.get(index));
-        old.is_none_or(|old| old.name != *new.name)
-    };
-    let are_parameters_same = !calls_change && !wanted.parameters.iter().any(is_renamed);
+    let are_parameters_same = !calls_change && !wanted.parameters.iter().any(|new| new.is_renamed(header));
     let symbols = if are_parameters_same { Vec::new() } else { programs::symbols(db, file) };
     let programs = programs::programs(db, file, &symbols, wanted)?;
     for program in &programs {
@@ -70,9 +66,7 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
         for call in calls::calls(db, &symbols, header.params.len())? {
             let new = arguments::edits(db, &call, &wanted.parameters, &renames)?;
             let places = call.places(db);
-            let is_inside =
-                |edit: &FileEdit| edit.file == call.file && places.iter().any(|it| it.contains_range(edit.range));
-            renames.retain(|edit| !is_inside(edit));
+            renames.retain(|edit| edit.file != call.file || !places.iter().any(|it| it.contains_range(edit.range)));
             removed.extend(new.removed.into_iter().map(|range| (call.file, range)));
             edits.extend(new.edits);
         }
@@ -92,21 +86,26 @@ pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
     if ENTRY_POINTS.contains(&name.as_str()) {
         return Some(format!("the controller itself calls `{name}`, without arguments"));
     }
-    let is_entry = |project: &Project| {
-        project.config(db).is_some_and(|config| config.lint.entry_points.iter().any(|entry| entry == name))
-    };
-    if projects_of(db, file).iter().any(is_entry) {
+    let projects = projects_of(db, file);
+    if projects.iter().any(|project| is_entry_point(db, *project, name)) {
         return Some(format!("`{name}` is an entry point according to `val3.toml`, which is called without arguments"));
     }
-    let is_bound = |project: &Project| {
-        let mut pages = binding_files(db, *project).map(|file| bindings(db, file));
-        pages.any(|page| page.callbacks.iter().filter_map(|of| of.program.as_ref()).any(|bound| bound.text == *name))
-    };
-    if header(db, file).params.is_empty() && projects_of(db, file).iter().any(is_bound) {
+    if header(db, file).params.is_empty() && projects.iter().any(|project| is_callback(db, *project, name)) {
         return Some(format!("a user page calls `{name}`, without arguments"));
     }
-    let is_test = projects_of(db, file).iter().any(|project| is_test(db, *project, name));
+    let is_test = projects.iter().any(|project| is_test(db, *project, name));
     is_test.then(|| format!("`val3 test` calls `{name}`, with the number of a row as the only possible argument"))
+}
+
+/// Whether `val3.toml` declares the program an entry point.
+fn is_entry_point(db: &dyn Db, project: Project, program: &str) -> bool {
+    project.config(db).is_some_and(|config| config.lint.entry_points.iter().any(|entry| entry == program))
+}
+
+/// Whether a user page calls the program.
+fn is_callback(db: &dyn Db, project: Project, program: &str) -> bool {
+    let mut callbacks = binding_files(db, project).flat_map(|file| &bindings(db, file).callbacks);
+    callbacks.any(|callback| callback.program.as_ref().is_some_and(|bound| bound.text == program))
 }
 
 /// Whether every call of the program in `file` passes a variable of type `ty` for the parameter, none of them creates a
@@ -138,11 +137,10 @@ fn renames(db: &dyn Db, program: &AffectedProgram) -> Vec<FileEdit> {
 /// Uses of a parameter or local, without its declaration.
 pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
     let (Symbol::Param(file, _) | Symbol::Local(file, _)) = symbol else { return Vec::new() };
-    let declared: Vec<TextRange> =
-        all_params(db, *file).into_iter().chain(all_locals(db, *file)).map(|declared| declared.element).collect();
-    let is_declaration = |range: &TextRange| declared.iter().any(|element| element.contains_range(*range));
-    let mut found: Vec<TextRange> =
-        uses(db, symbol).map(|(_, _, range)| range).filter(|range| !is_declaration(range)).collect();
+    let declared = all_params(db, *file).into_iter().chain(all_locals(db, *file));
+    let declared: Vec<TextRange> = declared.map(|declared| declared.element).collect();
+    let mut found: Vec<TextRange> = uses(db, symbol).map(|(_, _, range)| range).collect();
+    found.retain(|range| !declared.iter().any(|element| element.contains_range(*range)));
     found.sort_unstable_by_key(|range| range.start());
     found.dedup();
     found
@@ -158,8 +156,9 @@ fn removed_are_unused(db: &dyn Db, program: &AffectedProgram, removed: &[(File, 
     let locals = (0..).zip(&header.locals).filter(|(index, _)| !keeps_local(*index));
     let locals = locals.map(|(_, local)| ("the local variable", &local.name, Symbol::Local(file, local.name.clone())));
     for (what, name, symbol) in params.chain(locals) {
-        let is_gone = |range: &TextRange| removed.iter().any(|(of, gone)| *of == file && gone.contains_range(*range));
-        let left = in_code(db, &symbol).into_iter().filter(|range| !is_gone(range)).count();
+        let mut uses = in_code(db, &symbol);
+        uses.retain(|range| !removed.iter().any(|(of, gone)| *of == file && gone.contains_range(*range)));
+        let left = uses.len();
         if left > 0 {
             let times = if left == 1 { "once".to_owned() } else { format!("{left} times") };
             return Err(format!("{what} `{name}` is used {times} in `{}`", header.name));

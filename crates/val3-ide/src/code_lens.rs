@@ -95,18 +95,22 @@ mod tests {
     fn check(listing: &str, expected: Expect) {
         let marked = MarkedListing::new(listing);
         let (db, file) = (marked.db(), marked.at().file);
-        let line = |lens: CodeLens| {
+        let mut lines = String::new();
+        for lens in code_lenses(db, file) {
             let place = FileRange { file, range: lens.range };
-            let what = match lens.kind {
-                LensKind::Run(file) => format!("run {}", file.path(db).file_name().unwrap()),
-                LensKind::Debug(file) => format!("debug {}", file.path(db).file_name().unwrap()),
-                LensKind::RunTest(file) => format!("run test of {}", file.path(db).file_name().unwrap()),
-                LensKind::DebugTest(file) => format!("debug test of {}", file.path(db).file_name().unwrap()),
-                LensKind::References => format!("{} references", lens_references(db, place).len()),
-            };
-            format!("{}: {what}\n", shown(db, place))
-        };
-        expected.assert_eq(&code_lenses(db, file).into_iter().map(line).collect::<String>());
+            lines += &format!("{}: {}\n", shown(db, place), title(db, lens.kind, place));
+        }
+        expected.assert_eq(&lines);
+    }
+
+    fn title(db: &dyn Db, kind: LensKind, place: FileRange) -> String {
+        match kind {
+            LensKind::Run(file) => format!("run {}", file.path(db).file_name().unwrap()),
+            LensKind::Debug(file) => format!("debug {}", file.path(db).file_name().unwrap()),
+            LensKind::RunTest(file) => format!("run test of {}", file.path(db).file_name().unwrap()),
+            LensKind::DebugTest(file) => format!("debug test of {}", file.path(db).file_name().unwrap()),
+            LensKind::References => format!("{} references", lens_references(db, place).len()),
+        }
     }
 
     #[test]

@@ -12,16 +12,16 @@ mod walk;
 pub use check::added_data_findings;
 pub use edit::{CellEdit, DataEdit, NewDatum};
 
+use std::ops::Range;
+
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::parse;
-use val3_analysis::xml;
 use val3_data::compose;
 use val3_syntax::TextEdit;
 use val3_syntax::encoding::Encoding;
 
 use crate::data_tables::{DataProblem, problem};
 use crate::edit::{FileEdit, SourceChange};
-use edit::refusal;
 use target::DataFile;
 
 /// Text edits that apply these table edits. Each edit applies to the result of the previous ones.
@@ -38,8 +38,7 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         let is_first = at == 0;
         let current = if is_first { file.text(db) } else { text.as_str() };
         let parse = if is_first { parse(db, file) } else { val3_syntax::parse(current) };
-        let root = xml::root(parse.view()).ok_or_else(|| refusal("the file is no data file"))?;
-        let target = DataFile::new((db, project, file), current, (parse.view(), root))?;
+        let target = DataFile::new(db, project, file, current, parse.view())?;
         let new = change(&target, edit).map_err(|problem| without_range(problem, is_first))?;
         if at + 1 < edits.len() {
             text = TextEdit::apply_all(current, &new);
@@ -47,16 +46,17 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         done = compose(&done, &new);
     }
     let is_latin1 = matches!(file.status(db), FileStatus::Read { encoding: Encoding::Latin1, .. });
-    let edit = |edit: TextEdit| FileEdit {
-        file,
-        range: edit.range,
-        text: if is_latin1 { with_references(&edit.text) } else { edit.text },
-    };
-    let is_change = |edit: &TextEdit| {
-        let range = std::ops::Range::<usize>::from(edit.range);
-        file.text(db).get(range) != Some(edit.text.as_str())
-    };
-    Ok(SourceChange::of(done.into_iter().filter(is_change).map(edit)))
+    done.retain(|edit| changes(file.text(db), edit));
+    let edits = done.into_iter().map(|edit| {
+        let text = if is_latin1 { with_references(&edit.text) } else { edit.text };
+        FileEdit { file, range: edit.range, text }
+    });
+    Ok(SourceChange::of(edits))
+}
+
+/// Whether the edit changes the text.
+fn changes(text: &str, edit: &TextEdit) -> bool {
+    text.get(Range::<usize>::from(edit.range)) != Some(edit.text.as_str())
 }
 
 fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<TextEdit>, DataProblem> {

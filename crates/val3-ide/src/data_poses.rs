@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 use val3_analysis::changes::is_changed;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::parse;
-use val3_analysis::items::positions::{TaughtPosition, each};
+use val3_analysis::items::positions::each;
 use val3_analysis::placement::{joints, placement, position, shown};
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints};
@@ -69,7 +69,10 @@ fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
                 let chain = placed.chain.iter().take(LONGEST_CHAIN).map(|path| shown(path)).collect();
                 let found = DataPose { pose: Some(numbers(&placed.pose)), chain, ..empty };
                 let found = match arm.filter(|_| value.ty != BaseType::Tool) {
-                    Some(arm) => reached(db, project, path, value, (&placed.pose, arm), found),
+                    Some(arm) => {
+                        let reached = reached_with_tool(db, project, path, value, &placed.pose, arm);
+                        with_reach(found, arm, reached)
+                    }
                     None => found,
                 };
                 with_changes(found, placed.chain.iter().any(|path| is_changed(db, project, path)))
@@ -86,15 +89,9 @@ fn with_changes(found: DataPose, is_changed: bool) -> DataPose {
     DataPose { remark: (!remarks.is_empty()).then(|| remarks.join("; ")), ..found }
 }
 
-fn reached(
-    db: &dyn Db,
-    project: Project,
-    path: &str,
-    value: &TaughtPosition,
-    (pose, arm): (&IsometryMatrix3<f64>, &Arm),
-    found: DataPose,
-) -> DataPose {
-    match reached_with_tool(db, project, path, value, pose, arm) {
+/// Adds whether the arm reaches the pose, and with which joint values.
+fn with_reach(found: DataPose, arm: &Arm, reached: Reached) -> DataPose {
+    match reached {
         Reached::Untaught => DataPose { remark: Some(UNTAUGHT.to_owned()), ..found },
         Reached::WithTool(tool, Ok(joints)) => DataPose {
             is_reached: Some(true),

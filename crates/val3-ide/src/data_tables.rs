@@ -122,15 +122,18 @@ pub fn data_outline(db: &dyn Db, project: Project, file: File) -> Option<DataOut
         _ => return None,
     };
     let text: &str = file.text(db);
-    let source = |(element, name): (XmlElement<'_>, TextRange)| {
-        let mut hasher = FxHasher::default();
-        text.get(Range::<usize>::from(element.view().range())).hash(&mut hasher);
-        DatumSource { name, fingerprint: hasher.finish() }
-    };
     let names = rows::elements(parse.view()).map(|(element, _)| val3_data::type_name(element));
     let types = types::types(db, project, dialect, names);
-    let data = rows::elements(parse.view()).map(source).collect();
+    let elements = rows::elements(parse.view());
+    let data = elements.map(|(element, name)| DatumSource { name, fingerprint: fingerprint(text, element) }).collect();
     Some(DataOutline { dialect, problem: problem(db, file), types, data })
+}
+
+/// Hash of an element's text.
+fn fingerprint(text: &str, element: XmlElement<'_>) -> u64 {
+    let mut hasher = FxHasher::default();
+    text.get(Range::<usize>::from(element.view().range())).hash(&mut hasher);
+    hasher.finish()
 }
 
 /// Rows of some data in a file, by their index in [`DataOutline::data`].

@@ -64,8 +64,9 @@ fn find(db: &dyn Db, project: Project, at: FilePosition) -> Option<Item> {
 }
 
 fn find_in<T>(items: &[TreeItem<T>], at: FilePosition, symbol: impl Fn(SmolStr) -> Symbol) -> Option<Item> {
-    let is_it = |item: &&TreeItem<T>| item.file == at.file && item.name_range.contains_inclusive(at.offset);
-    items.iter().find(is_it).map(|item| Item { symbol: symbol(item.name.clone()), range: item.range })
+    let mut items = items.iter().filter(|item| item.file == at.file);
+    let item = items.find(|item| item.name_range.contains_inclusive(at.offset))?;
+    Some(Item { symbol: symbol(item.name.clone()), range: item.range })
 }
 
 fn program(db: &dyn Db, project: Project, file: File) -> Result<SourceChange, DeleteError> {

@@ -27,13 +27,13 @@ pub fn project_diagnostics(
     project: Project,
 ) -> Vec<Diagnostic> {
     let own = own_diagnostics(db, settings, project);
-    let is_shared = |finding: &&Diagnostic| has_shared_cause(db, finding);
-    if !own.iter().any(|finding| is_shared(&finding)) {
+    if !own.iter().any(|finding| has_shared_cause(db, finding)) {
         return own.clone();
     }
-    let all = projects.iter().flat_map(|project| own_diagnostics(db, settings, *project).iter().filter(is_shared));
+    let all = projects.iter().flat_map(|project| own_diagnostics(db, settings, *project));
+    let shared = all.filter(|finding| has_shared_cause(db, finding));
     let manifest = project.manifest(db);
-    let mut first = join_causes(db, all.cloned().collect());
+    let mut first = join_causes(db, shared.cloned().collect());
     first.retain(|finding| finding.application == Some(manifest));
     let mut first = first.into_iter().peekable();
     // The remaining findings keep the order of the project.
@@ -79,9 +79,10 @@ pub fn program_diagnostics(
     let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
     let mut found = finish_each(db, &units, settings.settings(db), checked).findings;
     found.retain(|finding| finding.place.file == file);
-    let depends_on_others =
-        |finding: &Diagnostic| is_once_per_application(finding.rule) || has_shared_cause(db, finding);
-    (!found.iter().any(depends_on_others)).then_some(found)
+    match found.iter().any(|finding| is_once_per_application(finding.rule) || has_shared_cause(db, finding)) {
+        true => None,
+        false => Some(found),
+    }
 }
 
 /// Findings in a unit.
@@ -145,20 +146,26 @@ mod tests {
         let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
         let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
-        let codes = |db: &Database| -> Vec<Vec<&str>> {
-            let found = workspace.projects.iter().map(|project| own_diagnostics(db, settings, *project));
-            found.map(|found| found.iter().map(|found| found.rule.code).collect()).collect()
-        };
-        assert_eq!(codes(&workspace.db), [["V0101"], ["V0101"]]);
-        let other = Sources::get(&workspace.db).files(&workspace.db).iter().find(|(path, _)| path.contains("other"));
-        let (_, other) = other.unwrap();
-        let (other, text) = (*other, other.text(&workspace.db).replace("nB=2", "\n  nB=2"));
+        let projects = &workspace.projects;
+        assert_eq!(own_codes(&workspace.db, settings, projects), [["V0101"], ["V0101"]]);
+        let other = file(&workspace.db, "other.pgx");
+        let text = other.text(&workspace.db).replace("nB=2", "\n  nB=2");
         ran.lock().unwrap().clear();
         other.set_text(&mut workspace.db).to(text.into());
-        assert_eq!(codes(&workspace.db), [["V0101"], ["V0101"]]);
+        assert_eq!(own_codes(&workspace.db, settings, projects), [["V0101"], ["V0101"]]);
         let ran = ran.lock().unwrap();
         assert_eq!(ran.iter().filter(|name| name.starts_with("checked(")).count(), 1, "{ran:?}");
         assert_eq!(ran.iter().filter(|name| name.starts_with("own_diagnostics(")).count(), 1);
+    }
+
+    /// Codes of each project's own findings.
+    fn own_codes<'db>(db: &'db Database, settings: CheckSettings, projects: &[Project]) -> Vec<Vec<&'db str>> {
+        let found = projects.iter().map(|project| own_diagnostics(db, settings, *project));
+        found.map(|found| found.iter().map(|found| found.rule.code).collect()).collect()
+    }
+
+    fn file(db: &Database, name: &str) -> File {
+        *Sources::get(db).files(db).iter().find(|(path, _)| path.ends_with(name)).unwrap().1
     }
 
     const REACH: &str = "movej(pA,flange,mA)\n\nprogram other()\nbegin\nputln(1)\nend\n\n\
@@ -184,26 +191,20 @@ mod tests {
         let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
         let project = workspace.projects[0];
-        let reached = |db: &Database| {
-            let found = own_diagnostics(db, settings, project).iter();
-            found.filter(|found| found.rule.code == "V0411").map(|found| found.message.clone()).collect::<Vec<_>>()
-        };
-        assert_eq!(reached(&workspace.db).len(), 1);
-        let file = |db: &Database, name: &str| {
-            let files = Sources::get(db).files(db);
-            *files.iter().find(|(path, _)| path.ends_with(name)).unwrap().1
-        };
+        let codes = |db: &Database| own_codes(db, settings, &[project]).concat().join(" ");
+        let unreachable = |db: &Database| codes(db).matches("V0411").count();
+        assert_eq!(unreachable(&workspace.db), 1);
         let other = file(&workspace.db, "other.pgx");
         let text = other.text(&workspace.db).replace("putln(1)", "putln(2)\nputln(3)");
         ran.lock().unwrap().clear();
         other.set_text(&mut workspace.db).to(text.into());
-        assert_eq!(reached(&workspace.db).len(), 1);
+        assert_eq!(unreachable(&workspace.db), 1);
         // Only the edited program is checked again.
         assert_eq!(ran.lock().unwrap().iter().filter(|name| name.starts_with("member(")).count(), 1, "{ran:?}");
         let data = file(&workspace.db, "main.dtx");
         let text = data.text(&workspace.db).replace("2000", "500");
         data.set_text(&mut workspace.db).to(text.into());
-        assert_eq!(reached(&workspace.db), Vec::<String>::new());
+        assert_eq!(unreachable(&workspace.db), 0);
     }
 
     #[test]

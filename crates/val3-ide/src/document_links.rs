@@ -77,11 +77,11 @@ mod tests {
         let marked = MarkedListing::new(listing);
         let db = marked.db();
         let file = of(&marked);
-        let line = |link: DocumentLink| {
+        let lines = document_links(db, file).into_iter().map(|link| {
             let place = shown(db, FileRange { file, range: link.range });
             format!("{place} -> {}\n", link.target.path(db).file_name().unwrap())
-        };
-        document_links(db, file).into_iter().map(line).collect()
+        });
+        lines.collect()
     }
 
     const LISTING: &str = "library part \"Disk://part/part.pjx\" autoload=false\nlibrary gone \"Disk://gone/gone.pjx\"\ntype Slot \"Disk://Slot/Slot.pjx\"\nputln(par$0t:libLoad(\"Disk://part\"))\nputln(part:libLoad(\"Disk://nowhere\"))\n--- part\n--- Slot\n";

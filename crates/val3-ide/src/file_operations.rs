@@ -40,13 +40,7 @@ pub fn will_rename_files(db: &dyn Db, renames: &[(Utf8PathBuf, Utf8PathBuf)]) ->
 pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
     let mut edits = Vec::new();
     for project in projects(db) {
-        let own = |path: &&Utf8PathBuf| lies_in(path, folder(db, project)) && find(db, path).is_none();
-        let names = |extension: &str| -> Vec<String> {
-            let fits = |path: &&Utf8PathBuf| has_extension(path, extension) && !is_listed(db, project, path);
-            let new = paths.iter().filter(own).filter(fits);
-            new.filter_map(|path| path.file_name()).map(str::to_owned).collect()
-        };
-        let (programs, data) = (names("pgx"), names("dtx"));
+        let (programs, data) = (new_files(db, project, paths, "pgx"), new_files(db, project, paths, "dtx"));
         if !programs.is_empty() {
             edits.extend(program_entries(db, project, &programs));
         }
@@ -55,6 +49,13 @@ pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
         }
     }
     SourceChange::of(edits).sorted(db)
+}
+
+/// Names of the files with this extension in the project's folder that are neither loaded nor listed.
+fn new_files(db: &dyn Db, project: Project, paths: &[Utf8PathBuf], extension: &str) -> Vec<String> {
+    let files = paths.iter().filter(|path| has_extension(path, extension) && lies_in(path, folder(db, project)));
+    let new = files.filter(|path| find(db, path).is_none() && !is_listed(db, project, path));
+    new.filter_map(|path| path.file_name()).map(str::to_owned).collect()
 }
 
 /// Removes deleted files from the `.pjx` files.
@@ -102,8 +103,7 @@ fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
             }
         });
     }
-    let is_new = |project: &Project| !lies_in(file.path(db), folder(db, *project));
-    if let Some(target) = target.filter(is_new).filter(|_| listed) {
+    if let Some(target) = target.filter(|target| listed && !lies_in(file.path(db), folder(db, *target))) {
         let name = vec![to.file_name().unwrap_or("").to_owned()];
         edits.extend(match has_extension(to, "pgx") {
             true => program_entries(db, target, &name),

@@ -84,8 +84,8 @@ fn walk(node: View<'_>, folds: &mut Vec<Fold>) {
 fn branches(statement: View<'_>, folds: &mut Vec<Fold>) {
     let mut start = statement.range().start();
     let mut end = statement.child(SyntaxKind::BLOCK).map_or(start, |block| last_line(block));
-    let is_clause = |kind| matches!(kind, SyntaxKind::ELSE_IF_CLAUSE | SyntaxKind::ELSE_CLAUSE);
-    for clause in statement.children().filter(|child| is_clause(child.kind())) {
+    let parts = statement.children();
+    for clause in parts.filter(|part| matches!(part.kind(), SyntaxKind::ELSE_IF_CLAUSE | SyntaxKind::ELSE_CLAUSE)) {
         folds.push(Fold { range: TextRange::new(start, end.max(start)), kind: FoldKind::Block });
         start = clause.range().start();
         end = clause.child(SyntaxKind::BLOCK).map_or(start, |block| last_line(block));

@@ -17,7 +17,7 @@ pub(crate) use text::shape;
 pub(crate) use units::sign as unit_sign;
 pub(crate) use xml::value_attribute;
 
-use val3_analysis::application::{TaskStart, application};
+use val3_analysis::application::application;
 use val3_analysis::body::{Constant, Expr, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::infer::infer;
@@ -45,15 +45,20 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
         return Some(Hover { range: found.range, markdown });
     }
     let project = owner(db, at.file)?;
-    let in_code = || {
-        let word = keyword(db, at).or_else(|| numbers::hover(db, project, at));
-        let word = word.or_else(|| xml::loaded(db, project, at)).or_else(|| constant(db, at));
-        word.or_else(|| literal_fields::hover(db, project, at))
-    };
-    let found = attributes::hover(db, project, at).or_else(in_code).or_else(|| xml::hover(db, project, at));
+    let found =
+        attributes::hover(db, project, at).or_else(|| word(db, project, at)).or_else(|| xml::hover(db, project, at));
     let position = found.is_some().then(|| position::around(db, project, at)).flatten();
     let position = position.map(|text| format!("\n{text}")).unwrap_or_default();
     found.map(|hover| Hover { markdown: hover.markdown + &position, ..hover })
+}
+
+/// Hover information for a word or literal in the code that is no name.
+fn word(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
+    keyword(db, at)
+        .or_else(|| numbers::hover(db, project, at))
+        .or_else(|| xml::loaded(db, project, at))
+        .or_else(|| constant(db, at))
+        .or_else(|| literal_fields::hover(db, project, at))
 }
 
 /// Hover information for a symbol as used in `project`.
@@ -100,11 +105,11 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
 /// Programs that tasks of this name execute.
 fn task(db: &dyn Db, owner: Project, name: &str) -> Option<String> {
     let tasks = application(db, owner).created_tasks().filter(|start| start.name.as_deref() == Some(name));
-    let line = |start: &TaskStart| {
+    let lines = tasks.map(|start| {
         let library = start.program.library.as_ref().map(|library| format!("{library}:")).unwrap_or_default();
         format!("task \"{name}\" runs {library}{}", start.program.program)
-    };
-    let mut lines: Vec<String> = tasks.map(line).collect();
+    });
+    let mut lines: Vec<String> = lines.collect();
     lines.dedup();
     (!lines.is_empty()).then(|| fenced(&lines.join("\n")))
 }

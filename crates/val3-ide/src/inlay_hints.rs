@@ -194,8 +194,10 @@ impl<'db> Hints<'db> {
         let base = self.inference.ty(id).base;
         let name = base.builtin().map_or_else(|| base.display(self.db), |ty| ty.name().into());
         if base != Base::Unknown {
-            let is_inner = |offset| values.iter().flatten().any(|value| self.body.range(*value).start() == offset);
-            self.found.retain(|hint| hint.kind != InlayHintKind::Type || !is_inner(hint.offset));
+            self.found.retain(|hint| {
+                let mut starts = values.iter().flatten().map(|value| self.body.range(*value).start());
+                hint.kind != InlayHintKind::Type || !starts.any(|start| start == hint.offset)
+            });
             let (offset, label, kind) = (range.start(), name.to_string(), InlayHintKind::Type);
             self.found.push(InlayHint { offset, label, kind, tooltip: String::new(), symbol: None });
         }

@@ -46,11 +46,11 @@ pub fn inline_values(db: &dyn Db, file: File, within: TextRange) -> Vec<InlineVa
 
 /// Expressions that are the start of a longer variable expression, or the name of a callee.
 fn parts(body: &Body) -> FxHashSet<ExprId> {
-    let part = |expr: &Expr| match expr {
+    let parts = body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Field { base, .. } | Expr::Index(base, _) | Expr::Call(base, _) => Some(*base),
         _ => None,
-    };
-    body.exprs().filter_map(|(_, expr, _)| part(expr)).collect()
+    });
+    parts.collect()
 }
 
 /// Name at the start of a variable expression with indexes and fields; `None` for other expressions.

@@ -70,11 +70,14 @@ impl LineTokens {
 
 /// Whether the cursor is after `begin` and before `end`, if these exist.
 fn holds_statements(code: &SyntaxNode, offset: TextSize) -> bool {
-    let token = |kind| {
-        let mut tokens = code.children_with_tokens().filter_map(|child| child.into_token());
-        tokens.find(|token| token.kind() == kind).map(|token| token.text_range())
-    };
-    token(BEGIN_KW).is_none_or(|begin| begin.end() < offset) && token(END_KW).is_none_or(|end| offset <= end.end())
+    first_token(code, BEGIN_KW).is_none_or(|begin| begin.end() < offset)
+        && first_token(code, END_KW).is_none_or(|end| offset <= end.end())
+}
+
+/// Range of the first token of this kind among the node's children.
+fn first_token(node: &SyntaxNode, kind: SyntaxKind) -> Option<TextRange> {
+    let mut tokens = node.children_with_tokens().filter_map(|child| child.into_token());
+    tokens.find(|token| token.kind() == kind).map(|token| token.text_range())
 }
 
 fn touches_cursor(kind: SyntaxKind) -> bool {

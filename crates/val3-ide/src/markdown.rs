@@ -58,8 +58,12 @@ fn begins_block(before: &str, letter: char) -> bool {
 
 /// Whether a character is required in automatic links: `://`, `www.`
 fn begins_link(before: &str, rest: &str) -> bool {
-    let is_www = || before.get(before.len().saturating_sub(3)..).is_some_and(|end| end.eq_ignore_ascii_case("www"));
-    rest.starts_with("://") || rest.starts_with('.') && is_www()
+    rest.starts_with("://") || rest.starts_with('.') && ends_with_www(before)
+}
+
+/// Whether the text ends with `www` in any letter case.
+fn ends_with_www(text: &str) -> bool {
+    text.get(text.len().saturating_sub(3)..).is_some_and(|end| end.eq_ignore_ascii_case("www"))
 }
 
 fn longest_run(text: &str) -> usize {

@@ -100,11 +100,9 @@ fn creation(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
     let tasks = application(db, project).tasks.iter();
     let mut creators = tasks.filter(|task| task.start.name.as_deref() == Some(name));
     let file = *items(db, project).programs.get(creators.next()?.created_by.as_ref()?)?;
-    let is_it = |found: &&Occurrence| {
-        found.usage == Usage::Declaration && matches!(&found.symbol, Symbol::Task(_, known) if known == name)
-    };
-    let range = occurrences(db, project, file).iter().find(is_it)?.range;
-    Some(FileRange { file, range })
+    let mut declarations = occurrences(db, project, file).iter().filter(|found| found.usage == Usage::Declaration);
+    let creation = declarations.find(|found| matches!(&found.symbol, Symbol::Task(_, task) if task == name))?;
+    Some(FileRange { file, range: creation.range })
 }
 
 /// Project to which a library identifier or type name resolves.
@@ -149,12 +147,12 @@ pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<NavigationTarget> {
         Symbol::Data(project, name) | Symbol::Program(project, name) => (*project, name),
         _ => return Vec::new(),
     };
-    let same = |project: &Project| match &found.symbol {
-        Symbol::Data(..) => Symbol::Data(*project, name.clone()),
-        _ => Symbol::Program(*project, name.clone()),
-    };
-    let places = implementing(db, interface).filter_map(|project| declaration(db, &same(&project)));
-    places.map(|to| NavigationTarget { from: found.range, to }).collect()
+    let items = implementing(db, interface).map(|project| match &found.symbol {
+        Symbol::Data(..) => Symbol::Data(project, name.clone()),
+        _ => Symbol::Program(project, name.clone()),
+    });
+    let declarations = items.filter_map(|item| declaration(db, &item));
+    declarations.map(|to| NavigationTarget { from: found.range, to }).collect()
 }
 
 /// Libraries that programs load for an interface.
@@ -266,29 +264,30 @@ mod tests {
 
     #[test]
     fn entries_of_the_project_file_lead_to_files() {
-        let check = |listing: &str, expected: Expect| {
-            let marked = MarkedListing::new(listing);
-            let targets = declarations(marked.db(), marked.at());
-            expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
-        };
-        check(
+        check_declarations(
             "call oth$0er()\nprogram other()\nbegin\nend",
             expect![[r#"
             main/main.pjx:5 other.pgx
         "#]],
         );
-        check(
+        check_declarations(
             &format!("library part \"Disk://part/part.pjx\"\nput(part:nWei$0ght){LIBRARY}"),
             expect![[r#"
             main/main.pjx:11 part
         "#]],
         );
-        check(
+        check_declarations(
             "num nA\nn$0A=1",
             expect![[r#"
             main/main.dtx:4 nA
         "#]],
         );
+    }
+
+    fn check_declarations(listing: &str, expected: Expect) {
+        let marked = MarkedListing::new(listing);
+        let targets = declarations(marked.db(), marked.at());
+        expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
     }
 
     #[test]

@@ -65,12 +65,14 @@ fn unfinished(assert: &str) -> String {
 
 /// Library identifier of the assertions.
 fn alias_of_assertions(db: &dyn Db, project: Project) -> Option<SmolStr> {
-    let is_assertions = |library: Project| library.manifest(db).path(db).file_stem() == Some(ASSERTIONS);
     let libraries = items(db, project).libraries.iter();
-    let mut found: Vec<&SmolStr> =
-        libraries.filter(|(_, item)| item.interface.is_some_and(is_assertions)).map(|(alias, _)| alias).collect();
-    found.sort();
-    found.first().map(|alias| (*alias).clone())
+    let assertions = libraries.filter(|(_, item)| item.interface.is_some_and(|library| is_assertions(db, library)));
+    assertions.map(|(alias, _)| alias).min().cloned()
+}
+
+/// Whether the project is the library of assertions.
+fn is_assertions(db: &dyn Db, library: Project) -> bool {
+    library.manifest(db).path(db).file_stem() == Some(ASSERTIONS)
 }
 
 /// Local variables and code lines of a test.

@@ -49,13 +49,15 @@ fn of_data(element: XmlElement<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Fathe
 
 fn of_value(element: XmlElement<'_>, value: XmlElement<'_>, ty: BaseType) -> Option<(SmolStr, FatherAndBlend)> {
     let key = value.value("key").or_else(|| value.value("index"))?;
-    let written = |name: &str| {
-        let inner = || value.elements().find_map(|part| part.value(name));
-        value.value(name).or_else(inner).map(SmolStr::from)
-    };
-    let father = written("fatherId").filter(|father| !father.is_empty()).or_else(|| old_father(element));
-    let blend = (ty == BaseType::Mdesc).then(|| blend(written)).flatten();
+    let father = attribute(value, "fatherId").filter(|father| !father.is_empty()).or_else(|| old_father(element));
+    let blend = if ty == BaseType::Mdesc { blend(|name| attribute(value, name)) } else { None };
     Some((key.into(), FatherAndBlend { father, blend }))
+}
+
+/// Attribute of a value, or of an element in it as in s5 and s6.
+fn attribute(value: XmlElement<'_>, name: &str) -> Option<SmolStr> {
+    let text = value.value(name).or_else(|| value.elements().find_map(|part| part.value(name)))?;
+    Some(SmolStr::from(text))
 }
 
 /// Father of all values in s5 and s6.
@@ -65,19 +67,19 @@ fn old_father(element: XmlElement<'_>) -> Option<SmolStr> {
     Some(format!("{name}[{}]", father.value("fatherIndex").unwrap_or("0".into())).into())
 }
 
-/// Kind of the blend, and its distances if it has any.
+/// Kind of the blend, and its distances if it has any. `written` returns the attribute with a name.
 fn blend(written: impl Fn(&str) -> Option<SmolStr>) -> Option<SmolStr> {
     let mut kind: Option<&Enumerator> = None;
     let mut distances = String::new();
-    for attribute in attributes(BaseType::Mdesc, None) {
-        match attribute.value {
+    for known in attributes(BaseType::Mdesc, None) {
+        match known.value {
             AttributeValue::Choice(ty) => {
-                let named = written(attribute.name);
+                let named = written(known.name);
                 kind = named.map_or_else(|| values(ty).next(), |name| find_in_file(ty, &name));
             }
-            AttributeValue::Number if is_distance(attribute.field) => {
-                let number = written(attribute.name).or_else(|| default(attribute.default))?;
-                distances.push_str(&format!(", {} {number}", attribute.field));
+            AttributeValue::Number if is_distance(known.field) => {
+                let number = written(known.name).or_else(|| default(known.default))?;
+                distances.push_str(&format!(", {} {number}", known.field));
             }
             _ => {}
         }

@@ -94,11 +94,11 @@ pub fn project_content(db: &dyn Db, project: Project) -> ProjectContent {
     };
     if let Some(root) = root {
         let spelling = spelling(root);
-        let list = |list, name, path| {
-            entries(root, list).filter_map(move |entry| reference(db, project, entry, name, path)).collect()
-        };
-        content.libraries = list(spelling.libraries, spelling.library_name, spelling.library_path);
-        content.types = list(spelling.types, "name", "path");
+        let (name, path) = (spelling.library_name, spelling.library_path);
+        let libraries = entries(root, spelling.libraries);
+        content.libraries = libraries.filter_map(|entry| reference(db, project, entry, name, path)).collect();
+        let types = entries(root, spelling.types);
+        content.types = types.filter_map(|entry| reference(db, project, entry, "name", "path")).collect();
     }
     content
 }
@@ -112,16 +112,11 @@ pub(crate) fn has_types(root: XmlElement<'_>) -> bool {
 #[salsa::tracked]
 fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
     let header = program::header(db, file);
-    let what = || TreeProgram { public: header.public, runs: runs_alone(header) };
-    let item = |OutlineItem { name, detail, range, name_range, .. }| TreeItem {
-        name,
-        detail,
-        file,
-        range,
-        name_range,
-        what: what(),
-    };
-    outline(db, file).into_iter().map(item).collect()
+    let items = outline(db, file).into_iter().map(|OutlineItem { name, detail, range, name_range, .. }| {
+        let what = TreeProgram { public: header.public, runs: runs_alone(header) };
+        TreeItem { name, detail, file, range, name_range, what }
+    });
+    items.collect()
 }
 
 /// Data of a file, memoised like [`programs`].

@@ -39,10 +39,10 @@ pub(crate) fn reachable(db: &dyn Db, project: Project) -> Vec<Reachable> {
 
 fn named(db: &dyn Db, project: Project, other: Project) -> Option<Reachable> {
     let long = path(db, project, other.manifest(db).path(db))?;
-    let is_other = |reference: &str| find_project(db, project, reference) == Some(other);
-    let folder = long.rsplit_once('/').map(|(folder, _)| folder).filter(|folder| is_other(folder));
+    let leads_to_other = |reference: &str| find_project(db, project, reference) == Some(other);
+    let folder = long.rsplit_once('/').map(|(folder, _)| folder).filter(|folder| leads_to_other(folder));
     let short = folder.unwrap_or(&long).to_owned();
-    is_other(&long).then_some(Reachable { project: other, short, long })
+    leads_to_other(&long).then_some(Reachable { project: other, short, long })
 }
 
 /// Path of a project file, starting with a root; without roots, relative to the project.

@@ -214,10 +214,7 @@ mod tests {
         let fixture = Fixture::parse(&format!("num nA\nnA=1\n{programs}"));
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
         let mut db = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap().db;
-        let find = |name: &str| {
-            let files = Sources::get(&db).files(&db);
-            *files.iter().find(|(path, _)| path.contains(name)).unwrap().1
-        };
+        let find = |name: &str| *Sources::get(&db).files(&db).iter().find(|(path, _)| path.contains(name)).unwrap().1;
         let (start, other) = (find("start.pgx"), find("p7.pgx"));
         let offset = TextSize::try_from(start.text(&db).find("nA=").unwrap()).unwrap();
         let count = |db: &Database| references(db, FilePosition { file: start, offset }, true).len();

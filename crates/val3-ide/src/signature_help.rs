@@ -73,25 +73,31 @@ fn instruction_form(found: &Instruction, form: &Overload) -> CallForm {
 /// Ranges of the parameters in a line, in order.
 fn places(line: &str, params: impl Iterator<Item = String>) -> Vec<(u32, u32)> {
     let mut from = line.find(['(', ' ']).map_or(0, |at| at + 1);
-    let place = |param: String| {
+    let places = params.map_while(|param| {
         let start = from + line.get(from..)?.find(&param)?;
         from = start + param.len();
         Some((u32::try_from(start).ok()?, u32::try_from(from).ok()?))
-    };
-    params.map_while(place).collect()
+    });
+    places.collect()
 }
 
 /// Index of the form with enough parameters and the most matching argument types.
 fn best_form(forms: &[&Overload], types: &[Ty], active: usize) -> usize {
-    let fits = |form: &Overload| {
-        let agreeing = form.params.iter().zip(types).filter(|(param, ty)| match (param.ty, ty.base) {
-            (None, _) | (_, Base::Unknown) => false,
-            (Some(wanted), base) => base.same_as(Base::of(wanted)),
-        });
-        (form.params.len() > active, form.params.len() >= types.len(), agreeing.count())
-    };
+    let by_rank = forms.iter().enumerate().rev().max_by_key(|(_, form)| {
+        let len = form.params.len();
+        (len > active, len >= types.len(), matching_types(form, types))
+    });
     // If several forms are equally suitable, the first one is used.
-    forms.iter().enumerate().rev().max_by_key(|(_, form)| fits(form)).map_or(0, |(index, _)| index)
+    by_rank.map_or(0, |(index, _)| index)
+}
+
+/// Number of arguments that have their parameter's type.
+fn matching_types(form: &Overload, types: &[Ty]) -> usize {
+    let matching = form.params.iter().zip(types).filter(|(param, ty)| match (param.ty, ty.base) {
+        (None, _) | (_, Base::Unknown) => false,
+        (Some(wanted), base) => base.same_as(Base::of(wanted)),
+    });
+    matching.count()
 }
 
 /// Program of a callee.

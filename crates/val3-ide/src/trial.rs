@@ -63,8 +63,8 @@ impl<'s> TrialProjects<'s> {
         let db = &self.workspace.db;
         let file = *Sources::get(db).files(db).get(&path_key(path.as_str()))?;
         let settings = self.settings();
-        let is_wanted = |unit: &CheckUnit| matches!(unit, CheckUnit::Data(_, found) if *found == file);
-        let units = units(db, &self.workspace.projects).into_iter().filter(is_wanted);
+        let units = units(db, &self.workspace.projects).into_iter();
+        let units = units.filter(|unit| matches!(unit, CheckUnit::Data(_, data) if *data == file));
         Some((file, units.map(|unit| self.checked(unit, &settings)).sum::<Checked>().findings))
     }
 

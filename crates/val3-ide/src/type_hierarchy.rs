@@ -32,10 +32,9 @@ pub fn type_item(db: &dyn Db, at: FilePosition) -> Option<TypeItem> {
 /// Types with a field of the given type.
 pub fn supertypes(db: &dyn Db, of: File) -> Vec<TypeItem> {
     let Some(own) = project_of(db, of) else { return Vec::new() };
-    let holds = |project: &Project| {
-        is_type(db, *project) && fields(db, *project).values().any(|field| user(field.base) == Some(own))
-    };
-    projects(db).into_iter().filter(holds).map(|project| item(db, project)).collect()
+    let types = projects(db).into_iter().filter(|project| is_type(db, *project));
+    let supertypes = types.filter(|ty| fields(db, *ty).values().any(|field| user(field.base) == Some(own)));
+    supertypes.map(|project| item(db, project)).collect()
 }
 
 /// Types of a type's fields.

@@ -2,8 +2,8 @@
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File};
-use val3_analysis::items::declarations::{Declared, all_locals, all_params};
-use val3_analysis::items::program::{Header, LocalDecl, ParamDecl, header};
+use val3_analysis::items::declarations::{all_locals, all_params};
+use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_lang::types::{BaseType, Container};
@@ -75,7 +75,8 @@ pub fn variables(db: &dyn Db, file: File) -> Option<Variables> {
 }
 
 fn parameters(db: &dyn Db, file: File, header: &Header) -> Vec<ProgramVariable> {
-    let described = |(param, declared): (&ParamDecl, Declared)| ProgramVariable {
+    let params = header.params.iter().zip(all_params(db, file));
+    let variables = params.map(|(param, declared)| ProgramVariable {
         name: param.name.clone(),
         type_name: param.type_name.clone(),
         container: param.container,
@@ -83,12 +84,13 @@ fn parameters(db: &dyn Db, file: File, header: &Header) -> Vec<ProgramVariable> 
         by_reference: param.by_reference,
         range: declared.range,
         uses: in_code(db, &Symbol::Param(file, param.name.clone())).len(),
-    };
-    header.params.iter().zip(all_params(db, file)).map(described).collect()
+    });
+    variables.collect()
 }
 
 fn locals(db: &dyn Db, file: File, header: &Header) -> Vec<ProgramVariable> {
-    let described = |(local, declared): (&LocalDecl, Declared)| ProgramVariable {
+    let locals = header.locals.iter().zip(all_locals(db, file));
+    let variables = locals.map(|(local, declared)| ProgramVariable {
         name: local.name.clone(),
         type_name: local.type_name.clone(),
         container: local.container,
@@ -96,8 +98,13 @@ fn locals(db: &dyn Db, file: File, header: &Header) -> Vec<ProgramVariable> {
         by_reference: false,
         range: declared.range,
         uses: in_code(db, &Symbol::Local(file, local.name.clone())).len(),
-    };
-    header.locals.iter().zip(all_locals(db, file)).map(described).collect()
+    });
+    variables.collect()
+}
+
+/// Whether a local or parameter has this name.
+pub(crate) fn declares_variable(header: &Header, name: &str) -> bool {
+    header.locals.iter().any(|local| local.name == name) || header.params.iter().any(|param| param.name == name)
 }
 
 /// Like [`change_signature`], for a user who may choose types that do not fit the uses.
@@ -134,11 +141,12 @@ mod tests {
         let marked = MarkedListing::new(LISTING);
         let (db, file) = (marked.db(), marked.at().file);
         let found = variables(db, file).unwrap();
-        let line = |it: &ProgramVariable| {
+        let mut lines = String::new();
+        for it in found.parameters.iter().chain(&found.locals) {
             let place = shown(db, FileRange { file, range: it.range });
-            format!("{place} {} {:?} {:?} {} {}\n", it.type_name, it.container, it.sizes, it.by_reference, it.uses)
-        };
-        let lines: String = found.parameters.iter().chain(&found.locals).map(line).collect();
+            let (container, sizes) = (it.container, &it.sizes);
+            lines += &format!("{place} {} {container:?} {sizes:?} {} {}\n", it.type_name, it.by_reference, it.uses);
+        }
         expect![[r#"
             main/other.pgx:5 x_nA num Element [] false 1
             main/other.pgx:6 x_nB num Element [] true 2
@@ -173,22 +181,24 @@ mod tests {
 
     #[test]
     fn arguments_that_callers_cannot_pass_are_refused() {
-        let add = |argument: &str| {
-            let argument = argument.to_owned();
-            refused(move |wanted| {
-                wanted.parameters.push(NewParameter {
-                    from: None,
-                    name: "x_nD".to_owned(),
-                    type_name: "num".to_owned(),
-                    container: Container::Element,
-                    by_reference: false,
-                    argument: argument.clone(),
-                });
-            })
-        };
-        expect!["it would add an error in `start.pgx`: `zUnknown` is not declared: no local variable, parameter or data has this name"].assert_eq(&add("zUnknown"));
-        assert_eq!(add("l_nSum"), "done");
+        expect!["it would add an error in `start.pgx`: `zUnknown` is not declared: no local variable, parameter or data has this name"].assert_eq(&added_with("zUnknown"));
+        assert_eq!(added_with("l_nSum"), "done");
         let local = NewLocal { from: None, name: "l_nD".to_owned(), type_name: "num".to_owned(), sizes: vec![1] };
         assert_eq!(refused(|wanted| wanted.locals.push(local.clone())), "done");
+    }
+
+    /// Adds the parameter `x_nD`, for which each caller passes `argument`.
+    fn added_with(argument: &str) -> String {
+        let argument = argument.to_owned();
+        refused(move |wanted| {
+            wanted.parameters.push(NewParameter {
+                from: None,
+                name: "x_nD".to_owned(),
+                type_name: "num".to_owned(),
+                container: Container::Element,
+                by_reference: false,
+                argument: argument.clone(),
+            });
+        })
     }
 }

@@ -66,6 +66,16 @@ impl<'t> XmlCursor<'t> {
         self.open.last()
     }
 
+    /// Whether the innermost element contains another element of this name.
+    pub(crate) fn has_sibling(&self, name: &str) -> bool {
+        self.siblings.iter().any(|sibling| sibling.name == name)
+    }
+
+    /// Whether another child of the innermost element has this raw attribute value.
+    pub(crate) fn has_sibling_with(&self, attribute: &str, value: &str) -> bool {
+        self.siblings.iter().any(|sibling| sibling.value(attribute) == Some(value))
+    }
+
     /// The tag that contains the position, and the elements around it, innermost first.
     pub(crate) fn around(&self) -> impl Iterator<Item = &Tag<'t>> {
         self.tag.iter().chain(self.open.iter().rev())

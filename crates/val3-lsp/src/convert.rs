@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 
 use salsa::Database as _;
 use tower_lsp::lsp_types::*;
-use val3_analysis::db::{File, FileRange, Project};
+use val3_analysis::db::{File, Project};
 use val3_check::diagnostic as check;
 use val3_check::rule::{Rule, Severity};
 use val3_check::topics;
@@ -53,13 +53,6 @@ pub(crate) fn program_diagnostics(snapshot: &Snapshot, project: Project, file: F
 
 /// Converts one diagnostic.
 pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diagnostic {
-    let note = |at: FileRange, message: &str| DiagnosticRelatedInformation {
-        location: snapshot.location(at),
-        message: message.to_owned(),
-    };
-    let label = Some(found.label.as_str()).filter(|label| !label.is_empty()).map(|label| note(found.place, label));
-    let related: Vec<_> =
-        label.into_iter().chain(found.related.iter().map(|other| note(other.place, &other.message))).collect();
     Diagnostic {
         range: snapshot.range(found.place.file, found.place.range),
         severity: Some(severity(found)),
@@ -67,10 +60,22 @@ pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diag
         code_description: Url::parse(&topics::address(found.rule)).ok().map(|href| CodeDescription { href }),
         source: Some(SOURCE.to_owned()),
         message: message(&found.message, &found.help),
-        related_information: (!related.is_empty()).then_some(related),
+        related_information: related_information(snapshot, found),
         tags: tag(found.rule).map(|tag| vec![tag]),
         ..Diagnostic::default()
     }
+}
+
+/// The label and the related places of a diagnostic; `None` if it has neither.
+fn related_information(snapshot: &Snapshot, found: &check::Diagnostic) -> Option<Vec<DiagnosticRelatedInformation>> {
+    let label = Some(found.label.as_str()).filter(|label| !label.is_empty()).map(|label| (found.place, label));
+    let related = found.related.iter().map(|related| (related.place, related.message.as_str()));
+    let notes = label.into_iter().chain(related).map(|(place, message)| DiagnosticRelatedInformation {
+        location: snapshot.location(place),
+        message: message.to_owned(),
+    });
+    let notes: Vec<_> = notes.collect();
+    (!notes.is_empty()).then_some(notes)
 }
 
 /// Message text, followed by the help on its own line.

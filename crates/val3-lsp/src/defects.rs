@@ -169,11 +169,7 @@ fn a_client_that_does_not_read_blocks_nothing() {
     let (input, mut to_server) = std::io::pipe().unwrap();
     let (from_server, output) = std::io::pipe().unwrap();
     let server = std::thread::spawn(move || probed(input, output));
-    let mut write = |message: &Value| {
-        let text = message.to_string();
-        std::io::Write::write_all(&mut to_server, format!("Content-Length: {}\r\n\r\n{text}", text.len()).as_bytes())
-            .unwrap();
-    };
+    let mut write = |message: &Value| write_message(&mut to_server, message);
     write(&json!({ "jsonrpc": "2.0", "id": 0, "method": "initialize", "params": { "capabilities": {} } }));
     for id in 1..4_000 {
         let params = json!({ "textDocument": { "uri": format!("file:///{}", "x".repeat(200)) }, "position": { "line": 0, "character": 0 } });
@@ -182,4 +178,9 @@ fn a_client_that_does_not_read_blocks_nothing() {
     write(&json!({ "jsonrpc": "2.0", "method": "exit" }));
     assert_eq!(server.join().unwrap(), 1);
     drop(from_server);
+}
+
+fn write_message(output: &mut impl std::io::Write, message: &Value) {
+    let text = message.to_string();
+    output.write_all(format!("Content-Length: {}\r\n\r\n{text}", text.len()).as_bytes()).unwrap();
 }

@@ -13,17 +13,19 @@ const ENDING: &str = ".loose.pjx";
 /// Open VAL 3 documents that no project lists, by path. Documents in `before` count as unlisted although their own
 /// detached project lists them.
 pub(crate) fn documents(documents: &Documents, db: &Database, before: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    let listed = |path: &Utf8Path| {
-        let Some(sources) = Sources::try_get(db) else { return false };
-        let Some(file) = sources.files(db).get(&path_key(path.as_str())) else { return false };
-        let projects = val3_ide::projects_of(db, *file);
-        projects.iter().any(|project| !is_manifest(project.manifest(db).path(db)))
-    };
     let ours = |path: &Utf8Path| before.iter().any(|known| known == path) || is_part(path);
     let open = documents.iter().map(|document| document.path.clone());
-    let mut detached: Vec<_> = open.filter(|path| ours(path) && !listed(path)).collect();
+    let mut detached: Vec<_> = open.filter(|path| ours(path) && !is_listed(db, path)).collect();
     detached.sort_unstable();
     detached
+}
+
+/// Whether a project lists the file, other than its own detached project.
+fn is_listed(db: &Database, path: &Utf8Path) -> bool {
+    let Some(sources) = Sources::try_get(db) else { return false };
+    let Some(file) = sources.files(db).get(&path_key(path.as_str())) else { return false };
+    let projects = val3_ide::projects_of(db, *file);
+    projects.iter().any(|project| !is_manifest(project.manifest(db).path(db)))
 }
 
 fn is_part(path: &Utf8Path) -> bool {

@@ -1,5 +1,7 @@
 //! Editor settings. Settings of the programs themselves belong in `val3.toml`.
 
+use std::collections::BTreeSet;
+
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use val3_check::settings::{RuleSelection, meant_by};
@@ -92,8 +94,7 @@ impl Options {
     /// Like [`read`](Self::read), for settings that the client pushes. Some clients push the settings of all servers,
     /// so an object without any known key is ignored.
     pub(crate) fn read_sent(value: &Value) -> (Self, Vec<String>) {
-        let is_ours = |key: &String| key == SECTION || OF_EDITORS.contains(&key.as_str()) || is_known(key);
-        match value.as_object().is_some_and(|given| given.keys().any(is_ours)) {
+        match value.as_object().is_some_and(|given| given.keys().any(|key| is_ours(key))) {
             true => Self::read(value),
             false => (Self::default(), Vec::new()),
         }
@@ -102,8 +103,6 @@ impl Options {
     /// Selected findings.
     pub(crate) fn selection(&self) -> RuleSelection {
         let CheckOptions { select, ignore, .. } = &self.check;
-        let codes =
-            |words: &[String]| words.iter().flat_map(|word| meant_by(word)).map(|(rule, _)| rule.code).collect();
         let only = (!select.is_empty()).then(|| codes(select));
         let named = only.clone().unwrap_or_default();
         RuleSelection { only, named, never: codes(ignore), target: None }
@@ -122,6 +121,16 @@ impl CheckOptions {
 }
 
 /// Whether the section has this key.
+/// Codes of the rules that the words name.
+fn codes(words: &[String]) -> BTreeSet<&'static str> {
+    words.iter().flat_map(|word| meant_by(word)).map(|(rule, _)| rule.code).collect()
+}
+
+/// Whether the key belongs to the settings of this server or its editor extensions.
+fn is_ours(key: &str) -> bool {
+    key == SECTION || OF_EDITORS.contains(&key) || is_known(key)
+}
+
 fn is_known(key: &str) -> bool {
     serde_json::to_value(Options::default()).is_ok_and(|settings| settings.get(key).is_some())
 }

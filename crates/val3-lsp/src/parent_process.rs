@@ -15,14 +15,16 @@ pub(crate) fn die_with(client: u32) {
         // The client process is not visible, for example from inside a container.
         return;
     }
-    let watch = move || {
-        while is_alive(client) {
-            std::thread::sleep(INTERVAL);
-        }
-        std::process::exit(1);
-    };
     // Without this thread, the end of the input still ends the server.
-    let _ = std::thread::Builder::new().name("client".to_owned()).spawn(watch);
+    let _ = std::thread::Builder::new().name("client".to_owned()).spawn(move || exit_after(client));
+}
+
+/// Ends this process when the client process has ended.
+fn exit_after(client: u32) {
+    while is_alive(client) {
+        std::thread::sleep(INTERVAL);
+    }
+    std::process::exit(1);
 }
 
 #[cfg(target_os = "linux")]

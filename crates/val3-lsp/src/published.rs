@@ -67,9 +67,8 @@ impl Published {
         let known = self.found.remove(&found.finder).unwrap_or_default();
         let gone = known.keys().filter(|uri| !now.contains_key(*uri));
         // Findings are sent for every version of a document, even if they are unchanged.
-        let is_news = |uri: &Url, found| known.get(uri) != Some(found) || documents.get(uri).is_some();
-        let news = now.iter().filter(|(uri, found)| is_news(uri, found)).map(|(uri, _)| uri);
-        let changed: Vec<Url> = gone.chain(news).cloned().collect();
+        let news = now.iter().filter(|(uri, found)| known.get(*uri) != Some(*found) || documents.get(uri).is_some());
+        let changed: Vec<Url> = gone.chain(news.map(|(uri, _)| uri)).cloned().collect();
         self.found.insert(found.finder, now);
         changed.iter().for_each(|uri| self.send(uri, documents, outbox));
     }
@@ -89,10 +88,11 @@ impl Published {
     /// Removes the findings of projects that no longer exist.
     pub(crate) fn keep(&mut self, projects: &[Project], documents: &Documents, outbox: &Outbox) {
         let kept: FxHashSet<Project> = projects.iter().copied().collect();
-        let is_gone =
-            |finder: &FindingSource| matches!(finder, FindingSource::Project(project) if !kept.contains(project));
-        let gone: FxHashSet<FindingSource> = self.found.keys().copied().filter(is_gone).collect();
-        for finder in gone {
+        let gone = self.found.keys().copied().filter(|finder| match finder {
+            FindingSource::Project(project) => !kept.contains(project),
+            _ => false,
+        });
+        for finder in gone.collect::<FxHashSet<FindingSource>>() {
             self.project(ProjectFindings { finder, files: Vec::new() }, documents, outbox);
             self.found.remove(&finder);
         }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
-use crate::job::{Job, JobPart, OnEdit};
+use crate::job::{Compute, Job, JobPart, OnEdit};
 use crate::pool::Priority;
 use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
@@ -39,12 +39,9 @@ impl Routes {
         R::Params: Send + Sync + 'static,
         R::Result: 'static,
     {
-        let read = move |params: Value| {
-            let params: R::Params = read_params(params)?;
-            let compute = Arc::new(move |snapshot: &Snapshot| answer(handler(snapshot, &params)).map(Some));
-            Ok(Job { method: R::METHOD, priority, on_edit, compute })
-        };
-        self.0.insert(R::METHOD, Route::Request(Box::new(read)));
+        self.request::<R>(priority, on_edit, move |params| {
+            Arc::new(move |snapshot: &Snapshot| answer(handler(snapshot, &params)).map(Some))
+        });
     }
 
     /// Adds a request that is computed in parts, with a state that is passed from part to part.
@@ -59,19 +56,31 @@ impl Routes {
         R::Result: 'static,
         S: Default + Send + 'static,
     {
-        let read = move |params: Value| {
-            let params: R::Params = read_params(params)?;
+        self.request::<R>(priority, on_edit, move |params| {
             let state = Mutex::new(S::default());
-            let compute = Arc::new(move |snapshot: &Snapshot| {
+            Arc::new(move |snapshot: &Snapshot| {
                 let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
                 match handler(snapshot, &params, &mut state) {
                     JobPart::Last(result) => answer(Ok(result)).map(Some),
                     JobPart::More => Ok(None),
                 }
-            });
-            Ok(Job { method: R::METHOD, priority, on_edit, compute })
-        };
-        self.0.insert(R::METHOD, Route::Request(Box::new(read)));
+            })
+        });
+    }
+
+    /// Adds a request; `compute` returns the computation for given parameters.
+    fn request<R>(
+        &mut self,
+        priority: Priority,
+        on_edit: OnEdit,
+        compute: impl Fn(R::Params) -> Compute + Send + 'static,
+    ) where
+        R: tower_lsp::lsp_types::request::Request,
+    {
+        let route = Route::Request(Box::new(move |params| {
+            Ok(Job { method: R::METHOD, priority, on_edit, compute: compute(read_params(params)?) })
+        }));
+        self.0.insert(R::METHOD, route);
     }
 
     /// Adds a notification that the main loop handles itself.
@@ -80,11 +89,11 @@ impl Routes {
         N: tower_lsp::lsp_types::notification::Notification,
         N::Params: Send + 'static,
     {
-        let read = move |params: Value| {
+        let route = Route::Notification(Box::new(move |params| {
             let params: N::Params = read_params(params)?;
-            Ok(Box::new(move |server: &mut ServerState| handler(server, params)) as NotificationHandler)
-        };
-        self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
+            Ok(Box::new(move |server: &mut ServerState| handler(server, params)))
+        }));
+        self.0.insert(N::METHOD, route);
     }
 
     /// Methods with a handler, in any order.

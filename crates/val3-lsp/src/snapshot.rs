@@ -150,10 +150,9 @@ impl Snapshot {
     /// Findings in each project that contains the file.
     pub(crate) fn findings(&self, file: File) -> impl Iterator<Item = Vec<Diagnostic>> {
         let judged = val3_ide::projects_of(&self.db, file).iter().filter(|it| self.projects.contains(it));
-        let found = move |settings: CheckSettings| {
+        self.settings.into_iter().flat_map(move |settings| {
             judged.clone().map(move |it| val3_ide::project_diagnostics(&self.db, settings, &self.projects, *it))
-        };
-        self.settings.into_iter().flat_map(found)
+        })
     }
 
     /// Calls `ask` with the context in which changes are tried.

@@ -124,8 +124,12 @@ fn change(kind: EventKind) -> Option<Change> {
 
 fn matters(path: &Utf8PathBuf) -> bool {
     let Some(extension) = path.extension() else { return false };
-    let is_one = |endings: &[&str]| endings.iter().any(|of| extension.eq_ignore_ascii_case(of));
-    is_one(&ENDINGS) || is_one(&OF_PAGES) && is_in_pages(path)
+    contains(&ENDINGS, extension) || contains(&OF_PAGES, extension) && is_in_pages(path)
+}
+
+/// Whether one of the words is `extension`, in any letter case.
+fn contains(words: &[&str], extension: &str) -> bool {
+    words.iter().any(|word| word.eq_ignore_ascii_case(extension))
 }
 
 fn is_in_pages(path: &Utf8Path) -> bool {

@@ -36,7 +36,8 @@ pub(crate) fn settings_changed(server: &mut ServerState, params: DidChangeConfig
     if server.session.client.has_settings {
         server.ask_for_settings();
     } else {
-        server.set_options(Options::read_sent(&params.settings));
+        let (options, faults) = Options::read_sent(&params.settings);
+        server.set_options(options, &faults);
     }
 }
 

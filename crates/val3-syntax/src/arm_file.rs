@@ -18,16 +18,18 @@ impl ArmFile {
     pub fn read(text: &str) -> Self {
         let parse = crate::parse(text);
         let entries = || xml::root(parse.view()).into_iter().flat_map(XmlElement::elements);
-        let value = |name: &str| {
-            let named = entries().find(|entry| entry.value("name").as_deref() == Some(name));
-            named.and_then(|entry| entry.value("value")).map(|value| value.trim().to_owned())
-        };
         Self {
-            model: value("arm").filter(|model| !model.is_empty()),
-            length_axis3: value("lengthAxis3"),
+            model: value(entries(), "arm").filter(|model| !model.is_empty()),
+            length_axis3: value(entries(), "lengthAxis3"),
             ranges: entries().filter_map(range).collect(),
         }
     }
+}
+
+/// Value of the entry with this name.
+fn value<'g>(mut entries: impl Iterator<Item = XmlElement<'g>>, name: &str) -> Option<String> {
+    let entry = entries.find(|entry| entry.value("name").as_deref() == Some(name))?;
+    entry.value("value").map(|value| value.trim().to_owned())
 }
 
 fn range(list: XmlElement<'_>) -> Option<[Vec<f64>; 2]> {

@@ -17,11 +17,11 @@ pub fn add_control_characters(text: &str, errors: &mut Vec<SyntaxError>) {
     if found.is_empty() {
         return;
     }
-    let is_cause = |error: &SyntaxError| {
+    errors.retain(|error| {
         let next = found.partition_point(|(line, _)| line.end() <= error.range.start());
-        found.get(next).is_some_and(|(line, _)| line.contains(error.range.start()))
-    };
-    errors.retain(|error| !(error.kind.is_local_to_line() && is_cause(error)));
+        let is_in_line = found.get(next).is_some_and(|(line, _)| line.contains(error.range.start()));
+        !(is_in_line && error.kind.is_local_to_line())
+    });
     errors.extend(found.into_iter().map(|(_, error)| error));
     errors.sort_by_key(|error| error.range.start());
 }

@@ -57,14 +57,16 @@ fn is_about_ends(kind: &SyntaxErrorKind) -> bool {
 
 /// Joins a `do` without `until` and a later `while` without `endWhile`.
 fn do_while(first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxError> {
-    let opener = |name: &str| {
-        let is_it =
-            |error: &&SyntaxError| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { block, .. } if block == name);
-        [first, second].into_iter().find(is_it).and_then(|error| error.related)
-    };
-    let (opened, ended) = (opener("do")?, opener("while")?);
+    let opened = opener("do", first).or_else(|| opener("do", second))?;
+    let ended = opener("while", first).or_else(|| opener("while", second))?;
     let is_end = opened.end() < ended.start();
     is_end.then_some(SyntaxError { kind: SyntaxErrorKind::DoWhile, range: ended, related: Some(opened) })
+}
+
+/// Keyword that opens a block of this kind without an end.
+fn opener(name: &str, error: &SyntaxError) -> Option<TextRange> {
+    let is_open = matches!(error.kind, SyntaxErrorKind::UnclosedBlock { block, .. } if block == name);
+    error.related.filter(|_| is_open)
 }
 
 /// Joins an inner block that ends at the end of an outer block, and the end of the inner block.
@@ -93,8 +95,8 @@ fn without_rest_of_section(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxErro
     let end = if errors.is_empty() { None } else { early_section_end(text) };
     let Some(end) = end else { return errors.to_vec() };
     let line = text.get(..end).and_then(|before| before.rfind(['\r', '\n'])).unwrap_or(0);
-    let is_before = |error: &&SyntaxError| usize::from(error.range.start()) < line;
-    let mut kept: Vec<SyntaxError> = errors.iter().filter(is_before).cloned().collect();
+    let before = errors.iter().filter(|error| usize::from(error.range.start()) < line);
+    let mut kept: Vec<SyntaxError> = before.cloned().collect();
     if kept.len() < errors.len()
         && let Ok(start) = TextSize::try_from(end)
     {
@@ -132,12 +134,12 @@ mod tests {
     /// Shows each error with its line, its text and the related text.
     fn shown(code: &str) -> Vec<String> {
         let text = format!("<Programs><Program name=\"p\"><Code><![CDATA[{code}]]></Code></Program></Programs>");
-        let show = |error: SyntaxError| {
+        let errors = joined(&text, parse(&text).errors()).into_iter().map(|error| {
             let line = text[..usize::from(error.range.start())].matches('\n').count();
             let related = error.related.map(|range| format!(" {:?}", &text[range])).unwrap_or_default();
             format!("{line} {:?} {:?}{related}", &text[error.range], error.kind)
-        };
-        joined(&text, parse(&text).errors()).into_iter().map(show).collect()
+        });
+        errors.collect()
     }
 
     #[test]

@@ -139,9 +139,8 @@ impl<'i> Parser<'i> {
 
     /// Returns the positions of the tokens on the statement's line.
     pub(crate) fn line(&self) -> impl Iterator<Item = usize> {
-        let is_first = |at: usize| at == self.statement;
-        let on_line = move |&at: &usize| (is_first(at) || !self.starts_line(at)) && self.kind_at(at) != EOF;
-        (self.statement..).take_while(on_line)
+        let until_line_start = (self.statement..).take_while(move |at| *at == self.statement || !self.starts_line(*at));
+        until_line_start.take_while(move |at| self.kind_at(*at) != EOF)
     }
 
     pub(crate) fn text(&self) -> &'i str {

@@ -48,8 +48,7 @@ impl<'t> View<'t> {
 
     /// Returns the child tokens without trivia.
     pub fn tokens(self) -> impl Iterator<Item = TokenView<'t>> {
-        let is_solid = |kind: SyntaxKind| !kind.is_node() && !kind.is_trivia();
-        self.0.children().filter(move |piece| is_solid(piece.kind())).map(TokenView)
+        self.0.children().filter(|piece| !piece.kind().is_node() && !piece.kind().is_trivia()).map(TokenView)
     }
 
     /// Returns the number of nodes and tokens for which `is_wanted` is true, including this node and all below it.

@@ -66,8 +66,9 @@ impl<'g> XmlElement<'g> {
 
     /// Returns the attribute called `name`.
     pub fn attribute(self, name: &str) -> Option<Attribute<'g>> {
-        let is_named = |view: &View<'_>| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.is(name));
-        self.tag.children().filter(is_named).find_map(Attribute::new)
+        let children = self.tag.children();
+        let mut named = children.filter(|view| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.is(name)));
+        named.find_map(Attribute::new)
     }
 
     /// Returns the decoded value of the attribute called `name`.
@@ -167,12 +168,13 @@ mod tests {
 
     #[test]
     fn the_line_of_an_entry() {
+        assert_eq!(line_of("<e/>"), "\r\n  <e/>");
+        assert_eq!(line_of("<f/>"), "<f/>");
+    }
+
+    fn line_of(part: &str) -> &str {
         let text = "<L>\r\n  <e/>\r\n  <f/></L>";
-        let line = |part: &str| {
-            let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
-            &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
-        };
-        assert_eq!(line("<e/>"), "\r\n  <e/>");
-        assert_eq!(line("<f/>"), "<f/>");
+        let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
+        &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
     }
 }

@@ -4,10 +4,16 @@ use super::*;
 use crate::{SavedContainer, SavedContent, SavedField, SavedValue};
 
 fn values(values: &[(&str, &[(&str, &str)])]) -> Vec<SavedValue> {
-    let attributes = |given: &[(&str, &str)]| {
-        SavedContent::Attributes(given.iter().map(|(name, text)| ((*name).into(), (*text).to_owned())).collect())
-    };
-    values.iter().map(|(key, given)| SavedValue { key: (*key).to_owned(), content: attributes(given) }).collect()
+    let values = values.iter().map(|(key, given)| {
+        let attributes = given.iter().map(|(name, text)| ((*name).into(), (*text).to_owned()));
+        SavedValue { key: (*key).to_owned(), content: SavedContent::Attributes(attributes.collect()) }
+    });
+    values.collect()
+}
+
+/// A value with the attribute `value`.
+fn single(index: u32, text: String) -> SavedValue {
+    SavedValue { key: index.to_string(), content: SavedContent::Attributes(vec![("value".into(), text)]) }
 }
 
 fn array(name: &str, ty: &str, sizes: &[u32], given: &[(&str, &[(&str, &str)])]) -> SavedData {
@@ -332,11 +338,8 @@ proptest::proptest! {
         let mut text = NEW.replace("type=\"num\" size=\"4\"", "type=\"string\" size=\"4\"");
         for (size, values) in saved {
             let given: Vec<_> = values.into_iter().filter(|(index, _)| *index < size).collect();
-            let value = |(index, text): &(u32, String)| SavedValue {
-                key: index.to_string(),
-                content: SavedContent::Attributes(vec![("value".into(), text.clone())]),
-            };
-            let data = SavedData { values: given.iter().map(value).collect(), ..array("nList", "string", &[size], &[]) };
+            let values = given.iter().map(|(index, text)| single(*index, text.clone())).collect();
+            let data = SavedData { values, ..array("nList", "string", &[size], &[]) };
             text = rewrite(&text, &[data]);
             let spelt = given.into_iter().filter(|(_, text)| !text.is_empty());
             let expected = (size.to_string(), spelt.map(|(index, text)| (index.to_string(), text)).collect());
@@ -357,11 +360,8 @@ fn many_values() {
          <Datas>\n    <Data name=\"nList\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"{count}\">\n{list}    \
          </Data>\n  </Datas>\n</Database>\n"
     );
-    let value = |index: u32| SavedValue {
-        key: index.to_string(),
-        content: SavedContent::Attributes(vec![("value".into(), (index + 2).to_string())]),
-    };
-    let data = SavedData { values: (0..count).map(value).collect(), ..array("nList", "num", &[count], &[]) };
+    let values = (0..count).map(|index| single(index, (index + 2).to_string())).collect();
+    let data = SavedData { values, ..array("nList", "num", &[count], &[]) };
     let written = rewrite(&text, &[data]);
     let lines: Vec<&str> = written.lines().filter(|line| line.contains("<Value")).collect();
     assert_eq!(lines.len(), count as usize);

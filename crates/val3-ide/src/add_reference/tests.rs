@@ -25,13 +25,14 @@ const CELL: &str = "library part \"Disk://part/part.pjx\"\ntype Slot \"Disk://ty
 fn candidates(listing: &str, of: &str, expected: Expect) {
     let marked = MarkedListing::new(listing);
     let db = marked.db();
-    let line = |found: ReferenceCandidate| {
-        let ReferenceCandidate { name, path, present, programs, data, fits, library_circle, type_circle, .. } = found;
-        let circles = format!("circles {library_circle} {type_circle}");
-        format!("{name} {path}: {programs} programs, {data} data, {present:?}, fits {fits:?}, {circles}\n")
-    };
     let lines: String = reference_candidates(db, project(db, of)).into_iter().map(line).collect();
     expected.assert_eq(&lines);
+}
+
+fn line(candidate: ReferenceCandidate) -> String {
+    let ReferenceCandidate { name, path, present, programs, data, fits, library_circle, type_circle, .. } = candidate;
+    let circles = format!("circles {library_circle} {type_circle}");
+    format!("{name} {path}: {programs} programs, {data} data, {present:?}, fits {fits:?}, {circles}\n")
 }
 
 #[test]

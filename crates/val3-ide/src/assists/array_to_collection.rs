@@ -44,8 +44,7 @@ fn obstacle(
         return Err(format!("the values of `{name}` are not in the order of their indexes"));
     }
     let uses = index_uses(context.db, context.project, name)?;
-    let is_index = |text: &str| number(text).is_some_and(|index| index < size);
-    match uses.iter().find(|found| found.is_key || !is_index(&found.text)) {
+    match uses.iter().find(|found| found.is_key || number(&found.text).is_none_or(|index| index >= size)) {
         Some(found) => Err(format!("`{name}` has no value with the index `{}`", found.text)),
         None => Ok(uses),
     }
@@ -58,12 +57,14 @@ fn number(text: &str) -> Option<u32> {
 
 /// Values in the file, with their indexes in ascending order; `None` if they are in another order or have other keys.
 fn present(element: XmlElement<'_>, size: u32) -> Option<Vec<(u32, TextRange)>> {
-    let value = |value: XmlElement<'_>| {
-        let key = value.value("key")?;
-        number(&key).filter(|index| *index < size && value.name() == "Value").map(|index| (index, value.view().range()))
-    };
-    let present: Vec<_> = element.elements().map(value).collect::<Option<_>>()?;
+    let present: Vec<_> = element.elements().map(|value| indexed(value, size)).collect::<Option<_>>()?;
     present.is_sorted_by(|(one, _), (next, _)| one < next).then_some(present)
+}
+
+/// Index and range of an array value; `None` for another element, or if the index is not below `size`.
+fn indexed(value: XmlElement<'_>, size: u32) -> Option<(u32, TextRange)> {
+    let index = number(&value.value("key")?).filter(|index| *index < size && value.name() == "Value")?;
+    Some((index, value.view().range()))
 }
 
 /// Edits of the declaration. A collection must contain all its values.
@@ -78,21 +79,25 @@ fn new_element(context: &Context<'_>, element: XmlElement<'_>, size: u32) -> Opt
         edits.push(all(context, element, missing(0, size)));
         return Some(edits);
     };
-    let break_at = |range: &TextRange| match indentation(context.text, range.start()) {
-        Some(blanks) => format!("{}{blanks}", line_end(context.text)),
-        None => String::new(),
-    };
-    let separator = break_at(before);
+    let separator = line_break(context.text, *before);
     let added: String = missing(0, *first).map(|value| value + &separator).collect();
     edits.push(context.replace(TextRange::empty(before.start()), added));
     let next = present.iter().skip(1).map(|(index, _)| *index).chain([size]);
     for ((index, range), next) in present.iter().zip(next) {
-        let separator = break_at(range);
+        let separator = line_break(context.text, *range);
         let added: String = missing(index + 1, next).map(|value| separator.clone() + &value).collect();
         edits.push(context.replace(TextRange::empty(range.end()), added));
     }
     edits.retain(|edit| !(edit.range.is_empty() && edit.text.is_empty()));
     Some(edits)
+}
+
+/// Line end and indentation before a value at the start of a line; empty for a value after others in a line.
+fn line_break(text: &str, value: TextRange) -> String {
+    match indentation(text, value.start()) {
+        Some(blanks) => format!("{}{blanks}", line_end(text)),
+        None => String::new(),
+    }
 }
 
 /// Edit that adds all values to an element without values.

@@ -9,7 +9,7 @@ use val3_analysis::occurrences::Symbol;
 use super::context::Context;
 use super::{AssistKind, Assists};
 use crate::FilePosition;
-use crate::change_signature::{NewVariables, change_signature, in_code};
+use crate::change_signature::{NewParameter, NewVariables, change_signature, in_code};
 use crate::navigate::name_at;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -17,35 +17,47 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let header = context.header();
     let param = header.params.get(index)?;
     let name = &param.name;
-    let mut add = |id, title: String, change: &dyn Fn(&mut NewVariables)| {
-        let mut wanted = NewVariables::of(header);
-        change(&mut wanted);
-        match change_signature(context.db, context.file, &wanted) {
-            Ok(change) => assists.add(id, AssistKind::Rewrite, title, || Some(change)),
-            Err(error) => assists.refuse(None, id, AssistKind::Rewrite, title, error.0),
-        }
-    };
+    let mut offers = ChangeOffers { context, assists };
     if let Some(before) = index.checked_sub(1) {
-        add("move-parameter-left", format!("Move parameter `{name}` left"), &|new| new.parameters.swap(before, index));
+        let title = format!("Move parameter `{name}` left");
+        offers.add("move-parameter-left", title, |new| new.swap(before, index));
     }
     if index + 1 < header.params.len() {
-        add("move-parameter-right", format!("Move parameter `{name}` right"), &|new| {
-            new.parameters.swap(index, index + 1);
-        });
+        let title = format!("Move parameter `{name}` right");
+        offers.add("move-parameter-right", title, |new| new.swap(index, index + 1));
     }
     if in_code(context.db, &Symbol::Param(context.file, name.clone())).is_empty() {
-        add("remove-parameter", format!("Remove unused parameter `{name}`"), &|new| drop(new.parameters.remove(index)));
+        let title = format!("Remove unused parameter `{name}`");
+        offers.add("remove-parameter", title, |new| drop(new.remove(index)));
     }
     if passing::can_change(context, index, param) {
         let (id, way) = match param.by_reference {
             true => ("pass-by-value", "value"),
             false => ("pass-by-reference", "reference"),
         };
-        add(id, format!("Pass parameter `{name}` by {way}"), &|new| {
-            new.parameters.iter_mut().skip(index).take(1).for_each(|new| new.by_reference = !new.by_reference);
+        offers.add(id, format!("Pass parameter `{name}` by {way}"), |new| {
+            new.iter_mut().skip(index).take(1).for_each(|new| new.by_reference = !new.by_reference);
         });
     }
     Some(())
+}
+
+/// Adds changes of the parameters to the assists.
+struct ChangeOffers<'a, 'c, 'o> {
+    context: &'a Context<'c>,
+    assists: &'a mut Assists<'o>,
+}
+
+impl ChangeOffers<'_, '_, '_> {
+    /// Offers the change made by `edit`, disabled with the reason if it is impossible.
+    fn add(&mut self, id: &'static str, title: String, edit: impl FnOnce(&mut Vec<NewParameter>)) {
+        let mut wanted = NewVariables::of(self.context.header());
+        edit(&mut wanted.parameters);
+        match change_signature(self.context.db, self.context.file, &wanted) {
+            Ok(change) => self.assists.add(id, AssistKind::Rewrite, title, || Some(change)),
+            Err(error) => self.assists.refuse(None, id, AssistKind::Rewrite, title, error.0),
+        }
+    }
 }
 
 /// Index of the parameter whose name or declaration is at the cursor.
@@ -147,18 +159,15 @@ mod tests {
             +      <Parameter name="x_nB" type="num" xsi:type="element" />
         "#]],
         );
-        let by_value =
-            |body: &str| offered(&PICK.replace("num x_nB", "num& x_nB").replace("put(x_n$0B)", body), "pass-by-value");
+        let by_reference = PICK.replace("num x_nB", "num& x_nB");
         for body in ["x_n$0B=1", "nA=x_n$0B", "delay(x_n$0B)", "call pick(x_n$0B,x_nB,true)"] {
-            assert_eq!(by_value(body), None, "{body}");
+            assert_eq!(offered(&by_reference.replace("put(x_n$0B)", body), "pass-by-value"), None, "{body}");
         }
-        let by_reference = |call: &str| offered(&PICK.replace("call pick(1,nA,true)", call), "pass-by-reference");
         for call in ["call pick(1,2,true)", "call pick(1,nA+1,true)", "taskCreate \"a\",10,pick(1,nA,true)"] {
-            assert_eq!(by_reference(call), None, "{call}");
+            assert_eq!(offered(&PICK.replace("call pick(1,nA,true)", call), "pass-by-reference"), None, "{call}");
         }
-        let task = "taskCreate \"a\",10,pick(1,nA,true)";
-        let by_value = PICK.replace("num x_nB", "num& x_nB").replace("call pick(1,nA,true)", task);
-        assert_eq!(offered(&by_value, "pass-by-value"), None);
+        let task = by_reference.replace("call pick(1,nA,true)", "taskCreate \"a\",10,pick(1,nA,true)");
+        assert_eq!(offered(&task, "pass-by-value"), None);
         assert_eq!(offered(&PICK.replace("num x_nB", "num& x_nB[]"), "pass-by-value"), None);
     }
 }

@@ -156,8 +156,8 @@ impl IndexUses<'_> {
         let inference = infer(self.db, self.user, self.file);
         body.exprs().any(|(call, expr, _)| {
             let Expr::Call(_, arguments) = expr else { return false };
-            let is_it = |argument: &ExprId| body.without_parentheses(*argument) == element;
-            let Some(at) = arguments.iter().position(is_it) else { return false };
+            let position = arguments.iter().position(|argument| body.without_parentheses(*argument) == element);
+            let Some(at) = position else { return false };
             let Some(known) = inference.call(call) else { return self.is_reference(name) };
             let shape = known.form.and_then(|form| form.params.get(at)).map(|param| param.shape);
             !matches!(shape, Some(ArgumentForm::Value | ArgumentForm::Reference))

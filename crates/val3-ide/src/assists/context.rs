@@ -79,13 +79,11 @@ impl<'db> Context<'db> {
         if !self.range.is_empty() {
             return self.root.covering_element(self.range).into_token();
         }
-        let tokens = self.root.token_at_offset(self.range.start());
-        let rank = |token: &SyntaxToken| match token.kind() {
+        self.root.token_at_offset(self.range.start()).max_by_key(|token| match token.kind() {
             SyntaxKind::IDENT | SyntaxKind::NUMBER | SyntaxKind::STRING | SyntaxKind::XML_STRING => 2,
             kind if kind.is_keyword() => 1,
             _ => 0,
-        };
-        tokens.max_by_key(rank)
+        })
     }
 
     /// Innermost `N` that contains the range.

@@ -10,6 +10,7 @@ use super::expected::unknown;
 use super::{AssistKind, Assists};
 use crate::declare;
 use crate::edit::SourceChange;
+use crate::variables::declares_variable;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let unknown = unknown(context)?;
@@ -23,13 +24,9 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 /// Programs of the application in which the name would resolve to the new data.
 fn users<'db>(context: &Context<'db>, name: &str) -> impl Iterator<Item = &'db Body> {
     let db = context.db;
-    let is_own = |file| {
-        let header = header(db, file);
-        header.locals.iter().any(|local| local.name == name) || header.params.iter().any(|param| param.name == name)
-    };
     let files = program_files(db, context.project).iter().copied();
     let naming = files.filter(|file| memmem::find(file.text(db).as_bytes(), name.as_bytes()).is_some());
-    let users: Vec<_> = naming.filter(|file| !is_own(*file)).collect();
+    let users: Vec<_> = naming.filter(|file| !declares_variable(header(db, *file), name)).collect();
     users.into_iter().map(|file| body(db, file))
 }
 
@@ -126,14 +123,16 @@ mod tests {
 
     #[test]
     fn arrays_of_s6_are_declared() {
-        let cell = |code: &str| {
-            format!(
-                "{code}\n=== main/main.pjx\n<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" stackSize=\"5000\" millimeterUnit=\"true\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection></project>\n=== main/main.dtx\n<dataList><numSection/><dioSection/></dataList>\n"
-            )
-        };
-        assert_eq!(declared(&cell("x$0[1]=1")).matches("<valueNum").count(), 2);
-        assert_eq!(offered(&cell("x$0[1,1]=1"), ID), None);
+        assert_eq!(declared(&cell_of_s6("x$0[1]=1")).matches("<valueNum").count(), 2);
+        assert_eq!(offered(&cell_of_s6("x$0[1,1]=1"), ID), None);
         // Collections exist from s7 on.
-        assert_eq!(offered(&cell("dI$0n[\"a\"]=true"), ID), None);
+        assert_eq!(offered(&cell_of_s6("dI$0n[\"a\"]=true"), ID), None);
+    }
+
+    /// A cell of s6 with this code and without data.
+    fn cell_of_s6(code: &str) -> String {
+        format!(
+            "{code}\n=== main/main.pjx\n<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" stackSize=\"5000\" millimeterUnit=\"true\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection></project>\n=== main/main.dtx\n<dataList><numSection/><dioSection/></dataList>\n"
+        )
     }
 }

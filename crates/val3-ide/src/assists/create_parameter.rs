@@ -3,7 +3,8 @@
 
 mod callers;
 
-use val3_analysis::body::{Expr, ExprId, StmtKind};
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
 use val3_analysis::items::project::{items, signature};
 use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::Container;
@@ -46,12 +47,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 /// Whether the program assigns to the name, or passes it to a call that may.
 fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
     let body = context.body();
-    let names = |mut id: ExprId| {
-        while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
-            id = *base;
-        }
-        matches!(body.expr(id), Expr::Name(name) if *name == unknown.name)
-    };
+    let names = |id| root_name(body, id) == Some(&unknown.name);
     let assigned = body.stmts().iter().any(|stmt| match &stmt.kind {
         StmtKind::Assign { target, .. } => names(*target),
         StmtKind::For { counter: Some(counter), .. } => names(*counter),
@@ -68,15 +64,28 @@ fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
         })
 }
 
+/// Name at the start of `name[…].field`.
+fn root_name(body: &Body, mut id: ExprId) -> Option<&SmolStr> {
+    while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
+        id = *base;
+    }
+    match body.expr(id) {
+        Expr::Name(name) => Some(name),
+        _ => None,
+    }
+}
+
 /// Whether the callee's parameter `at` requires a variable, not a value.
 fn takes_reference(context: &Context<'_>, call: ExprId, callee: ExprId, at: usize) -> bool {
     if let Some(found) = context.inference().call(call) {
-        let is_variable = |shape| !matches!(shape, ArgumentForm::Value | ArgumentForm::ProgramCall);
         let mut forms = match found.form {
             Some(form) => std::slice::from_ref(form).iter(),
             None => found.instruction.overloads.iter(),
         };
-        return forms.any(|form| form.params.get(at).is_some_and(|param| is_variable(param.shape)));
+        return forms.any(|form| {
+            let param = form.params.get(at);
+            param.is_some_and(|param| !matches!(param.shape, ArgumentForm::Value | ArgumentForm::ProgramCall))
+        });
     }
     let (project, name) = match context.body().expr(callee) {
         Expr::Name(name) => (Some(context.project), name),
@@ -169,14 +178,16 @@ mod tests {
 
     #[test]
     fn escaped_calls_are_changed() {
-        let old = |name: &str, code: &str| {
-            format!(
-                "=== main/{name}.pgx\n<programList xmlns=\"ProgramNameSpace\"><program name=\"{name}\" public=\"false\"><paramSection /><localSection /><source><code>begin\n{code}\nend</code></source></program></programList>\n"
-            )
-        };
-        let done =
-            done(&format!("num nZ\n{}{}", old("start", "call other()"), old("other", "put(x_$0s+&quot;a&quot;)")), ID);
+        let (start, other) = (old("start", "call other()"), old("other", "put(x_$0s+&quot;a&quot;)"));
+        let done = done(&format!("num nZ\n{start}{other}"), ID);
         assert!(done.contains("call other(&quot;&quot;)"), "{done}");
+    }
+
+    /// A program file in the old dialect.
+    fn old(name: &str, code: &str) -> String {
+        format!(
+            "=== main/{name}.pgx\n<programList xmlns=\"ProgramNameSpace\"><program name=\"{name}\" public=\"false\"><paramSection /><localSection /><source><code>begin\n{code}\nend</code></source></program></programList>\n"
+        )
     }
 
     #[test]

@@ -10,6 +10,11 @@ use val3_lang::types::BaseType;
 
 use super::context::Context;
 
+/// Whether the statement is a loop.
+pub(super) fn is_loop(stmt: &Stmt) -> bool {
+    matches!(stmt.kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. })
+}
+
 /// Expressions in a program.
 pub(super) struct Evaluation<'db> {
     pub(super) body: &'db Body,
@@ -51,8 +56,9 @@ impl<'db> Evaluation<'db> {
 
     /// Whether only the value of `id` is used, so that another expression with the same value can replace it.
     pub(super) fn is_value(&self, id: ExprId) -> bool {
-        let is_base = |parent: ExprId| matches!(self.body.expr(parent), Expr::Index(base, _) if *base == id);
-        if self.parent(id).is_some_and(is_base) {
+        if let Some(parent) = self.parent(id)
+            && matches!(self.body.expr(parent), Expr::Index(base, _) if *base == id)
+        {
             return false;
         }
         let place = self.place(id);
@@ -146,13 +152,17 @@ impl<'db> Evaluation<'db> {
             let evaluated = evaluated(self.body.expr(*whole));
             earlier.extend(evaluated.into_iter().take_while(|other| other != part));
         }
-        let conflicts = |other: &ExprId| match self.has_effects(value) {
-            true => self.body.constant(*other).is_none(),
-            false => self.has_effects(*other),
-        };
-        match earlier.iter().any(conflicts) && self.body.constant(value).is_none() {
-            true => Err("The statement evaluates something else first, and one of the two has an effect".to_owned()),
-            false => Ok(()),
+        if self.body.constant(value).is_none() && earlier.iter().any(|other| self.conflict(value, *other)) {
+            return Err("The statement evaluates something else first, and one of the two has an effect".to_owned());
+        }
+        Ok(())
+    }
+
+    /// Whether the order in which the two expressions are evaluated matters.
+    fn conflict(&self, value: ExprId, other: ExprId) -> bool {
+        match self.has_effects(value) {
+            true => self.body.constant(other).is_none(),
+            false => self.has_effects(other),
         }
     }
 

@@ -6,6 +6,7 @@ use val3_analysis::db::Db;
 use val3_analysis::infer::Inference;
 use val3_analysis::items::project::{items, signature};
 use val3_analysis::ty::{Base, Ty};
+use val3_lang::instruction::Overload;
 use val3_lang::instructions;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_lang::types::{Arm, BaseType, Container, fields};
@@ -13,6 +14,7 @@ use val3_syntax::SyntaxKind;
 
 use super::context::Context;
 use crate::declare::NewVariable;
+use crate::variables::declares_variable;
 
 /// An unresolved name in the code.
 pub(super) struct UnknownName {
@@ -27,8 +29,7 @@ pub(super) fn unknown(context: &Context<'_>) -> Option<UnknownName> {
     let range = token.text_range();
     let id = context.expr_at(range)?;
     let Expr::Name(name) = context.body().expr(id) else { return None };
-    let known = context.header().locals.iter().any(|local| local.name == *name)
-        || context.header().params.iter().any(|param| param.name == *name)
+    let known = declares_variable(context.header(), name)
         || context.items().data.contains_key(name)
         || val3_lang::builtins::find(name).is_some()
         || val3_lang::enumerations::find(name).is_some();
@@ -167,12 +168,15 @@ fn by_prefix(context: &Context<'_>, name: &str) -> Option<Ty> {
     let own = [&options.local_prefix, &options.parameter_prefix];
     let name =
         own.iter().find_map(|prefix| name.strip_prefix(prefix.as_str()).filter(|_| !prefix.is_empty())).unwrap_or(name);
-    let fits = |prefix: &str| {
-        name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(|letter: char| !letter.is_ascii_lowercase()))
-    };
-    let known = options.prefixes.iter().filter(|(_, prefix)| fits(prefix));
-    let (ty, _) = known.max_by_key(|(_, prefix)| prefix.len())?;
+    let suitable = options.prefixes.iter().filter(|(_, prefix)| has_prefix(name, prefix));
+    let (ty, _) = suitable.max_by_key(|(_, prefix)| prefix.len())?;
     val3_analysis::items::project::resolve_type(&context.items().types, ty).map(Ty::element)
+}
+
+/// Whether the name is the prefix and a rest that does not continue its lower-case letters: `n` is the prefix of
+/// `nCount`, but not of `next`.
+fn has_prefix(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(|letter: char| !letter.is_ascii_lowercase()))
 }
 
 struct UseSite<'c, 'db> {
@@ -236,15 +240,18 @@ impl UseSite<'_, '_> {
             Expr::Path { item, .. } => item,
             _ => return None,
         };
-        let forms = instructions::find(name)?.overloads.iter().filter(|form| form.params.len() == arguments.len());
-        let fits = |position: usize, ty: Option<BaseType>| {
-            let found =
-                arguments.get(position).and_then(|argument| self.known(*argument)).and_then(|ty| ty.base.builtin());
-            ty.is_none() || found.is_none() || found == ty
-        };
-        let mut suitable = forms.filter(|form| form.params.iter().enumerate().all(|(at, param)| fits(at, param.ty)));
         let own = self.inference.call(call).and_then(|call| call.form);
-        own.or_else(|| suitable.next())?.params.get(position)?.ty.map(Ty::of)
+        let form = own.or_else(|| instructions::find(name)?.overloads.iter().find(|form| self.suits(form, arguments)));
+        form?.params.get(position)?.ty.map(Ty::of)
+    }
+
+    /// Whether the form has as many parameters as the call has arguments, and no known argument has another type.
+    fn suits(&self, form: &Overload, arguments: &[ExprId]) -> bool {
+        form.params.len() == arguments.len()
+            && form.params.iter().zip(arguments).all(|(param, argument)| {
+                let ty = self.known(*argument).and_then(|ty| ty.base.builtin());
+                param.ty.is_none() || ty.is_none() || ty == param.ty
+            })
     }
 
     fn program(&self, callee: ExprId) -> Option<&val3_analysis::items::project::Signature> {

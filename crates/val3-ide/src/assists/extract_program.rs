@@ -38,9 +38,8 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 fn extract(context: &Context<'_>, range: TextRange) -> Option<SourceChange> {
     let passed = variables(context, range);
     let name = declare::free_program_name(context.db, context.project, "extracted");
-    let is_local = |passing: Passing| matches!(passing, Passing::Inside | Passing::Apart);
-    let params = passed.iter().filter(|found| !is_local(found.passing));
-    let locals = passed.iter().filter(|found| is_local(found.passing));
+    let params = passed.iter().filter(|found| !found.passing.is_local());
+    let locals = passed.iter().filter(|found| found.passing.is_local());
     let new = NewProgram {
         name: name.clone(),
         public: false,

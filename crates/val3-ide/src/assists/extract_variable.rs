@@ -107,10 +107,14 @@ fn change(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, found:
 fn apart(context: &Context<'_>, id: ExprId) -> ExprId {
     let Expr::Paren(inner) = context.body().expr(id) else { return id };
     let range = std::ops::Range::<usize>::from(context.body().range(id));
-    let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
-    let before = context.text.get(..range.start).is_some_and(|text| text.ends_with(is_letter));
-    let after = context.text.get(range.end..).is_some_and(|text| text.starts_with(is_letter));
+    let before = context.text.get(..range.start).is_some_and(|text| text.ends_with(is_in_name));
+    let after = context.text.get(range.end..).is_some_and(|text| text.starts_with(is_in_name));
     if before || after { apart(context, *inner) } else { id }
+}
+
+/// Whether a name can contain the letter.
+fn is_in_name(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_'
 }
 
 /// Source of the expression, without parentheses that only its context requires.

@@ -36,12 +36,9 @@ pub struct QuickFix<'d> {
 
 /// Fixes of the findings that overlap or touch `at`, safe fixes first.
 pub fn quick_fixes<'d>(context: FixContext<'_>, diagnostics: &'d [Diagnostic], at: FileRange) -> Vec<QuickFix<'d>> {
-    let touches = |diagnostic: &&Diagnostic| {
-        diagnostic.place.file == at.file && diagnostic.place.range.intersect(at.range).is_some()
-    };
-    let fixes =
-        diagnostics.iter().filter(touches).filter_map(|diagnostic| Some((diagnostic, diagnostic.fix.as_ref()?)));
-    let fixes: Vec<(&Diagnostic, &Fix)> = fixes.collect();
+    let touching = diagnostics.iter().filter(|diagnostic| touches(diagnostic.place, at));
+    let fixes: Vec<(&Diagnostic, &Fix)> =
+        touching.filter_map(|diagnostic| Some((diagnostic, diagnostic.fix.as_ref()?))).collect();
     let mut guard = guard(context, fixes.iter().map(|(_, fix)| *fix));
     let mut found: Vec<QuickFix<'d>> = Vec::new();
     for (diagnostic, fix) in fixes {
@@ -56,6 +53,11 @@ pub fn quick_fixes<'d>(context: FixContext<'_>, diagnostics: &'d [Diagnostic], a
     }
     found.sort_by_key(|fix| !fix.safe);
     found
+}
+
+/// Whether the ranges overlap or touch.
+fn touches(place: FileRange, at: FileRange) -> bool {
+    place.file == at.file && place.range.intersect(at.range).is_some()
 }
 
 /// Safe fixes of a file that can be applied together without adding an error and do not overlap.

@@ -41,14 +41,10 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 
 /// Whether the cursor is on a keyword line of the chain, not inside a block.
 pub(super) fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
-    let inside = |block: Option<Block>| {
-        block.is_some_and(|block| {
-            let mut stmts = block.stmts();
-            stmts.any(|stmt| stmt.syntax().text_range().contains_range(context.range))
-        })
-    };
-    let clauses = chain.else_if_clauses().map(|clause| clause.block());
-    ![chain.block(), chain.else_clause().and_then(|clause| clause.block())].into_iter().chain(clauses).any(inside)
+    let clauses = chain.else_if_clauses().filter_map(|clause| clause.block());
+    let first_and_last = [chain.block(), chain.else_clause().and_then(|clause| clause.block())];
+    let mut stmts = first_and_last.into_iter().flatten().chain(clauses).flat_map(|block| block.stmts());
+    !stmts.any(|stmt| stmt.syntax().text_range().contains_range(context.range))
 }
 
 /// Collects the constants with which the selector is compared; `None` if the condition contains anything else.
@@ -113,20 +109,24 @@ fn written(
     otherwise: Option<&Block>,
 ) -> String {
     let outer = context.indentation(chain.syntax().text_range().start());
-    let (line_end, level) = (context.line_end(), context.level());
+    let line_end = context.line_end();
+    let indent = format!("{outer}{}", context.level());
     let mut text = format!("switch {}", context.slice(selector.syntax().text_range()));
-    let mut part = |head: String, block: &Block| {
-        let inner = relaid(context, block, &format!("{outer}{level}{level}"));
-        text += &format!("{line_end}{outer}{level}{head}{inner}{line_end}{outer}{level}break");
-    };
     for (values, block) in cases {
         let values: Vec<&str> = values.iter().map(|range| context.slice(*range)).collect();
-        part(format!("case {}", values.join(",")), block);
+        text += &case(context, &indent, &format!("case {}", values.join(",")), block);
     }
     if let Some(block) = otherwise {
-        part("default".to_owned(), block);
+        text += &case(context, &indent, "default", block);
     }
     text + &format!("{line_end}{outer}endSwitch")
+}
+
+/// A case of the `switch`, preceded by a line end. `indent` is the indentation of its head.
+fn case(context: &Context<'_>, indent: &str, head: &str, block: &Block) -> String {
+    let line_end = context.line_end();
+    let inner = relaid(context, block, &format!("{indent}{}", context.level()));
+    format!("{line_end}{indent}{head}{inner}{line_end}{indent}break")
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Replaces a call by the code of the called program.
 
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::File;
@@ -10,10 +11,12 @@ use val3_syntax::ast::{AstNode as _, CallStmt, Code};
 use val3_syntax::{TextRange, TextSize};
 
 use super::context::Context;
+use super::evaluation::is_loop;
 use super::lines::{dedented, plain_with, with_comments};
 use super::{AssistKind, Assists};
 use crate::declare::{self, NewVariable, free};
 use crate::edit::SourceChange;
+use crate::variables::declares_variable;
 use crate::xml_list::whole_line;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -51,6 +54,15 @@ struct NewName {
     local: Option<NewVariable>,
 }
 
+fn is_array(container: Container) -> bool {
+    matches!(container, Container::Array { .. })
+}
+
+/// Whether one of the new locals has this name, in any letter case.
+fn is_new_local(names: &[NewName], name: &str) -> bool {
+    names.iter().any(|other| other.local.is_some() && other.new.eq_ignore_ascii_case(name))
+}
+
 impl InlinedProgram<'_, '_> {
     /// Replacements of parameters and locals; `None` if the behaviour would change.
     fn names(&self, call: TextRange, arguments: &[ExprId]) -> Option<Vec<NewName>> {
@@ -74,11 +86,7 @@ impl InlinedProgram<'_, '_> {
             })
             .collect::<Option<_>>()?;
         for local in self.used_locals() {
-            let taken = |name: &str| {
-                let again = names.iter().any(|other| other.local.is_some() && other.new.eq_ignore_ascii_case(name));
-                again || self.context.is_taken(name)
-            };
-            let new = free(&local.name, taken);
+            let new = free(&local.name, |name| is_new_local(&names, name) || self.context.is_taken(name));
             let variable = NewVariable {
                 name: new.clone(),
                 type_name: local.type_name.to_string(),
@@ -92,10 +100,12 @@ impl InlinedProgram<'_, '_> {
 
     /// Locals that the code uses. Unused locals are not copied to the caller.
     fn used_locals(&self) -> impl Iterator<Item = &LocalDecl> {
-        let is_used = |local: &&LocalDecl| {
-            self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if *name == local.name))
-        };
-        self.header.locals.iter().filter(is_used)
+        let names = self.body.exprs().filter_map(|(_, expr, _)| match expr {
+            Expr::Name(name) => Some(name),
+            _ => None,
+        });
+        let names: FxHashSet<&SmolStr> = names.collect();
+        self.header.locals.iter().filter(move |local| names.contains(&local.name))
     }
 
     /// Text that replaces a parameter; `None` if an expression would be evaluated several times.
@@ -104,10 +114,9 @@ impl InlinedProgram<'_, '_> {
         let text = self.context.plain(own.range(argument));
         let effects = Effects::new(self.context.db, self.context.project, self.file);
         let by_reference = param.by_reference;
-        let is_param = |root: &RootVariable| matches!(root, RootVariable::Param(name) if *name == param.name);
-        let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
+        let mut writes = effects.all().iter().filter(|access| access.kind != AccessKind::Read);
+        let written = writes.any(|access| matches!(&access.root, RootVariable::Param(name) if *name == param.name));
         // Code with an array parameter may use an index, which a single value does not support.
-        let is_array = |container| matches!(container, Container::Array { .. });
         if is_array(param.container) && !is_array(self.context.inference().ty(argument).container) {
             return None;
         }
@@ -132,23 +141,15 @@ impl InlinedProgram<'_, '_> {
 
     /// Whether a local or parameter of the caller hides a global that the program uses.
     fn hides_globals(&self) -> bool {
-        let caller = self.context.header();
-        let hidden = |name: &SmolStr| {
-            caller.locals.iter().any(|local| local.name == *name)
-                || caller.params.iter().any(|param| param.name == *name)
-        };
-        let own = |name: &SmolStr| {
-            self.header.locals.iter().any(|local| local.name == *name)
-                || self.header.params.iter().any(|param| param.name == *name)
-        };
-        self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if !own(name) && hidden(name)))
+        self.body.exprs().any(|(_, expr, _)| match expr {
+            Expr::Name(name) => !declares_variable(self.header, name) && declares_variable(self.context.header(), name),
+            _ => false,
+        })
     }
 
     fn is_repeated(&self, call: TextRange) -> bool {
-        let repeats =
-            |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
         let stmts = self.context.body().stmts();
-        stmts.iter().any(|stmt| stmt.range.contains_range(call) && repeats(&stmt.kind))
+        stmts.iter().any(|stmt| stmt.range.contains_range(call) && is_loop(stmt))
     }
 
     fn change(&self, call: TextRange, names: &[NewName]) -> Option<SourceChange> {
@@ -295,14 +296,16 @@ mod tests {
 
     #[test]
     fn code_with_the_end_of_a_cdata_section_is_refused() {
-        let other = |code: &str| {
-            format!(
-                "num nA[3]\nnum nB[3]\nbool bA\ncall ot$0her()\n=== main/other.pgx\n<Programs><Program name=\"other\"><Code>begin\n\
-                 {code}\nend</Code></Program></Programs>\n"
-            )
-        };
-        assert_eq!(offered(&other("bA=nA[nB[0]]&gt;2"), ID), None);
-        assert!(offered(&other("bA=nA[0]&gt;2"), ID).is_some());
+        assert_eq!(offered(&call_of_escaped("bA=nA[nB[0]]&gt;2"), ID), None);
+        assert!(offered(&call_of_escaped("bA=nA[0]&gt;2"), ID).is_some());
+    }
+
+    /// A call of a program whose code is escaped, not in a CDATA section.
+    fn call_of_escaped(code: &str) -> String {
+        format!(
+            "num nA[3]\nnum nB[3]\nbool bA\ncall ot$0her()\n=== main/other.pgx\n<Programs><Program name=\"other\"><Code>begin\n\
+             {code}\nend</Code></Program></Programs>\n"
+        )
     }
 
     #[test]

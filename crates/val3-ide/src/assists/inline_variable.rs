@@ -9,7 +9,7 @@ use val3_analysis::items::project::resolve_type;
 use val3_syntax::{SyntaxKind, TextSlice};
 
 use super::context::Context;
-use super::evaluation::Evaluation;
+use super::evaluation::{Evaluation, is_loop};
 use super::lines::whole_lines;
 use super::precedence::needs_parentheses;
 use super::stability::Dependencies;
@@ -110,17 +110,18 @@ impl<'c, 'db> Inlining<'c, 'db> {
 
     /// Checks that the replaced text does not contain `]]>`, which would end the CDATA section.
     fn check_text(&self) -> Result<(), String> {
-        let value = self.context.slice(self.evaluation.body.range(self.value));
-        let ends_section = |read: &ExprId| {
-            let end = self.evaluation.body.range(*read).end();
-            let rest = self.context.text.part(usize::from(end)..);
-            let start: String = rest.chars().take(2).collect();
-            format!("{value}{start}").contains("]]>")
-        };
-        match !self.context.is_escaped() && self.reads.iter().any(ends_section) {
-            true => Err("The code would contain `]]>`, which ends its CDATA section".to_owned()),
-            false => Ok(()),
+        if !self.context.is_escaped() && self.reads.iter().any(|read| self.ends_section(*read)) {
+            return Err("The code would contain `]]>`, which ends its CDATA section".to_owned());
         }
+        Ok(())
+    }
+
+    /// Whether the value, in the place of `read`, and the text after it contain `]]>`.
+    fn ends_section(&self, read: ExprId) -> bool {
+        let value = self.context.slice(self.evaluation.body.range(self.value));
+        let rest = self.context.text.part(usize::from(self.evaluation.body.range(read).end())..);
+        let start: String = rest.chars().take(2).collect();
+        format!("{value}{start}").contains("]]>")
     }
 
     /// Checks that the expression has the same value at all reads.
@@ -164,10 +165,8 @@ impl<'c, 'db> Inlining<'c, 'db> {
 
     fn is_in_loop(&self, stmts: &[Stmt], read: ExprId) -> bool {
         let range = self.evaluation.body.range(read);
-        let repeats =
-            |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
         let inner = stmts.iter().flat_map(Stmt::with_inner);
-        inner.filter(|stmt| stmt.range.contains_range(range)).any(|stmt| repeats(&stmt.kind))
+        inner.filter(|stmt| stmt.range.contains_range(range)).any(is_loop)
     }
 
     fn change(&self) -> Option<SourceChange> {
@@ -301,22 +300,24 @@ mod tests {
 
     #[test]
     fn lists_are_arguments_where_their_type_is_certain() {
-        let code = |call: &str| {
-            format!(
-                "point pA\nframe fA\ntool tA\nmdesc mA\nprogram other()\n  trsf l_tr\n  joint l_j\nbegin\n{call}\nend\nprogram by(trsf x_tr)\nbegin\nend"
-            )
-        };
         for (line, wanted) in [
             ("pA=compose(pA,fA,l_tr)", "+pA=compose(pA,fA,{0,0,5,0,0,0})"),
             ("call by(l_tr)", "+call by({0,0,5,0,0,0})"),
         ] {
-            let found = done(&code(&format!("l$0_tr={{0,0,5,0,0,0}}\n{line}")), ID);
+            let found = done(&with_positions(&format!("l$0_tr={{0,0,5,0,0,0}}\n{line}")), ID);
             assert!(found.contains(wanted), "{found}");
         }
         for line in ["l_$0j={0,0,5,0,0,0}\nmovej(l_j,tA,mA)", "l_$0tr={0,0,5,0,0,0}\npA.trsf=l_tr*l_tr"] {
-            let reason = refused(&code(line), ID);
+            let reason = refused(&with_positions(line), ID);
             assert!(reason.as_ref().is_some_and(|reason| reason.contains("plain value")), "{line}: {reason:?}");
         }
+    }
+
+    /// A program with data and locals for positions.
+    fn with_positions(code: &str) -> String {
+        format!(
+            "point pA\nframe fA\ntool tA\nmdesc mA\nprogram other()\n  trsf l_tr\n  joint l_j\nbegin\n{code}\nend\nprogram by(trsf x_tr)\nbegin\nend"
+        )
     }
 
     #[test]

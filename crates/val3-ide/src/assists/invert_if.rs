@@ -25,8 +25,8 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         return None;
     }
     let branches = Branches::of(context, &chain)?;
-    let is_empty = |branch| context.slice(branch).trim().is_empty();
-    if is_empty(branches.second) && !is_empty(branches.first) {
+    let is_first_empty = context.slice(branches.first).trim().is_empty();
+    if context.slice(branches.second).trim().is_empty() && !is_first_empty {
         let reason = "The `else` is empty, and would become an empty first branch: remove it instead";
         assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason.to_owned());
         return None;
@@ -39,7 +39,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         if touches && !text.starts_with('(') {
             text.insert(0, ' ');
         }
-        if is_empty(branches.first) {
+        if is_first_empty {
             // The empty branch would follow `else`, so both are omitted.
             let both = branches.first.cover(branches.second);
             let kept = context.replace(both, context.slice(branches.second));

@@ -68,11 +68,13 @@ fn is_load(call: &SyntaxNode) -> bool {
 
 /// A `case` for each result code with its meaning, and `default`.
 fn cases(level: &str) -> Vec<String> {
-    let case = |head: String, about: &str| {
-        [format!("{level}{head}"), format!("{level}{level}// {about}"), format!("{level}break")]
-    };
-    let codes = of_load().flat_map(|row| case(format!("case {}", row.number), row.short));
-    codes.chain(case("default".to_owned(), "file cannot be read")).collect()
+    let codes = of_load().flat_map(|row| case(level, &format!("case {}", row.number), row.short));
+    codes.chain(case(level, "default", "file cannot be read")).collect()
+}
+
+/// Lines of a case with a comment.
+fn case(level: &str, head: &str, comment: &str) -> [String; 3] {
+    [format!("{level}{head}"), format!("{level}{level}// {comment}"), format!("{level}break")]
 }
 
 #[cfg(test)]

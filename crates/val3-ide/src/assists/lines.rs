@@ -1,5 +1,7 @@
 //! Moving lines of code to another position.
 
+use std::borrow::Cow;
+
 use rowan::NodeOrToken;
 use val3_syntax::ast::{AstNode as _, Block, Code};
 use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, TextSlice, decode_entities, text_size};
@@ -15,11 +17,11 @@ pub(super) fn relaid(context: &Context<'_>, block: &Block, indent: &str) -> Stri
     }
     let line_end = context.line_end();
     let lines = dedented(context.text, range);
-    let relay = |line: String| match line.is_empty() {
+    let indented = lines.into_iter().map(|line| match line.is_empty() {
         true => line_end.to_owned(),
         false => format!("{line_end}{indent}{line}"),
-    };
-    lines.into_iter().map(relay).collect()
+    });
+    indented.collect()
 }
 
 /// Lines of a range, without line ends and without their common indentation.
@@ -40,19 +42,26 @@ pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
 /// its siblings.
 pub(super) fn with_comments(block: &Block) -> TextRange {
     let own = block.syntax().text_range();
-    let is_blank = |token: &SyntaxToken| matches!(token.kind(), SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE);
-    let belongs = |token: &SyntaxToken| {
-        let inside = own.contains_range(token.text_range()) && !own.is_empty();
-        inside || is_blank(token) || token.kind() == SyntaxKind::COMMENT
-    };
     let before = block.syntax().prev_sibling_or_token().and_then(|it| match it {
         NodeOrToken::Node(node) => node.last_token(),
         NodeOrToken::Token(token) => Some(token),
     });
-    let head = std::iter::successors(before, previous).find(|token| !belongs(token));
+    let head = std::iter::successors(before, previous).find(|token| !belongs_to(own, token));
     let behind = std::iter::successors(head.as_ref().and_then(next), next);
-    let content = behind.take_while(belongs).filter(|token| !is_blank(token)).map(|token| token.text_range());
-    content.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
+    let content = behind.take_while(|token| belongs_to(own, token)).filter(|token| !is_whitespace(token));
+    let ranges = content.map(|token| token.text_range());
+    ranges.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
+}
+
+/// Whether the token is inside the block, or is a comment or whitespace.
+fn belongs_to(block: TextRange, token: &SyntaxToken) -> bool {
+    let inside = block.contains_range(token.text_range()) && !block.is_empty();
+    inside || is_whitespace(token) || token.kind() == SyntaxKind::COMMENT
+}
+
+/// Whether the token is whitespace or a line end.
+fn is_whitespace(token: &SyntaxToken) -> bool {
+    matches!(token.kind(), SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE)
 }
 
 /// Complete lines of a range, with their line ends; `None` if the lines contain anything else.
@@ -105,16 +114,17 @@ pub(super) fn is_escaped(code: &Code) -> bool {
 /// A part of code, unescaped, with the sorted ranges `places` replaced by other texts.
 pub(super) fn plain_with(code: &Code, text: &str, range: TextRange, places: &[(TextRange, &str)]) -> String {
     let escaped = is_escaped(code);
-    let plain = |start: TextSize, end: TextSize| {
-        let part = text.part(usize::from(start)..usize::from(end));
-        if escaped { decode_entities(part).into_owned() } else { part.to_owned() }
-    };
     let mut new = String::new();
-    let mut done = range.start();
+    let mut done = usize::from(range.start());
     for (place, other) in places {
-        new += &plain(done, place.start());
+        new += &plain(text.part(done..usize::from(place.start())), escaped);
         new += other;
-        done = place.end();
+        done = usize::from(place.end());
     }
-    new + &plain(done, range.end())
+    new + &plain(text.part(done..usize::from(range.end())), escaped)
+}
+
+/// Code without escapes.
+fn plain(code: &str, is_escaped: bool) -> Cow<'_, str> {
+    if is_escaped { decode_entities(code) } else { Cow::Borrowed(code) }
 }

@@ -21,11 +21,11 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     }
     let (title, edits) = at_else(context, &chain).or_else(|| nested(context, &chain)).or_else(|| {
         let outer = chain.syntax().ancestors().skip(1).find_map(IfStmt::cast)?;
-        let is_inner = |found: IfStmt| found.syntax() == chain.syntax();
-        let clause = outer.else_clause().filter(|clause| if_in_else(clause).is_some_and(|(found, _)| is_inner(found)));
-        match clause {
+        let in_clause = |clause: &_| if_in_else(clause).is_some_and(|(inner, _)| inner.syntax() == chain.syntax());
+        match outer.else_clause().filter(in_clause) {
             Some(clause) => in_else(context, &outer, &clause),
-            None => only_if(outer.block()).is_some_and(is_inner).then(|| nested(context, &outer)).flatten(),
+            None if only_if(outer.block())?.syntax() == chain.syntax() => nested(context, &outer),
+            None => None,
         }
     })?;
     assists.add(ID, AssistKind::Rewrite, title, || Some(SourceChange::of(edits)));

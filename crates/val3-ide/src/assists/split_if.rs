@@ -58,15 +58,14 @@ fn offer_nested(context: &Context<'_>, assists: &mut Assists<'_>, chain: &IfStmt
     let id = context.expr_at(condition)?;
     let body = context.body();
     let Expr::Binary(BinaryOp::And, left, right) = body.expr(body.without_parentheses(id)) else { return None };
-    let mut refuse = |reason: &str| {
-        assists.refuse(None, ID, AssistKind::Rewrite, NESTED, reason.to_owned());
-        None
+    let obstacle = match body.expr(id) {
+        _ if !is_simple(chain) => Some("The other branches of the `if` would be needed twice"),
+        Expr::Paren(_) => Some("The condition is in parentheses. Remove them first"),
+        _ => None,
     };
-    if !is_simple(chain) {
-        return refuse("The other branches of the `if` would be needed twice");
-    }
-    if matches!(body.expr(id), Expr::Paren(_)) {
-        return refuse("The condition is in parentheses. Remove them first");
+    if let Some(reason) = obstacle {
+        assists.refuse(None, ID, AssistKind::Rewrite, NESTED, reason.to_owned());
+        return None;
     }
     let lines = IfLines::of(context, chain)?;
     whole_lines(context, TextRange::new(chain.syntax().text_range().start(), condition.end()))?;

@@ -103,11 +103,11 @@ impl<'c, 'db> Dependencies<'c, 'db> {
 
     /// Whether both may refer to the same variable: a parameter by reference may refer to any shared variable.
     fn are_same(&self, left: &RootVariable, right: &RootVariable) -> bool {
-        let is_param = |root: &RootVariable| matches!(root, RootVariable::Param(_));
         match (left, right) {
             _ if left == right => true,
             (RootVariable::Item(_, left), RootVariable::Item(_, right)) => left == right,
-            _ => (is_param(left) || is_param(right)) && self.is_shared(left) && self.is_shared(right),
+            (RootVariable::Param(_), _) | (_, RootVariable::Param(_)) => self.is_shared(left) && self.is_shared(right),
+            _ => false,
         }
     }
 

@@ -1,5 +1,7 @@
 //! Converts a `switch` into an `if` chain.
 
+use std::ops::Range;
+
 use val3_lang::operators::BinaryOp;
 use val3_syntax::ast::{AstNode, CaseClause, DefaultClause, Expr, SwitchStmt};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
@@ -44,14 +46,10 @@ fn written(
     let line_end = context.line_end();
     let inner = format!("{outer}{}", context.level());
     let comments = own_comments(switch.syntax());
-    let between = |from: TextSize, to: TextSize, indent: &str| -> String {
-        let own = comments.iter().filter(|comment| from <= comment.start() && comment.end() <= to);
-        own.map(|comment| format!("{line_end}{indent}{}", context.slice(*comment))).collect()
-    };
     let start = switch.syntax().text_range().start();
     let first = clauses.first()?.syntax().text_range().start();
     // A comment before the first case belongs to the entire statement.
-    let head = between(start, first, outer);
+    let head = comment_lines(context, &comments, start..first, outer);
     let mut text = head.strip_prefix(&format!("{line_end}{outer}")).map_or_else(String::new, str::to_owned);
     let mut done = first;
     for clause in clauses {
@@ -60,18 +58,25 @@ fn written(
         let word = if done == first { "if" } else { "elseIf" };
         let before = if text.is_empty() { String::new() } else { format!("{line_end}{outer}") };
         let range = clause.syntax().text_range();
-        let moved = between(done, range.start(), &inner);
+        let moved = comment_lines(context, &comments, done..range.start(), &inner);
         text += &format!("{before}{word} {values}{moved}{}", relaid(context, &clause.block()?, &inner));
         done = range.end();
     }
     if let Some(clause) = default {
         let range = clause.syntax().text_range();
-        let moved = between(done, range.start(), &inner);
+        let moved = comment_lines(context, &comments, done..range.start(), &inner);
         text += &format!("{line_end}{outer}else{moved}{}", relaid(context, &clause.block()?, &inner));
         done = range.end();
     }
-    text += &between(done, switch.syntax().text_range().end(), &inner);
+    text += &comment_lines(context, &comments, done..switch.syntax().text_range().end(), &inner);
     Some(text + &format!("{line_end}{outer}endIf"))
+}
+
+/// Comments in `range`, each preceded by a line end and `indent`.
+fn comment_lines(context: &Context<'_>, comments: &[TextRange], range: Range<TextSize>, indent: &str) -> String {
+    let line_end = context.line_end();
+    let inside = comments.iter().filter(|comment| range.start <= comment.start() && comment.end() <= range.end);
+    inside.map(|comment| format!("{line_end}{indent}{}", context.slice(*comment))).collect()
 }
 
 /// Whether the cursor is outside all blocks.
@@ -85,11 +90,11 @@ fn equal(context: &Context<'_>, selector: &Expr, value: TextRange) -> String {
     let selected = context.slice(selector.syntax().text_range());
     let selected = if is_simple(selector) { selected.to_owned() } else { format!("({selected})") };
     let compared = context.slice(value);
-    let body = context.body();
-    let is_loose = |id| needs_parentheses_after(body, BinaryOp::Equal, id);
-    let compared =
-        if context.expr_at(value).is_none_or(is_loose) { format!("({compared})") } else { compared.to_owned() };
-    format!("{selected}=={compared}")
+    let value = context.expr_at(value);
+    match value.is_none_or(|id| needs_parentheses_after(context.body(), BinaryOp::Equal, id)) {
+        true => format!("{selected}==({compared})"),
+        false => format!("{selected}=={compared}"),
+    }
 }
 
 fn is_simple(expr: &Expr) -> bool {

@@ -40,31 +40,45 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 /// Reason why the access cannot be changed, in a project that contains the file; `None` if it can.
 fn obstacle(context: &Context<'_>, element: XmlElement<'_>, public: bool) -> Option<String> {
     let name = SmolStr::from(element.value("name")?);
-    let is_program = matches!(element.name(), "Program" | "program");
-    let symbol = |project: Project| match is_program {
-        true => Symbol::Program(project, name.clone()),
-        false => Symbol::Data(project, name.clone()),
-    };
     let db = context.db;
     let mut projects = projects_of(db, context.file).iter().copied();
-    match public {
-        true => projects.find_map(|project| used_elsewhere(db, project, &name, symbol)),
-        false => projects.find_map(|project| against_interface(db, project, &name)),
+    if !public {
+        return projects.find_map(|project| against_interface(db, project, &name));
+    }
+    let item = ToggledItem { name, is_program: matches!(element.name(), "Program" | "program") };
+    projects.find_map(|project| used_elsewhere(db, project, &item))
+}
+
+/// Program or data with the name whose access changes.
+struct ToggledItem {
+    name: SmolStr,
+    is_program: bool,
+}
+
+impl ToggledItem {
+    fn symbol(&self, project: Project) -> Symbol {
+        match self.is_program {
+            true => Symbol::Program(project, self.name.clone()),
+            false => Symbol::Data(project, self.name.clone()),
+        }
+    }
+
+    /// Name of a project that uses the item of `owner`, other than `owner` and `project`.
+    fn user<'db>(&self, db: &'db dyn Db, owner: Project, project: Project) -> Option<&'db str> {
+        let symbol = self.symbol(owner);
+        let (_, user, _) = uses(db, &symbol).find(|(_, user, _)| *user != owner && *user != project)?;
+        Some(stem(db, user))
     }
 }
 
 /// Reports another project that uses the item directly, or through an interface for which this project is loaded.
-fn used_elsewhere(db: &dyn Db, project: Project, name: &str, symbol: impl Fn(Project) -> Symbol) -> Option<String> {
-    let user_of = |of: Project| {
-        let item = symbol(of);
-        let mut uses = uses(db, &item);
-        uses.find(|(_, user, _)| *user != of && *user != project).map(|(_, user, _)| stem(db, user))
-    };
-    if let Some(user) = user_of(project) {
+fn used_elsewhere(db: &dyn Db, project: Project, item: &ToggledItem) -> Option<String> {
+    let name = &item.name;
+    if let Some(user) = item.user(db, project, project) {
         return Some(format!("`{user}` uses `{name}`"));
     }
     implemented(db, project).find_map(|interface| {
-        let user = user_of(interface)?;
+        let user = item.user(db, interface, project)?;
         Some(format!(
             "`{user}` uses `{name}` of the interface `{}`, which this library is loaded for",
             stem(db, interface)
@@ -75,14 +89,16 @@ fn used_elsewhere(db: &dyn Db, project: Project, name: &str, symbol: impl Fn(Pro
 /// Reports an interface or library that the public item would contradict: the interface of this library, or a library
 /// that is loaded for this interface.
 fn against_interface(db: &dyn Db, project: Project, name: &str) -> Option<String> {
-    let differs = |interface: &Project| {
-        is_public(db, *interface, name) && is_same_item(db, *interface, project, name) == Some(false)
-    };
-    if let Some(interface) = implemented(db, project).find(differs) {
+    if let Some(interface) = implemented(db, project).find(|interface| differs(db, *interface, project, name)) {
         return Some(format!("the interface `{}` declares `{name}` differently", stem(db, interface)));
     }
     let lacking = implementing(db, project).find(|library| !implements(db, project, *library, name))?;
     Some(format!("`{}` is loaded for this interface and has no matching public `{name}`", stem(db, lacking)))
+}
+
+/// Whether the interface has a public item of this name that differs from the item of `project`.
+fn differs(db: &dyn Db, interface: Project, project: Project, name: &str) -> bool {
+    is_public(db, interface, name) && is_same_item(db, interface, project, name) == Some(false)
 }
 
 /// Project name, which is its file name.
@@ -222,23 +238,25 @@ mod tests {
 
     #[test]
     fn the_access_must_suit_interfaces_and_their_libraries() {
-        let private = |ty: &str| {
-            format!(
-                "<Database><Datas><Data name=\"nWei$0ght\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"1\" /></Datas></Database>"
-            )
-        };
         let library = |ty| format!("{LOADER}--- part\npublic num nWeight\n--- box\n=== box/box.dtx\n{}", private(ty));
         assert_eq!(
             refused(&library("string"), ID).as_deref(),
             Some("the interface `part` declares `nWeight` differently")
         );
         assert_eq!(offered(&library("num"), ID).as_deref(), Some("Make public"));
-        let interface =
-            |other: &str| format!("{LOADER}--- box\n{other}\n--- part\n=== part/part.dtx\n{}", private("num"));
+        let own = private("num");
+        let interface = |other| format!("{LOADER}--- box\n{other}\n--- part\n=== part/part.dtx\n{own}");
         assert_eq!(
             refused(&interface("num nWeight"), ID).as_deref(),
             Some("`box` is loaded for this interface and has no matching public `nWeight`")
         );
         assert_eq!(offered(&interface("public num nWeight[3]"), ID).as_deref(), Some("Make public"));
+    }
+
+    /// A data file with the private data `nWeight`.
+    fn private(ty: &str) -> String {
+        format!(
+            "<Database><Datas><Data name=\"nWei$0ght\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"1\" /></Datas></Database>"
+        )
     }
 }

@@ -34,11 +34,13 @@ fn moves(context: &Context<'_>, stmt: &Stmt) -> bool {
         StmtKind::Expr(id) | StmtKind::Assign { value: id, .. } => id,
         _ => return false,
     };
-    let is_move = |instruction: &Instruction| {
-        let takes = |ty| instruction.overloads.iter().any(|form| form.params.iter().any(|param| param.ty == Some(ty)));
-        instruction.family == Family::Motion && takes(BaseType::Mdesc) && takes(BaseType::Tool)
-    };
     context.inference().call(context.body().without_parentheses(call)).is_some_and(|call| is_move(call.instruction))
+}
+
+/// Whether the instruction records a move: it has a tool and a movement description as parameters.
+fn is_move(instruction: &Instruction) -> bool {
+    let accepts = |ty| instruction.overloads.iter().any(|form| form.params.iter().any(|param| param.ty == Some(ty)));
+    instruction.family == Family::Motion && accepts(BaseType::Mdesc) && accepts(BaseType::Tool)
 }
 
 fn waits(body: &Body, stmt: &Stmt) -> bool {

@@ -48,9 +48,8 @@ pub(super) fn edits(
     };
     let edits = slots.edits(&order).into_iter();
     let edits = edits.map(|(range, text)| FileEdit { file: call.file, range, text }).collect();
-    let is_removed = |index: &usize| !order.contains(&ListSlot::Kept(*index));
-    let removed = (0..places.len()).filter(is_removed).filter_map(|index| places.get(index).copied());
-    Ok(NewArguments { edits, removed: removed.collect() })
+    let removed = (0..).zip(&places).filter(|(index, _)| !order.contains(&ListSlot::Kept(*index)));
+    Ok(NewArguments { edits, removed: removed.map(|(_, place)| *place).collect() })
 }
 
 fn entry(call: &Call, new: &NewParameter) -> ListSlot {
@@ -67,20 +66,22 @@ fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<()
     let Some(first) = acting.first() else { return Ok(()) };
     let kept: Vec<usize> = wanted.iter().filter_map(|new| new.from).collect();
     let caller = &header(db, call.file).name;
-    let shown = |index: &usize| {
-        let place = call.places(db).get(*index).copied().unwrap_or_default();
-        text_at(call.file.text(db), place).to_owned()
-    };
     if let Some(removed) = acting.iter().find(|index| !kept.contains(index)) {
-        return Err(format!("the argument `{}` of a call in `{caller}` has an effect", shown(removed)));
+        let argument = argument_text(db, call, *removed);
+        return Err(format!("the argument `{argument}` of a call in `{caller}` has an effect"));
     }
     if !kept.is_sorted() {
+        let argument = argument_text(db, call, *first);
         return Err(format!(
-            "the argument `{}` of a call in `{caller}` has an effect, so the order of its arguments matters",
-            shown(first)
+            "the argument `{argument}` of a call in `{caller}` has an effect, so the order of its arguments matters"
         ));
     }
     Ok(())
+}
+
+fn argument_text<'db>(db: &'db dyn Db, call: &Call, index: usize) -> &'db str {
+    let place = call.places(db).get(index).copied().unwrap_or_default();
+    text_at(call.file.text(db), place)
 }
 
 /// Checks that the expression that callers pass is a single expression on one line.

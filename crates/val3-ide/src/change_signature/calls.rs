@@ -1,8 +1,7 @@
 //! Calls of a program in all applications of the workspace.
 
 use memchr::memmem;
-use smol_str::SmolStr;
-use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::effects::Effects;
 use val3_analysis::infer::infer;
@@ -36,7 +35,7 @@ pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec
     for symbol in symbols {
         can_be_read(db, symbol)?;
         for (file, project, range) in uses(db, symbol) {
-            let Some(call) = Call::at(db, (file, project), range)? else { continue };
+            let Some(call) = Call::at(db, file, project, range)? else { continue };
             if call.arguments.len() != count {
                 let (caller, passed) = (&header(db, file).name, call.arguments.len());
                 return Err(format!("a call in `{caller}` passes {passed} arguments instead of {count}"));
@@ -70,15 +69,15 @@ fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), 
     }
     for user in Sources::get(db).projects(db).values() {
         let libraries = &items(db, *user).libraries;
-        let is_known = |library: &SmolStr| libraries.get(library).is_some_and(|known| known.interface.is_some());
         for file in program_files(db, *user).iter().filter(|file| mentions(db, **file, name)) {
             let body = body(db, *file);
             let callees = body.exprs().filter_map(|(_, expr, _)| callee(expr)).map(|id| body.expr(id));
-            let unknown = callees.filter_map(|callee| match callee {
-                Expr::Path { library, item } if item == name && !is_known(library) => Some(library),
+            let mut used = callees.filter_map(|callee| match callee {
+                Expr::Path { library, item } if item == name => Some(library),
                 _ => None,
             });
-            if let Some(library) = unknown.into_iter().next() {
+            let unresolved = used.find(|used| libraries.get(*used).is_none_or(|library| library.interface.is_none()));
+            if let Some(library) = unresolved {
                 let caller = &header(db, *file).name;
                 return Err(format!(
                     "`{caller}` calls `{library}:{name}`, and the library `{library}` cannot be resolved"
@@ -96,21 +95,28 @@ fn callee(expr: &Expr) -> Option<ExprId> {
 /// Whether the text of a file contains the word `name`.
 fn mentions(db: &dyn Db, file: File, name: &str) -> bool {
     let text = file.text(db).as_bytes();
-    let is_word = |at: usize| text.get(at).is_some_and(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
-    let is_whole = |at: usize| !is_word(at + name.len()) && at.checked_sub(1).is_none_or(|before| !is_word(before));
-    memmem::find_iter(text, name).any(is_whole)
+    memmem::find_iter(text, name).any(|at| {
+        let before = at.checked_sub(1).and_then(|before| text.get(before));
+        let after = text.get(at + name.len());
+        !before.is_some_and(is_in_word) && !after.is_some_and(is_in_word)
+    })
+}
+
+fn is_in_word(byte: &u8) -> bool {
+    byte.is_ascii_alphanumeric() || *byte == b'_'
 }
 
 impl Call {
     /// Call whose program name is at `range`; `None` if the name is not called.
-    pub(crate) fn at(db: &dyn Db, (file, project): (File, Project), range: TextRange) -> Result<Option<Self>, String> {
+    pub(crate) fn at(db: &dyn Db, file: File, project: Project, range: TextRange) -> Result<Option<Self>, String> {
         let body = body(db, file);
-        let is_callee = |id: ExprId| body.range(id).end() == range.end();
         let mut calls = body.exprs().filter_map(|(_, expr, whole)| match expr {
-            Expr::Call(callee, arguments) if is_callee(*callee) => Some((whole, arguments.to_vec())),
+            Expr::Call(callee, arguments) => Some((whole, body.range(*callee), arguments)),
             _ => None,
         });
-        let Some((whole, arguments)) = calls.next() else { return Ok(None) };
+        let call = calls.find(|(_, callee, _)| callee.end() == range.end());
+        let Some((whole, _, arguments)) = call else { return Ok(None) };
+        let arguments = arguments.to_vec();
         let text = text_at(file.text(db), whole);
         if !text.ends_with(')') {
             return Err(format!("a call in `{}` has no end", header(db, file).name));
@@ -136,14 +142,10 @@ impl Call {
     pub(super) fn passes_variable(&self, db: &dyn Db, index: usize, ty: Base) -> bool {
         let Some(argument) = self.arguments.get(index) else { return false };
         let body = body(db, self.file);
-        let creates = |stmt: &&Stmt| {
-            let is_task = matches!(stmt.kind, StmtKind::TaskCreate { .. });
-            is_task && stmt.range.contains_range(body.range(*argument))
-        };
         let is_variable = matches!(body.expr(*argument), Expr::Name(_) | Expr::Path { .. } | Expr::Index(..))
             && Effects::new(db, self.project, self.file).root(*argument).is_some();
         let is_same = infer(db, self.project, self.file).ty(*argument).base.same_as(ty);
-        is_variable && is_same && !body.stmts().iter().any(creates)
+        is_variable && is_same && !is_in_task_create(body, body.range(*argument))
     }
 
     /// Indexes of the arguments whose evaluation has side effects.
@@ -169,10 +171,15 @@ impl Call {
     pub(super) fn separator(&self, db: &dyn Db) -> &'static str {
         let places = self.places(db);
         let text: &str = self.file.text(db);
-        let between = |pair: &[TextRange]| match pair {
-            [one, other] => text.get(usize::from(one.end())..usize::from(other.start())),
-            _ => None,
-        };
-        if places.windows(2).any(|pair| between(pair) == Some(", ")) { ", " } else { "," }
+        let pairs = places.iter().zip(places.iter().skip(1));
+        let mut separators = pairs.map(|(one, next)| text.get(usize::from(one.end())..usize::from(next.start())));
+        if separators.any(|separator| separator == Some(", ")) { ", " } else { "," }
     }
+}
+
+/// Whether a `taskCreate` contains the range.
+fn is_in_task_create(body: &Body, range: TextRange) -> bool {
+    let stmts = body.stmts();
+    let mut creations = stmts.iter().filter(|stmt| matches!(stmt.kind, StmtKind::TaskCreate { .. }));
+    creations.any(|stmt| stmt.range.contains_range(range))
 }

@@ -31,31 +31,36 @@ pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Ve
     Ok(edits.into_iter().map(|(range, text)| FileEdit { file, range, text }).collect())
 }
 
-/// New order of a list, with the edits inside its elements.
-type NewList = (Vec<ListSlot>, Vec<SlotEdit>);
+/// A list after the change.
+struct NewList {
+    /// Elements in their new order.
+    order: Vec<ListSlot>,
+    /// Edits inside the remaining elements.
+    inner: Vec<SlotEdit>,
+}
 
 fn parameters(of: &Declarations<'_>, old: &[XmlElement<'_>], header: &Header, wanted: &NewVariables) -> NewList {
-    let entry = |new: &NewParameter| match new.from {
+    let slots = wanted.parameters.iter().map(|new| match new.from {
         Some(index) => ListSlot::Kept(index),
         None => ListSlot::Added(declare::parameter_entry(of.is_old, &variable(new), new.by_reference)),
-    };
+    });
     let inner = wanted.parameters.iter().filter_map(|new| {
         let index = new.from?;
         Some(attributes::of_parameter(of.text, *old.get(index)?, header.params.get(index)?, new))
     });
-    (wanted.parameters.iter().map(entry).collect(), sorted(inner.flatten()))
+    NewList { order: slots.collect(), inner: sorted(inner.flatten()) }
 }
 
 fn locals_of(of: &Declarations<'_>, old: &[XmlElement<'_>], header: &Header, wanted: &NewVariables) -> NewList {
-    let entry = |new: &NewLocal| match new.from {
+    let slots = wanted.locals.iter().map(|new| match new.from {
         Some(index) => ListSlot::Kept(index),
         None => ListSlot::Added(declare::local_entry(of.is_old, &local_variable(new))),
-    };
+    });
     let inner = wanted.locals.iter().filter_map(|new| {
         let index = new.from?;
         Some(attributes::of_local(of.text, *old.get(index)?, header.locals.get(index)?, new))
     });
-    (wanted.locals.iter().map(entry).collect(), sorted(inner.flatten()))
+    NewList { order: slots.collect(), inner: sorted(inner.flatten()) }
 }
 
 fn sorted(edits: impl Iterator<Item = SlotEdit>) -> Vec<SlotEdit> {
@@ -92,9 +97,10 @@ impl Declarations<'_> {
         &self,
         program: XmlElement<'_>,
         old: &[XmlElement<'_>],
-        (order, inner): &NewList,
+        new: &NewList,
         of_parameters: bool,
     ) -> Result<Vec<SlotEdit>, String> {
+        let NewList { order, inner } = new;
         let Some(first) = old.first() else { return self.first_entries(order, of_parameters) };
         let entries: Vec<TextRange> = old.iter().map(|element| element.view().range()).collect();
         if order.is_empty()
@@ -136,8 +142,7 @@ impl Declarations<'_> {
         let end = tag.end() + TextSize::of(content);
         let starts = entries.iter().map(|entry| entry.start()).chain([end]);
         let mut gaps = std::iter::once(tag.end()).chain(entries.iter().map(|entry| entry.end())).zip(starts);
-        let is_blank = |(from, to)| from <= to && self.slice(TextRange::new(from, to)).trim().is_empty();
-        if !gaps.all(is_blank) {
+        if !gaps.all(|(from, to)| from <= to && self.slice(TextRange::new(from, to)).trim().is_empty()) {
             return None;
         }
         let start = self.slice(tag).strip_suffix('>')?;

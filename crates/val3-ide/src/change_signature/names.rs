@@ -116,11 +116,8 @@ pub(super) fn is_readable(db: &dyn Db, program: &AffectedProgram) -> Result<(), 
 
 /// Whether every variable is kept with its name.
 fn keeps_names(wanted: &NewVariables, header: &Header) -> bool {
-    let param = |(index, old): (usize, &ParamDecl)| {
-        wanted.parameters.iter().any(|new| new.from == Some(index) && old.name == *new.name)
-    };
-    let local = |(index, old): (usize, &LocalDecl)| {
-        wanted.locals.iter().any(|new| new.from == Some(index) && old.name == *new.name)
-    };
-    header.params.iter().enumerate().all(param) && header.locals.iter().enumerate().all(local)
+    let parameters: FxHashSet<_> = wanted.parameters.iter().map(|new| (new.from, new.name.as_str())).collect();
+    let locals: FxHashSet<_> = wanted.locals.iter().map(|new| (new.from, new.name.as_str())).collect();
+    (0..).zip(&header.params).all(|(index, old)| parameters.contains(&(Some(index), old.name.as_str())))
+        && (0..).zip(&header.locals).all(|(index, old)| locals.contains(&(Some(index), old.name.as_str())))
 }

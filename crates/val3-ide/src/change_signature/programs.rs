@@ -53,7 +53,8 @@ pub(super) fn programs(
         let Symbol::Program(_, name) = symbol else { continue };
         let other = of_symbol(db, symbol).filter(|(_, other)| programs.iter().all(|known| known.file != *other));
         let Some((project, other)) = other else { continue };
-        let parameters = translated(db, file, wanted, (project, other)).map_err(|reason| {
+        let translation = Translation { db, file, project, other };
+        let parameters = translation.parameters(&wanted.parameters).map_err(|reason| {
             format!("`{}` has the program `{name}` for the same interface, and {reason}", folder(db, project))
         })?;
         let wanted = NewVariables { parameters, ..NewVariables::of(header(db, other)) };
@@ -72,21 +73,31 @@ fn folder(db: &dyn Db, project: Project) -> &str {
     project.manifest(db).path(db).file_stem().unwrap_or("")
 }
 
-/// Parameters for the other program, changed like the parameters of the program in `file`.
-fn translated(
-    db: &dyn Db,
+/// Converts changed parameters to the same changes in another program with the same signature.
+struct Translation<'db> {
+    db: &'db dyn Db,
+    /// File of the program with the changed parameters.
     file: File,
-    wanted: &NewVariables,
-    (project, other): (Project, File),
-) -> Result<Vec<NewParameter>, String> {
-    let (own, others) = (header(db, file), header(db, other));
-    if own.params.len() != others.params.len() || !others.complete {
-        return Err("its parameters are others or cannot be read".to_owned());
+    /// Project of the other program.
+    project: Project,
+    /// File of the other program.
+    other: File,
+}
+
+impl Translation<'_> {
+    fn parameters(&self, changed: &[NewParameter]) -> Result<Vec<NewParameter>, String> {
+        let (own, others) = (header(self.db, self.file), header(self.db, self.other));
+        if own.params.len() != others.params.len() || !others.complete {
+            return Err("its parameters are others or cannot be read".to_owned());
+        }
+        changed.iter().map(|new| self.parameter(new)).collect()
     }
-    let translate = |new: &NewParameter| {
+
+    fn parameter(&self, new: &NewParameter) -> Result<NewParameter, String> {
+        let (own, others) = (header(self.db, self.file), header(self.db, self.other));
         let known = new.from.and_then(|index| Some((index, own.params.get(index)?, others.params.get(index)?)));
         let Some((index, old, there)) = known else {
-            let type_name = type_name(db, file, project, &new.type_name)?;
+            let type_name = type_name(self.db, self.file, self.project, &new.type_name)?;
             return Ok(NewParameter { type_name, ..new.clone() });
         };
         let mut parameter = NewParameter::kept(index, there);
@@ -94,14 +105,13 @@ fn translated(
             parameter.name.clone_from(&new.name);
         }
         if old.type_name != *new.type_name {
-            parameter.type_name = type_name(db, file, project, &new.type_name)?;
+            parameter.type_name = type_name(self.db, self.file, self.project, &new.type_name)?;
         }
-        if (old.container, old.by_reference) != (new.container, new.by_reference) {
+        if new.is_passed_differently(old) {
             (parameter.container, parameter.by_reference) = (new.container, new.by_reference);
         }
         Ok(parameter)
-    };
-    wanted.parameters.iter().map(translate).collect()
+    }
 }
 
 /// Name in `project` of a type that the program in `file` uses.

@@ -47,8 +47,8 @@ pub(super) struct Slots<'a> {
 impl Slots<'_> {
     /// Edits that produce this order, sorted and without overlap. An empty list has no edits.
     pub(super) fn edits(&self, order: &[ListSlot]) -> Vec<SlotEdit> {
-        let is_kept = |index: &usize| order.contains(&ListSlot::Kept(*index));
-        let (kept, mut removed): (Vec<usize>, Vec<usize>) = (0..self.entries.len()).partition(is_kept);
+        let (kept, mut removed): (Vec<usize>, Vec<usize>) =
+            (0..self.entries.len()).partition(|index| order.contains(&ListSlot::Kept(*index)));
         let mut edits = Vec::new();
         if kept.is_empty() && !order.is_empty() && !removed.is_empty() {
             edits.push((self.range(0), self.joined(order)));
@@ -157,12 +157,12 @@ mod tests {
         }
         let separator = if text.contains(", ") { ", " } else { "," };
         let slots = Slots { text, entries: &entries, inner: &[], separator, removal: Removal::Separator };
-        let entry = |letter: char| match letter.to_digit(10) {
+        let order = order.chars().map(|letter| match letter.to_digit(10) {
             Some(index) => ListSlot::Kept(index as usize),
             None => ListSlot::Added(letter.to_string()),
-        };
+        });
         let mut changed = text.to_owned();
-        for (range, new) in slots.edits(&order.chars().map(entry).collect::<Vec<_>>()).into_iter().rev() {
+        for (range, new) in slots.edits(&order.collect::<Vec<_>>()).into_iter().rev() {
             changed.replace_range(std::ops::Range::<usize>::from(range), &new);
         }
         changed

@@ -363,13 +363,12 @@ fn programs_of_s6_change() {
         +  call other()
     "#]],
     );
-    let array = |wanted: &mut NewVariables| {
-        wanted.parameters[0].container = Container::Array { dims: 2 };
-        wanted.parameters[0].by_reference = true;
-    };
     check(
         OLD,
-        array,
+        |wanted| {
+            wanted.parameters[0].container = Container::Array { dims: 2 };
+            wanted.parameters[0].by_reference = true;
+        },
         expect![[r#"
         refused: programs of s5 and s6 have no collections and arrays of one dimension, and so has `x_b`
     "#]],
@@ -436,8 +435,7 @@ fn names_and_types_that_do_not_suit_are_refused() {
     let renamed = |name: &str| refused(&|wanted: &mut NewVariables| wanted.parameters[0].name = name.to_owned());
     let retyped = |name: &str| refused(&|wanted: &mut NewVariables| wanted.locals[0].type_name = name.to_owned());
     let resized = |sizes: &[u32]| refused(&|wanted: &mut NewVariables| wanted.locals[0].sizes = sizes.to_vec());
-    let passed =
-        |argument: &str| refused(&|wanted: &mut NewVariables| wanted.parameters.push(added("x_nB", "num", argument)));
+    let passed = |text: &str| refused(&|new: &mut NewVariables| new.parameters.push(added("x_nB", "num", text)));
     let all = [
         renamed("l_nC"),
         renamed("nA"),
@@ -477,15 +475,9 @@ fn names_and_types_that_do_not_suit_are_refused() {
 
 #[test]
 fn calls_that_cannot_follow_are_refused() {
-    let program = "program other(num x_nA,num x_nB)\nbegin\n  $0put(1)\nend";
-    let swapped = |line: &str| {
-        done(&format!("num nA\nstring sA\n{line}\n{program}"), |wanted: &mut NewVariables| wanted.parameters.swap(0, 1))
-    };
-    let removed = |line: &str| {
-        done(&format!("num nA\nstring sA\n{line}\n{program}"), |wanted: &mut NewVariables| {
-            wanted.parameters.remove(0);
-        })
-    };
+    let cell = |line| format!("num nA\nstring sA\n{line}\nprogram other(num x_nA,num x_nB)\nbegin\n  $0put(1)\nend");
+    let swapped = |line| done(&cell(line), |wanted: &mut NewVariables| wanted.parameters.swap(0, 1));
+    let removed = |line| done(&cell(line), |wanted: &mut NewVariables| drop(wanted.parameters.remove(0)));
     let all = [
         swapped("call other(1)"),
         swapped("call other(1,2"),

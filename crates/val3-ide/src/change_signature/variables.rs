@@ -52,23 +52,15 @@ impl NewVariables {
 
     /// Whether the arguments of calls are unchanged: the parameters are the same, possibly renamed.
     pub(super) fn keeps_arguments(&self, header: &Header) -> bool {
-        let is_same =
-            |(index, (new, old)): (usize, (&NewParameter, &ParamDecl))| new.from == Some(index) && !new.is_retyped(old);
+        let mut pairs = (0..).zip(self.parameters.iter().zip(&header.params));
         self.parameters.len() == header.params.len()
-            && self.parameters.iter().zip(&header.params).enumerate().all(is_same)
+            && pairs.all(|(index, (new, old))| new.from == Some(index) && !new.is_retyped(old))
     }
 
     /// Whether a variable is new, or has another type, size or passing than before.
     pub(crate) fn adds_or_retypes(&self, header: &Header) -> bool {
-        let param = |new: &NewParameter| {
-            let old = new.from.and_then(|index| header.params.get(index));
-            old.is_none_or(|old| new.is_retyped(old))
-        };
-        let local = |new: &NewLocal| {
-            let old = new.from.and_then(|index| header.locals.get(index));
-            old.is_none_or(|old| new.is_retyped(old))
-        };
-        self.parameters.iter().any(param) || self.locals.iter().any(local)
+        self.parameters.iter().any(|new| new.old(header).is_none_or(|old| new.is_retyped(old)))
+            || self.locals.iter().any(|new| new.old(header).is_none_or(|old| new.is_retyped(old)))
     }
 
     /// Whether each old parameter and local is kept at most once.
@@ -104,10 +96,24 @@ impl NewParameter {
         }
     }
 
+    /// The parameter before the change; `None` for a new parameter.
+    pub(super) fn old<'h>(&self, header: &'h Header) -> Option<&'h ParamDecl> {
+        header.params.get(self.from?)
+    }
+
+    /// Whether the parameter is new, or has another name than before.
+    pub(super) fn is_renamed(&self, header: &Header) -> bool {
+        self.old(header).is_none_or(|old| old.name != *self.name)
+    }
+
     /// Whether its type, container or passing differs from `old`.
     pub(super) fn is_retyped(&self, old: &ParamDecl) -> bool {
-        let shape = (self.container, self.by_reference);
-        old.type_name != *self.type_name || shape != (old.container, old.by_reference)
+        old.type_name != *self.type_name || self.is_passed_differently(old)
+    }
+
+    /// Whether its container or passing differs from `old`.
+    pub(super) fn is_passed_differently(&self, old: &ParamDecl) -> bool {
+        (self.container, self.by_reference) != (old.container, old.by_reference)
     }
 }
 
@@ -116,6 +122,11 @@ impl NewLocal {
     pub(super) fn kept(index: usize, local: &LocalDecl) -> Self {
         let (name, type_name) = (local.name.to_string(), local.type_name.to_string());
         Self { from: Some(index), name, type_name, sizes: local.sizes.clone() }
+    }
+
+    /// The local before the change; `None` for a new local.
+    pub(super) fn old<'h>(&self, header: &'h Header) -> Option<&'h LocalDecl> {
+        header.locals.get(self.from?)
     }
 
     /// Whether its type or size differs from `old`.

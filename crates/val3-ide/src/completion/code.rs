@@ -247,18 +247,18 @@ fn add_program<'f>(
 fn on_library(found: &mut CompletionList<'_>, wanted: &ExpectedItem) {
     let expected: &[Base] = if let ExpectedItem::Value(expected) = wanted { &expected.bases } else { &[] };
     for instruction in instructions::all() {
-        let suits = |form: &&Overload| {
-            form.on_library
-                && if *wanted == ExpectedItem::Statement {
-                    form.class == CallClass::Modifier
-                } else {
-                    form.result.is_some()
-                }
-        };
-        if let Some(form) = instruction.overloads.iter().find(suits) {
+        if let Some(form) = instruction.overloads.iter().find(|form| form.on_library && suits(form, wanted)) {
             let score = form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
             add_instruction(found, instruction, form).scored(score);
         }
+    }
+}
+
+/// Whether the form is a statement, or has a result where a value is expected.
+fn suits(form: &Overload, wanted: &ExpectedItem) -> bool {
+    match wanted {
+        ExpectedItem::Statement => form.class == CallClass::Modifier,
+        _ => form.result.is_some(),
     }
 }
 

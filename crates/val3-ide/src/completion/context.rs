@@ -91,11 +91,11 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
         Some(token) if token.kind() == STRING => string(&names, &line, token, at),
         current => {
             let typed = current.map_or(empty, SyntaxToken::text_range);
-            let statement = || {
+            let context = code(&names, &line, || {
                 let blocks = open_blocks(parse.view(), typed.start().max(at.offset));
                 Context::Statement(blocks, code_part(parse.view(), typed.start()))
-            };
-            (code(&names, &line, statement), typed)
+            });
+            (context, typed)
         }
     }
 }

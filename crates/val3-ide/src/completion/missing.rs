@@ -3,7 +3,7 @@
 use smol_str::SmolStr;
 use val3_analysis::db::Project;
 use val3_analysis::items::program::header;
-use val3_analysis::items::project::items;
+use val3_analysis::items::project::{Items, items};
 use val3_analysis::occurrences::Symbol;
 use val3_config::Options;
 use val3_lang::keywords;
@@ -60,16 +60,19 @@ struct NewLibrary {
 fn new_libraries(found: &CompletionList<'_>) -> Vec<NewLibrary> {
     let (db, project) = (found.db, found.project);
     let (names, declared) = (found.names(), items(db, project));
-    let is_used = |other: Project| {
-        declared.libraries.values().any(|library| library.interface == Some(other))
-            || declared.types.values().any(|ty| *ty == Some(other))
-    };
-    let new = reachable(db, project).into_iter().filter(|other| !is_used(other.project)).map(|other| NewLibrary {
+    let unused = reachable(db, project).into_iter().filter(|other| !references(declared, other.project));
+    let new = unused.map(|other| NewLibrary {
         project: other.project,
         alias: other.name(db).to_owned(),
         path: other.entry(db, project),
     });
     new.filter(|new| keywords::is_identifier(&new.alias) && !names.is_declared(&new.alias)).collect()
+}
+
+/// Whether a library identifier or user type refers to the other project.
+fn references(declared: &Items, other: Project) -> bool {
+    declared.libraries.values().any(|library| library.interface == Some(other))
+        || declared.types.values().any(|ty| *ty == Some(other))
 }
 
 /// Reachable projects that are not a library of the project yet.

@@ -9,6 +9,7 @@ use val3_lang::types::{self, BaseType};
 
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::line::Expected;
+use crate::variables::declares_variable;
 
 /// Score bonus for the expected type.
 pub(super) const FITS: i32 = 60;
@@ -32,8 +33,8 @@ fn fit_one(expected: Base, base: Base) -> i32 {
         (Base::Builtin(BaseType::Bool, _), Base::Builtin(BaseType::Dio, _)) => FITS,
         (Base::Builtin(BaseType::Num, _), Base::Builtin(BaseType::Aio, _)) => FITS,
         (expected, Base::Builtin(ty, arm)) => {
-            let has_field = |ty, arm| types::fields(ty, arm).iter().any(|field| Base::of(field.ty).same_as(expected));
-            if has_field(ty, arm) { LEADS_ON } else { 0 }
+            let has_field = types::fields(ty, arm).iter().any(|field| Base::of(field.ty).same_as(expected));
+            if has_field { LEADS_ON } else { 0 }
         }
         _ => 0,
     }
@@ -63,11 +64,7 @@ pub(super) fn variables(found: &mut CompletionList<'_>, expected: &Expected) {
         let added = added.scored(fit(&expected.bases, base) + OWN + NEAR);
         added.of(|| Symbol::Param(file, param.name.clone()));
     }
-    let is_hidden = |name: &str| {
-        names.header.locals.iter().any(|local| local.name == name)
-            || names.header.params.iter().any(|param| param.name == name)
-    };
-    for (name, item) in names.items.data.iter().filter(|(name, _)| !is_hidden(name)) {
+    for (name, item) in names.items.data.iter().filter(|(name, _)| !declares_variable(names.header, name)) {
         let added = found.add(name, Kind::Data).detail(|| data_detail(item)).data(item);
         added.scored(fit(&expected.bases, item.base) + OWN).of(|| Symbol::Data(project, name.clone()));
     }

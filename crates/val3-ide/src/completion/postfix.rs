@@ -38,16 +38,19 @@ impl Receiver {
 /// Whether the tokens form a name or a call with indexes and fields, without operators.
 fn is_operand(tokens: &[SyntaxToken]) -> bool {
     let mut depth = 0_i32;
-    let is_part = |token: &SyntaxToken| {
-        let kind = token.kind();
-        match kind {
+    for token in tokens {
+        match token.kind() {
             L_PAREN | L_BRACK | L_CURLY => depth += 1,
             R_PAREN | R_BRACK | R_CURLY => depth -= 1,
-            _ => return depth > 0 || matches!(kind, IDENT | DOT | COLON),
+            IDENT | DOT | COLON => {}
+            _ if depth == 0 => return false,
+            _ => {}
         }
-        depth >= 0
-    };
-    tokens.iter().all(is_part) && depth == 0
+        if depth < 0 {
+            return false;
+        }
+    }
+    depth == 0
 }
 
 /// A statement with the expression.

@@ -115,9 +115,8 @@ fn last_key_alone(found: &mut CompletionList<'_>) {
 fn keys(found: &CompletionList<'_>, Collection { project, name }: &Collection) -> Vec<String> {
     let mut keys = keys_of(found.db, *project, name);
     // The key at the cursor is excluded.
-    let is_new = |key: &String| !key.is_empty() && key != found.query && !keys.contains(key);
-    let spelt = spelt_keys(found.db, *project, name).into_iter().filter(is_new);
-    let spelt: Vec<String> = spelt.collect();
+    let mut spelt = spelt_keys(found.db, *project, name);
+    spelt.retain(|key| !key.is_empty() && key != found.query && !keys.contains(key));
     keys.extend(spelt);
     keys
 }

@@ -15,9 +15,11 @@ fn found(listing: &str) -> Vec<Completion> {
 
 /// Checks the first completions.
 fn check(listing: &str, expected: Expect) {
-    let line =
-        |item: &Completion| format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n";
     expected.assert_eq(&found(listing).iter().take(6).map(line).collect::<String>());
+}
+
+fn line(item: &Completion) -> String {
+    format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n"
 }
 
 /// Checks the inserted text of the completion `label`, with and without placeholders, and its additional edits.
@@ -56,17 +58,12 @@ fn blocks_are_closed() {
 
 #[test]
 fn a_program_begins_and_ends() {
-    let program = |code: &str| {
-        format!(
-            "program other()\nbegin\nend\n=== main/start.pgx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"start\">\n<Code><![CDATA[{code}]]></Code></Program></Programs>"
-        )
-    };
-    let labels = |code: &str| -> Vec<String> { found(&program(code)).into_iter().map(|item| item.label).collect() };
+    let labels = |code| -> Vec<String> { found(&start_with(code)).into_iter().map(|item| item.label).collect() };
     for empty in ["$0", "be$0", "\n  // why\n  BE$0\n", "\n$0\nend"] {
         assert_eq!(labels(empty), ["begin"], "{empty:?}");
     }
     check_insert(
-        &program("be$0"),
+        &start_with("be$0"),
         "begin",
         expect![[r#"
             begin
@@ -76,7 +73,7 @@ fn a_program_begins_and_ends() {
         "#]],
     );
     check_insert(
-        &program("be$0\nend"),
+        &start_with("be$0\nend"),
         "begin",
         expect![[r#"
             begin
@@ -89,6 +86,13 @@ fn a_program_begins_and_ends() {
     for other in ["begin\nen$0\nend", "begin\nif true\nen$0", "begin\nen$0\ncls()", "begin\nend\nen$0", "cls()\nen$0"] {
         assert!(!labels(other).iter().any(|label| label == "end" || label == "begin"), "{other:?}");
     }
+}
+
+/// A cell with exactly this code in `start`.
+fn start_with(code: &str) -> String {
+    format!(
+        "program other()\nbegin\nend\n=== main/start.pgx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"start\">\n<Code><![CDATA[{code}]]></Code></Program></Programs>"
+    )
 }
 
 #[test]

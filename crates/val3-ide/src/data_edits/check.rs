@@ -31,15 +31,14 @@ pub fn added_data_findings(
     for finding in before {
         *known.entry(identity(finding)).or_default() += 1;
     }
-    let mut is_new = |finding: &DataFinding| match known.get_mut(&identity(finding)).filter(|count| **count > 0) {
-        Some(count) => {
+    let mut added = data_findings(trial.db(), changed, found);
+    added.retain(|finding| match known.get_mut(&identity(finding)) {
+        Some(count) if *count > 0 => {
             *count -= 1;
             false
         }
-        None => true,
-    };
-    let mut added = data_findings(trial.db(), changed, found);
-    added.retain(|finding| is_new(finding));
+        _ => true,
+    });
     // The files of the trial database do not exist for the caller.
     for finding in &mut added {
         finding.diagnostic.place.file = file;

@@ -56,8 +56,8 @@ fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32
     let Some(father) = father(base).filter(|_| file.dialect == Dialect::New) else { return };
     let SavedContainer::Sizes(sizes) = &data.shape else { return };
     let known: FxHashSet<String> = data.values.iter().map(|value| value.key.clone()).collect();
-    let is_new = |key: &String| !known.contains(key) && (old.len() != sizes.len() || !fits(old, key));
-    let new = keys(sizes).into_iter().filter(is_new);
+    let missing = keys(sizes).into_iter().filter(|key| !known.contains(key));
+    let new = missing.filter(|key| old.len() != sizes.len() || !fits(old, key));
     data.values.extend(new.map(|key| SavedValue { key, content: father.clone() }));
 }
 

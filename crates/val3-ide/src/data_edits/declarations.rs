@@ -26,11 +26,8 @@ pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<TextEdit>, 
     // The preceding variable may have been removed in the meantime.
     let neighbour = new.after.as_deref().and_then(|name| file.element(name).ok());
     // In s5 and s6, each type has a section.
-    let first = lines.first().map_or("", String::as_str);
-    let fits = |element: &val3_analysis::xml::XmlElement<'_>| {
-        first.trim_start_matches('<').split(' ').next() == Some(element.name())
-    };
-    if let Some(neighbour) = neighbour.filter(fits) {
+    let name = lines.first().and_then(|line| line.trim_start_matches('<').split(' ').next());
+    if let Some(neighbour) = neighbour.filter(|element| name == Some(element.name())) {
         return Ok(vec![val3_data::after(file.text, file.root, neighbour, &lines)]);
     }
     let edit = data_list(file.text, file.root, &variable.type_name, &lines);

@@ -30,15 +30,18 @@ pub(super) fn complete(value: &mut SavedValue, initial: &[SavedField]) {
 }
 
 fn is_same_data(one: &SavedData, other: &SavedData) -> bool {
-    let value = |of: &SavedData, key: &str| of.values.iter().find(|value| value.key == key).cloned();
-    let has_same = |one: &SavedData, other: &SavedData| {
-        one.values.iter().all(|found| is_same_value(&one.type_name, Some(found), value(other, &found.key).as_ref()))
-    };
-    let keys = |of: &SavedData| of.values.len();
     one.shape == other.shape
-        && (one.shape != SavedContainer::Keys || keys(one) == keys(other))
-        && has_same(one, other)
-        && has_same(other, one)
+        && (one.shape != SavedContainer::Keys || one.values.len() == other.values.len())
+        && has_values_of(other, one)
+        && has_values_of(one, other)
+}
+
+/// Whether all values of `other` are the same in `data`.
+fn has_values_of(data: &SavedData, other: &SavedData) -> bool {
+    other.values.iter().all(|value| {
+        let own = data.values.iter().find(|own| own.key == value.key);
+        is_same_value(&other.type_name, Some(value), own)
+    })
 }
 
 fn is_same_value(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {

@@ -9,7 +9,7 @@ use val3_analysis::items::data;
 use val3_analysis::items::project::{Items, items};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
-use val3_analysis::xml::XmlElement;
+use val3_analysis::xml::{self, XmlElement};
 use val3_data::SavedField;
 use val3_syntax::view::View;
 
@@ -36,10 +36,13 @@ pub(super) struct DataFile<'a> {
 
 impl<'a> DataFile<'a> {
     pub(super) fn new(
-        (db, project, file): (&'a dyn Db, Project, File),
+        db: &'a dyn Db,
+        project: Project,
+        file: File,
         text: &'a str,
-        (view, root): (View<'a>, XmlElement<'a>),
+        view: View<'a>,
     ) -> Result<Self, DataProblem> {
+        let root = xml::root(view).ok_or_else(|| refusal("the file is no data file"))?;
         let dialect = match root.name() {
             "Database" => Dialect::New,
             "dataList" => Dialect::Old,
@@ -119,12 +122,15 @@ impl<'a> DataFile<'a> {
 
 /// Checks that XML can represent the text.
 pub(super) fn check_text(text: &str) -> Result<(), DataProblem> {
-    let is_forbidden =
-        |character: char| matches!(character, '\0'..'\t' | '\u{b}' | '\u{c}' | '\u{e}'..' ' | '\u{fffe}' | '\u{ffff}');
     match text.chars().find(|character| is_forbidden(*character)) {
         Some(character) => {
             Err(refusal(format!("the character U+{:04X} cannot be written in the file", u32::from(character))))
         }
         None => Ok(()),
     }
+}
+
+/// Whether no XML file can contain the character.
+fn is_forbidden(character: char) -> bool {
+    matches!(character, '\0'..'\t' | '\u{b}' | '\u{c}' | '\u{e}'..' ' | '\u{fffe}' | '\u{ffff}')
 }

@@ -39,14 +39,15 @@ fn check(arm: &str, names: &[&str], expected: Expect) {
     let file = marked.at().file;
     let project = crate::owner(marked.db(), file).unwrap();
     let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-    let line = |found: DataPose| {
-        let key = found.place.key.unwrap();
-        let (name, chain) = (found.place.name, found.chain.join(" on "));
-        let (pose, joints, reached) = (found.pose, found.joints, found.is_reached);
-        format!("{name}[{key}] {pose:?} {chain:?} {reached:?} {joints:?} {:?}\n", found.remark)
-    };
     let shown: String = data_poses(marked.db(), project, file, &names).into_iter().map(line).collect();
     expected.assert_eq(&shown);
+}
+
+fn line(found: DataPose) -> String {
+    let key = found.place.key.unwrap();
+    let (name, chain) = (found.place.name, found.chain.join(" on "));
+    let (pose, joints, reached) = (found.pose, found.joints, found.is_reached);
+    format!("{name}[{key}] {pose:?} {chain:?} {reached:?} {joints:?} {:?}\n", found.remark)
 }
 
 #[test]

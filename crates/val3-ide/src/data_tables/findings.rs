@@ -2,7 +2,7 @@
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::{data, parse};
-use val3_analysis::xml::{Attribute, XmlElement};
+use val3_analysis::xml::XmlElement;
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::types::{BaseType, attributes};
 use val3_syntax::TextRange;
@@ -24,11 +24,11 @@ pub struct DataFinding {
 pub fn data_findings(db: &dyn Db, file: File, findings: impl IntoIterator<Item = Diagnostic>) -> Vec<DataFinding> {
     let parse = parse(db, file);
     let elements: Vec<XmlElement<'_>> = data::elements(parse.view()).collect();
-    let placed = |diagnostic: Diagnostic| {
+    let placed = findings.into_iter().filter(|found| found.place.file == file).map(|diagnostic| {
         let (place, column) = place_of(&elements, diagnostic.place.range);
         DataFinding { place, column, diagnostic }
-    };
-    findings.into_iter().filter(|found| found.place.file == file).map(placed).collect()
+    });
+    placed.collect()
 }
 
 fn place_of(elements: &[XmlElement<'_>], range: TextRange) -> (DataPlace, Option<String>) {
@@ -61,8 +61,8 @@ fn contains(element: XmlElement<'_>, range: TextRange) -> bool {
 
 /// Column name of the attribute at `range` in an `element` of a variable.
 fn column(variable: XmlElement<'_>, element: XmlElement<'_>, range: TextRange) -> Option<String> {
-    let is_in = |found: &Attribute<'_>| found.name_range.cover(found.range).contains_range(range);
-    let found = element.attributes().find(is_in)?.name;
+    let mut own = element.attributes();
+    let found = own.find(|found| found.name_range.cover(found.range).contains_range(range))?.name;
     if element.attribute("fatherIndex").is_some() {
         return Some("fatherId".to_owned());
     }

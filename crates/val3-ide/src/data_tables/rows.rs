@@ -45,11 +45,11 @@ fn value(saved: SavedValue, columns: &[&str], types: &[DataType]) -> DatumValue 
             DatumValue { key, texts: Vec::new(), fields }
         }
         SavedContent::Attributes(mut attributes) => {
-            let mut text = |column: &&str| {
-                let found = attributes.iter_mut().find(|(name, _)| name == *column);
-                found.map(|(_, text)| std::mem::take(text))
-            };
-            DatumValue { key, texts: columns.iter().map(&mut text).collect(), fields: Vec::new() }
+            let texts = columns.iter().map(|column| {
+                let attribute = attributes.iter_mut().find(|(name, _)| name == *column);
+                attribute.map(|(_, text)| std::mem::take(text))
+            });
+            DatumValue { key, texts: texts.collect(), fields: Vec::new() }
         }
     }
 }

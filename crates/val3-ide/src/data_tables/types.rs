@@ -225,13 +225,13 @@ fn unit(ty: BaseType, arm: Option<Arm>, path: &str) -> NumberUnit {
 
 /// Fields of a user type, sorted by name.
 fn type_fields(db: &dyn Db, owner: Project) -> Vec<TypeField> {
-    let field = |(name, item): (&SmolStr, &DataItem)| TypeField {
+    let fields = fields(db, owner).iter().map(|(name, item)| TypeField {
         name: name.to_string(),
         type_name: item.decl.type_name.to_string(),
         container: item.decl.container,
         sizes: item.decl.sizes.clone(),
-    };
-    let mut fields: Vec<TypeField> = fields(db, owner).iter().map(field).collect();
+    });
+    let mut fields: Vec<TypeField> = fields.collect();
     fields.sort_unstable_by(|one, other| one.name.cmp(&other.name));
     fields
 }

@@ -24,11 +24,12 @@ fn files(references: &[String]) -> Vec<String> {
 
 /// Adds a library identifier with the path of its interface to a `.pjx`.
 pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) -> Option<FileEdit> {
-    let attributes = |spelling: &Spelling| {
-        let Spelling { library_name, library_path, .. } = spelling;
-        vec![format!("{library_name}=\"{}\" {library_path}=\"{}\"", escaped(alias), escaped(path))]
-    };
-    entries(db, project, |spelling| spelling.libraries, attributes)
+    entries(db, project, |spelling| spelling.libraries, |spelling| vec![library_attributes(spelling, alias, path)])
+}
+
+fn library_attributes(spelling: &Spelling, alias: &str, path: &str) -> String {
+    let Spelling { library_name, library_path, .. } = spelling;
+    format!("{library_name}=\"{}\" {library_path}=\"{}\"", escaped(alias), escaped(path))
 }
 
 /// Adds a user type to a `.pjx` of s7 or s8.

@@ -3,7 +3,7 @@
 use camino::Utf8Path;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::declarations;
-use val3_analysis::items::project::folder;
+use val3_analysis::items::project::{folder, items};
 
 use super::{NewVariable, PARAMETERS, free, local_entry, parameter_entry, program_entries};
 use crate::edit::SourceChange;
@@ -27,13 +27,13 @@ pub(crate) struct NewProgram {
 /// element.
 pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
     let old = declarations::is_old(db, project);
-    let file = |new: &NewProgram| {
+    let files = new.iter().map(|new| {
         let path = folder(db, project).join(&new.name).with_extension("pgx");
         (path, if old { old_program(new) } else { new_program(new) })
-    };
+    });
     let names: Vec<String> = new.iter().map(|new| format!("{}.pgx", new.name)).collect();
     let entries = program_entries(db, project, &names)?;
-    Some(SourceChange { creates: new.iter().map(file).collect(), ..SourceChange::of([entries]) })
+    Some(SourceChange { creates: files.collect(), ..SourceChange::of([entries]) })
 }
 
 fn new_program(new: &NewProgram) -> String {
@@ -90,11 +90,12 @@ fn old_program(new: &NewProgram) -> String {
 
 /// A name that is unused among the project's programs and files: `stem`, otherwise `stem2` and so on.
 pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
-    let items = val3_analysis::items::project::items(db, project);
-    let taken = |name: &str| {
-        let same = |other: &str| other.eq_ignore_ascii_case(name);
-        items.programs.keys().any(|other| same(other))
-            || project.beside(db).iter().any(|file| Utf8Path::new(file.as_str()).file_stem().is_some_and(same))
-    };
-    free(stem, taken)
+    free(stem, |name| has_program_or_file(db, project, name))
+}
+
+/// Whether a program, or a file in the project's folder, has this name in any letter case.
+fn has_program_or_file(db: &dyn Db, project: Project, name: &str) -> bool {
+    let same = |other: &str| other.eq_ignore_ascii_case(name);
+    items(db, project).programs.keys().any(|other| same(other))
+        || project.beside(db).iter().any(|file| Utf8Path::new(file.as_str()).file_stem().is_some_and(same))
 }

@@ -84,20 +84,21 @@ pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(XmlElement<'_>, &str) ->
 
 /// Elements in the part `name` of such a declaration, each with its text.
 pub(crate) fn parts<'g, 't>(root: XmlElement<'g>, name: &str, text: &'t str) -> Vec<(&'g str, &'t str)> {
-    let written = |part: XmlElement<'g>| {
-        let range = std::ops::Range::<usize>::from(part.view().range());
-        Some((part.name(), text.get(range)?))
-    };
-    part(root, name).into_iter().flat_map(XmlElement::elements).filter_map(written).collect()
+    let elements = part(root, name).into_iter().flat_map(XmlElement::elements);
+    let parts = elements.filter_map(|element| {
+        let range = std::ops::Range::<usize>::from(element.view().range());
+        Some((element.name(), text.get(range)?))
+    });
+    parts.collect()
 }
 
 /// Attributes in the part `name` of such a declaration, with their defaults.
 pub(crate) fn attributes(ty: &str, name: &str) -> Vec<(String, String)> {
-    let read = |root: XmlElement<'_>, _: &str| {
+    let attributes = with_model(ty, |root, _| {
         let attributes = part(root, name).into_iter().flat_map(XmlElement::attributes);
         attributes.map(|found| (found.name.to_owned(), found.text().into_owned())).collect()
-    };
-    with_model(ty, read).unwrap_or_default()
+    });
+    attributes.unwrap_or_default()
 }
 
 fn part<'g>(element: XmlElement<'g>, name: &str) -> Option<XmlElement<'g>> {
@@ -114,11 +115,11 @@ fn simple(ty: &str, size: u32, value: Option<&str>) -> Option<Vec<String>> {
         "string" => ("valueString", ""),
         _ => return None,
     };
-    let written = |index: u32| {
+    let lines = (0..size).map(|index| {
         let value = value.filter(|_| index == 0).unwrap_or(default);
         format!("  <{element} index=\"{index}\" value=\"{}\" />", escaped(value))
-    };
-    Some((0..size).map(written).collect())
+    });
+    Some(lines.collect())
 }
 
 /// Lines of a structured type's values, with the defaults of all fields.

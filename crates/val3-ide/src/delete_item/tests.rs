@@ -50,11 +50,6 @@ fn the_last_program_of_several_projects_leaves_every_list() {
 
 #[test]
 fn data_of_both_dialects_go() {
-    let data = |name: &str| {
-        format!(
-            "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n"
-        )
-    };
     check(
         &format!(
             "nA=nB\n=== main/main.dtx\n<Database>\n  <Datas>\n{}{}  </Datas>\n</Database>",
@@ -86,15 +81,16 @@ fn data_of_both_dialects_go() {
     );
 }
 
+fn data(name: &str) -> String {
+    format!(
+        "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n"
+    )
+}
+
 #[test]
 fn entries_of_libraries_and_types_go() {
-    let listing = |library: &str, ty: &str| {
-        format!(
-            "part:nA=1\n=== main/main.pjx\n<Project>\n  <Programs>\n    <Program file=\"start.pgx\" />\n  </Programs>\n  <Database>\n    <Data file=\"main.dtx\" />\n  </Database>\n  <Libraries>\n    <Library alias=\"{library}\" path=\"Disk://part/part.pjx\" />\n  </Libraries>\n  <Types>\n    <Type name=\"{ty}\" path=\"Disk://part/part.pjx\" />\n  </Types>\n</Project>\n--- part\npublic num nA"
-        )
-    };
     check(
-        &listing("pa$0rt", "Part"),
+        &with_references("pa$0rt", "Part"),
         expect![[r#"
         usrapp/main/main.pjx
         -    <Library alias="part" path="Disk://part/part.pjx" />
@@ -103,13 +99,20 @@ fn entries_of_libraries_and_types_go() {
     "#]],
     );
     check(
-        &listing("part", "Par$0t"),
+        &with_references("part", "Par$0t"),
         expect![[r#"
         usrapp/main/main.pjx
         -    <Type name="Part" path="Disk://part/part.pjx" />
         used at
     "#]],
     );
+}
+
+/// A project with a library identifier and a user type.
+fn with_references(library: &str, ty: &str) -> String {
+    format!(
+        "part:nA=1\n=== main/main.pjx\n<Project>\n  <Programs>\n    <Program file=\"start.pgx\" />\n  </Programs>\n  <Database>\n    <Data file=\"main.dtx\" />\n  </Database>\n  <Libraries>\n    <Library alias=\"{library}\" path=\"Disk://part/part.pjx\" />\n  </Libraries>\n  <Types>\n    <Type name=\"{ty}\" path=\"Disk://part/part.pjx\" />\n  </Types>\n</Project>\n--- part\npublic num nA"
+    )
 }
 
 #[test]

@@ -33,55 +33,65 @@ fn all(db: &dyn Db, moved: impl Fn(&Utf8Path) -> Utf8PathBuf) -> Vec<FileEdit> {
 
 /// Edits of the references in one project that must change.
 fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8PathBuf) -> Vec<FileEdit> {
-    let own = folder(db, project);
     let new_folder = moved(project.manifest(db).path(db)).parent().map(Utf8Path::to_owned).unwrap_or_default();
-    let written = |reference: &str| {
-        let target = find_project(db, project, reference)?;
-        let from = target.manifest(db).path(db);
-        let to = moved(from);
-        let stays = to == *from && new_folder == own;
-        let roots = project.roots(db);
-        let still = matches!(paths::project(&new_folder, roots, reference), ResolvedPath::Path(path) if paths::is_same(&path, &to));
-        (!stays && !still).then(|| rewritten(&new_folder, roots, reference, &to)).flatten()
-    };
-    let whole = references(db, project).into_iter().filter_map(|(place, old)| Some((place, written(&old)?)));
-    let beginnings = beginnings(db, project)
-        .into_iter()
-        .filter_map(|(place, old)| Some((place, written_beginning(db, project, &new_folder, &old, moved)?)));
-    let edit = |((file, range), new): ((File, TextRange), String)| {
+    let mover = ReferenceMover { db, project, new_folder: &new_folder, moved };
+    let whole = references(db, project).into_iter().filter_map(|(place, old)| Some((place, mover.new_path(&old)?)));
+    let beginnings = beginnings(db, project).into_iter();
+    let beginnings = beginnings.filter_map(|(place, old)| Some((place, mover.new_beginning(&old)?)));
+    let edits = whole.chain(beginnings).map(|((file, range), new)| {
         let plain = file != project.manifest(db) && file.text(db).contains("<![CDATA[");
         FileEdit { file, range, text: if plain { new } else { escaped(&new) } }
-    };
-    whole.chain(beginnings).map(edit).collect()
+    });
+    edits.collect()
+}
+
+/// Adapts the references in a project to a move.
+struct ReferenceMover<'a, F> {
+    db: &'a dyn Db,
+    project: Project,
+    /// Folder of the project after the move.
+    new_folder: &'a Utf8Path,
+    /// Returns the path after the move.
+    moved: &'a F,
+}
+
+impl<F: Fn(&Utf8Path) -> Utf8PathBuf> ReferenceMover<'_, F> {
+    /// New path of a reference; `None` if the present path is still right.
+    fn new_path(&self, reference: &str) -> Option<String> {
+        let target = find_project(self.db, self.project, reference)?;
+        let from = target.manifest(self.db).path(self.db);
+        let to = (self.moved)(from);
+        self.adapted(reference, &to, to != *from)
+    }
+
+    /// New literal prefix of a path (`"Disk://parts/p" + sName`) when its folder or the project itself moves. If only
+    /// one of several projects in that folder moves, the reference is unchanged.
+    fn new_beginning(&self, old: &str) -> Option<String> {
+        let (start, name) = old.split_at(old.rfind(['/', '\\'])? + 1);
+        let any = format!("{start}{ANY_PROJECT}");
+        let folder = folder(self.db, self.project);
+        let ResolvedPath::Path(probe) = paths::project(folder, self.project.roots(self.db), &any) else { return None };
+        let from = as_stored(self.db, probe.parent()?);
+        let to = (self.moved)(&from);
+        let new = self.adapted(&any, &to.join(ANY_PROJECT), to != from)?;
+        Some(format!("{}{name}", new.strip_suffix(ANY_PROJECT)?))
+    }
+
+    /// Reference to the project file `to`; `None` if neither end has moved, or if `old` leads to `to`.
+    fn adapted(&self, old: &str, to: &Utf8Path, has_moved: bool) -> Option<String> {
+        let roots = self.project.roots(self.db);
+        if !has_moved && self.new_folder == folder(self.db, self.project) {
+            return None;
+        }
+        match paths::project(self.new_folder, roots, old) {
+            ResolvedPath::Path(path) if paths::is_same(&path, to) => None,
+            _ => rewritten(self.new_folder, roots, old, to),
+        }
+    }
 }
 
 /// Placeholder for the project in a path that is concatenated at run time.
 const ANY_PROJECT: &str = "any.pjx";
-
-/// New literal prefix of a path (`"Disk://parts/p" + sName`) when its folder or the project itself moves. If only one
-/// of several projects in that folder moves, the reference is unchanged.
-fn written_beginning(
-    db: &dyn Db,
-    project: Project,
-    new_folder: &Utf8Path,
-    old: &str,
-    moved: &impl Fn(&Utf8Path) -> Utf8PathBuf,
-) -> Option<String> {
-    let (start, name) = old.split_at(old.rfind(['/', '\\'])? + 1);
-    let roots = project.roots(db);
-    let any = format!("{start}{ANY_PROJECT}");
-    let ResolvedPath::Path(probe) = paths::project(folder(db, project), roots, &any) else { return None };
-    let from = as_stored(db, probe.parent()?);
-    let to = moved(&from).join(ANY_PROJECT);
-    let stays = to.parent() == Some(&*from) && new_folder == folder(db, project);
-    if stays
-        || matches!(paths::project(new_folder, roots, &any), ResolvedPath::Path(path) if paths::is_same(&path, &to))
-    {
-        return None;
-    }
-    let new = rewritten(new_folder, roots, &any, &to)?;
-    Some(format!("{}{name}", new.strip_suffix(ANY_PROJECT)?))
-}
 
 /// Folder in the spelling of the disk, if it contains projects.
 fn as_stored(db: &dyn Db, path: &Utf8Path) -> Utf8PathBuf {

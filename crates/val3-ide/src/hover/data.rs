@@ -49,26 +49,19 @@ fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(X
 /// Initial values, one line each: the key, then the attributes with their units.
 fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<String> {
     let single = item.decl.sizes == [1];
-    let line = ValueText { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
-    let read = |element: XmlElement<'_>| {
-        let values: Vec<XmlElement<'_>> =
-            element.elements().filter(|value| !value.name().ends_with("Father")).collect();
-        let mut lines: Vec<String> = values.iter().take(SHOWN).filter_map(|value| line.value(*value, single)).collect();
-        if values.len() > SHOWN {
-            lines.push(format!("… {} more", values.len() - SHOWN));
-        }
-        lines
-    };
-    with_element(db, item, name, read).unwrap_or_default()
+    let text = ValueText { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
+    with_element(db, item, name, |element| text.values(element, single)).unwrap_or_default()
 }
 
 /// Keys of the values in a data file, in file order.
 pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
-    let keys = |element: XmlElement<'_>| {
-        element.elements().filter_map(|value| value.value("key")).map(|key| key.into_owned()).collect()
-    };
     let item = items(db, project).data.get(name);
-    item.and_then(|item| with_element(db, item, name, keys)).unwrap_or_default()
+    let keys = item.and_then(|item| {
+        with_element(db, item, name, |element| {
+            element.elements().filter_map(|value| value.value("key")).map(|key| key.into_owned()).collect()
+        })
+    });
+    keys.unwrap_or_default()
 }
 
 /// Formatting of a value.
@@ -79,6 +72,17 @@ struct ValueText<'db> {
 }
 
 impl ValueText<'_> {
+    /// Lines of the first values, and the number of further values.
+    fn values(&self, element: XmlElement<'_>, single: bool) -> Vec<String> {
+        let values = element.elements().filter(|value| !value.name().ends_with("Father"));
+        let values: Vec<XmlElement<'_>> = values.collect();
+        let mut lines: Vec<String> = values.iter().take(SHOWN).filter_map(|value| self.value(*value, single)).collect();
+        if values.len() > SHOWN {
+            lines.push(format!("… {} more", values.len() - SHOWN));
+        }
+        lines
+    }
+
     fn value(&self, value: XmlElement<'_>, single: bool) -> Option<String> {
         let mut shown: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
         // In s5 and s6, the numbers and the fields of user types are one level deeper.
@@ -106,17 +110,19 @@ impl ValueText<'_> {
     }
 
     fn attribute(&self, found: Attribute<'_>) -> Option<String> {
-        let unit = || {
-            let (ty, arm) = self.ty?;
-            let path = attribute(ty, arm, found.name)?.field;
-            field_at(ty, arm, path).map(|(_, unit)| sign(self.db, self.project, unit))
-        };
         match found.name {
             // Fathers are displayed on a separate line.
             "key" | "index" | "fatherId" => None,
             "value" => Some(found.text().into_owned()),
-            name => Some(format!("{name}={}{}", found.text(), unit().unwrap_or(""))),
+            name => Some(format!("{name}={}{}", found.text(), self.unit(name).unwrap_or(""))),
         }
+    }
+
+    /// Unit of an attribute's number.
+    fn unit(&self, attribute_name: &str) -> Option<&'static str> {
+        let (ty, arm) = self.ty?;
+        let path = attribute(ty, arm, attribute_name)?.field;
+        field_at(ty, arm, path).map(|(_, unit)| sign(self.db, self.project, unit))
     }
 }
 

@@ -68,13 +68,13 @@ struct Numbers<'db> {
 impl Numbers<'_> {
     /// Instruction with whose result the number is compared, or whose argument it is.
     fn origin(&self, number: ExprId) -> Option<&'static Instruction> {
-        let is_it = |id: ExprId| self.body.without_parentheses(id) == number;
+        let equals = |id: &ExprId| self.body.without_parentheses(*id) == number;
         self.body
             .exprs()
             .find_map(|(id, expr, _)| match expr {
-                Expr::Binary(_, left, right) if is_it(*left) => self.source(*right),
-                Expr::Binary(_, left, right) if is_it(*right) => self.source(*left),
-                Expr::Call(_, arguments) if arguments.iter().any(|argument| is_it(*argument)) => self.called(id),
+                Expr::Binary(_, left, right) if equals(left) => self.source(*right),
+                Expr::Binary(_, left, right) if equals(right) => self.source(*left),
+                Expr::Call(_, arguments) if arguments.iter().any(equals) => self.called(id),
                 _ => None,
             })
             .or_else(|| self.selector(number).and_then(|selector| self.source(selector)))

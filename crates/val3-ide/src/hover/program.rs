@@ -43,14 +43,11 @@ pub(crate) fn comment(db: &dyn Db, file: File) -> Option<String> {
 
 /// Description of a parameter in the program's comment.
 pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
-    let about = |line: &String| match tag(line)? {
-        ("param", rest) => {
-            let (named, about) = rest.split_once(char::is_whitespace)?;
-            (named == name).then(|| about.trim().to_owned())
-        }
-        _ => None,
-    };
-    head_lines(db, file).iter().find_map(about)
+    head_lines(db, file).iter().find_map(|line| {
+        let ("param", rest) = tag(line)? else { return None };
+        let (named, about) = rest.split_once(char::is_whitespace)?;
+        (named == name).then(|| about.trim().to_owned())
+    })
 }
 
 /// Comments between `begin` and the first statement.

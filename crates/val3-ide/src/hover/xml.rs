@@ -95,11 +95,10 @@ fn attribute(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &str
         return Some(xml(&format!("<{element} {name}>")) + &format!("\n{page}{presence}{values}"));
     }
     let of_value = context.builtin(db, project).and_then(|(ty, arm)| value_attribute(db, project, ty, arm, name));
-    let other = || {
+    of_value.or_else(|| {
         let page = file_pages::attribute(context.file, element, name)?;
         Some(xml(&format!("<{element} {name}>")) + &format!("\n{page}"))
-    };
-    of_value.or_else(other)
+    })
 }
 
 /// An attribute of a value, named as in files of either dialect.

@@ -82,12 +82,15 @@ fn callee_before(tokens: &[SyntaxToken]) -> Option<Callee> {
 /// Whether a program name must follow these tokens.
 pub(crate) fn takes_program(before: &[SyntaxToken]) -> bool {
     let Some((first, rest)) = before.split_first() else { return false };
-    let last_of_task =
-        |commas: usize| rest.last().is_some_and(|last| last.kind() == COMMA) && pieces(rest).len() == commas + 1;
     match first.kind() {
         CALL_KW => rest.is_empty(),
-        TASK_CREATE_KW => last_of_task(2),
-        TASK_CREATE_SYNC_KW => last_of_task(3),
+        TASK_CREATE_KW => ends_before(rest, 2),
+        TASK_CREATE_SYNC_KW => ends_before(rest, 3),
         _ => false,
     }
+}
+
+/// Whether the argument with this index must follow the tokens.
+fn ends_before(arguments: &[SyntaxToken], index: usize) -> bool {
+    arguments.last().is_some_and(|last| last.kind() == COMMA) && pieces(arguments).len() == index + 1
 }

@@ -138,8 +138,9 @@ fn argument(names: &VisibleNames<'_>, call: &CallSite<'_>, index: usize) -> Expe
         bases.clear();
     }
     bases.dedup();
-    let is_value = |shape| matches!(shape, ArgumentForm::Value | ArgumentForm::ProgramCall);
-    Expected { bases, variable: !params.is_empty() && !params.iter().any(|param| is_value(param.shape)) }
+    let accepts_value =
+        params.iter().any(|param| matches!(param.shape, ArgumentForm::Value | ArgumentForm::ProgramCall));
+    Expected { bases, variable: !params.is_empty() && !accepts_value }
 }
 
 fn program_parameter(param: &SignatureParam) -> Expected {

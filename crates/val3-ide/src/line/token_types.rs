@@ -4,7 +4,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, Signature, fields, items, resolve_type, signature};
 use val3_analysis::ty::{Base, Ty};
-use val3_lang::instruction::{InstructionParam, Overload};
+use val3_lang::instruction::Overload;
 use val3_lang::types::{BaseType, Container, field};
 use val3_lang::{builtins, enumerations, instructions};
 use val3_syntax::SyntaxKind::*;
@@ -12,6 +12,7 @@ use val3_syntax::{SyntaxToken, TextSlice};
 
 use super::call::{CallSite, Callee};
 use super::open_bracket;
+use crate::variables::declares_variable;
 
 /// Names visible in a program.
 pub(crate) struct VisibleNames<'db> {
@@ -110,13 +111,11 @@ impl<'db> VisibleNames<'db> {
     pub(crate) fn forms(&self, call: &CallSite<'_>, index: usize) -> Vec<&'static Overload> {
         let Some(instruction) = instructions::find(&call.callee.name) else { return Vec::new() };
         let types: Vec<Ty> = call.arguments.iter().take(index).map(|argument| self.ty(argument)).collect();
-        let agrees =
-            |(param, ty): (&InstructionParam, &Ty)| param.ty.is_none_or(|wanted| ty.base.same_as(Base::of(wanted)));
-        let has_room = |form: &&Overload| index == usize::MAX || form.params.len() > index;
-        let placed = |form: &&Overload| form.on_library == call.callee.library.is_some();
-        let forms = || instruction.overloads.iter().filter(placed).filter(has_room);
-        let suiting: Vec<&Overload> = forms().filter(|form| form.params.iter().zip(&types).all(agrees)).collect();
-        if suiting.is_empty() { forms().take(1).collect() } else { suiting }
+        let is_on_library = call.callee.library.is_some();
+        let forms = instruction.overloads.iter().filter(|form| form.on_library == is_on_library);
+        let forms = forms.filter(|form| index == usize::MAX || form.params.len() > index);
+        let suiting: Vec<&Overload> = forms.clone().filter(|form| accepts(form, &types)).collect();
+        if suiting.is_empty() { forms.take(1).collect() } else { suiting }
     }
 
     /// Declared array sizes: of a variable, a library item, or a field of a user type.
@@ -143,8 +142,7 @@ impl<'db> VisibleNames<'db> {
 
     /// Whether a variable, program, library identifier or user type has this name.
     pub(crate) fn is_declared(&self, name: &str) -> bool {
-        self.header.locals.iter().any(|local| local.name == name)
-            || self.header.params.iter().any(|param| param.name == name)
+        declares_variable(self.header, name)
             || self.items.data.contains_key(name)
             || self.items.programs.contains_key(name)
             || self.items.libraries.contains_key(name)
@@ -169,6 +167,11 @@ impl<'db> VisibleNames<'db> {
     pub(crate) fn signature(&self, callee: &Callee) -> Option<&'db Signature> {
         self.program(callee).map(|(project, file)| signature(self.db, project, file))
     }
+}
+
+/// Whether the arguments may have the types of the form's first parameters.
+fn accepts(form: &Overload, types: &[Ty]) -> bool {
+    form.params.iter().zip(types).all(|(param, ty)| param.ty.is_none_or(|wanted| ty.base.same_as(Base::of(wanted))))
 }
 
 /// Container of a variable. A single value is declared as an array of size 1.

@@ -1,7 +1,6 @@
 //! Conflicts of a new name.
 
 use memchr::memmem;
-use smol_str::SmolStr;
 use val3_analysis::application::ENTRY_POINTS;
 use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, File, Project};
@@ -119,17 +118,16 @@ fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), Rename
 /// without letter case. A local variable may have the same name as data, which it then hides.
 pub(crate) fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Option<&'static str> {
     let items = items(db, project);
-    let is_own = |known: &SmolStr| matches!(symbol, Symbol::Program(_, old) if old == known);
-    let is_program = |known: &SmolStr| known.eq_ignore_ascii_case(new_name) && !is_own(known);
     let is_local = matches!(symbol, Symbol::Local(..) | Symbol::Param(..));
     let file = format!("{new_name}.pgx");
-    let has_file = |beside: &SmolStr| beside.eq_ignore_ascii_case(&file);
+    let mut other_programs =
+        items.programs.keys().filter(|known| !matches!(symbol, Symbol::Program(_, old) if old == *known));
     let moves = matches!(symbol, Symbol::Program(_, old) if !old.eq_ignore_ascii_case(new_name));
     if items.data.contains_key(new_name) && !is_local {
         Some("data")
-    } else if items.programs.keys().any(is_program) {
+    } else if other_programs.any(|known| known.eq_ignore_ascii_case(new_name)) {
         Some("a program")
-    } else if moves && project.beside(db).iter().any(has_file) {
+    } else if moves && project.beside(db).iter().any(|beside| beside.eq_ignore_ascii_case(&file)) {
         Some("a file of a program")
     } else if items.libraries.contains_key(new_name) {
         Some("a library identifier")
@@ -149,9 +147,8 @@ fn users(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = File> {
 /// symbol.
 fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
     let header = header(db, file);
-    let is_new = |name: &SmolStr| name == new_name;
-    let local = header.locals.iter().any(|local| is_new(&local.name));
-    let param = header.params.iter().any(|param| is_new(&param.name));
+    let local = header.locals.iter().any(|local| local.name == new_name);
+    let param = header.params.iter().any(|param| param.name == new_name);
     if local || param {
         let what = if local { "a local variable" } else { "a parameter" };
         return refused(format!("the program `{}` has {what} called `{new_name}`", header.name));
@@ -177,9 +174,8 @@ pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Resul
     }
     let Some(project) = crate::owner::owner(db, file) else { return Ok(()) };
     let known = occurrences(db, project, file);
-    let is_known = |range| known.binary_search_by_key(&range, |found| found.range.start()).is_ok();
-    let is_unknown = |expr: &Expr, start| matches!(expr, Expr::Name(name) if name == new_name) && !is_known(start);
-    if body(db, file).exprs().any(|(_, expr, range)| is_unknown(expr, range.start())) {
+    let mut uses = body(db, file).exprs().filter(|(_, expr, _)| matches!(expr, Expr::Name(name) if name == new_name));
+    if uses.any(|(.., range)| known.binary_search_by_key(&range.start(), |found| found.range.start()).is_err()) {
         let program = &header(db, file).name;
         return refused(format!("the program `{program}` uses the name `{new_name}`, which is unresolved"));
     }

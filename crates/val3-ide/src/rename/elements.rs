@@ -38,20 +38,23 @@ fn is_named_elsewhere(db: &dyn Db, page: File, id: &str) -> bool {
     let text = page.text(db);
     let ids = page_ids(db, page);
     let known: Vec<usize> = ids.declared.iter().chain(&ids.named).map(|(_, range)| range.start().into()).collect();
-    let is_part = |letter: char| letter.is_alphanumeric() || matches!(letter, '_' | '-');
     text.match_indices(id).any(|(at, _)| {
         let before = text.get(..at).and_then(|before| before.chars().next_back());
         let after = text.get(at + id.len()..).and_then(|after| after.chars().next());
         let is_reference = before.is_some_and(|letter| matches!(letter, '#' | '"' | '\'' | '`'));
-        let is_comment =
-            |at: usize| !ids.parts.iter().any(|part| usize::from(part.start()) <= at && at < part.end().into());
-        is_reference && !is_comment(at) && !after.is_some_and(is_part) && !known.contains(&at)
+        let mut parts = ids.parts.iter();
+        let is_in_part = parts.any(|part| usize::from(part.start()) <= at && at < part.end().into());
+        is_reference && is_in_part && !after.is_some_and(is_in_id) && !known.contains(&at)
     })
+}
+
+/// Whether a longer id would continue with the letter.
+fn is_in_id(letter: char) -> bool {
+    letter.is_alphanumeric() || matches!(letter, '_' | '-')
 }
 
 /// Checks that the new id is valid, and that no other element of the page has it.
 pub(super) fn check(db: &dyn Db, page: File, new_id: &str) -> Result<(), String> {
-    let is_forbidden = |letter: char| letter.is_whitespace() || letter.is_control() || "\"'&<>\\".contains(letter);
     if new_id.is_empty() || new_id.contains(is_forbidden) {
         return Err(format!("`{new_id}` is no id: some text without blanks, quotes, `&`, `<`, `>` and `\\`"));
     }
@@ -60,4 +63,9 @@ pub(super) fn check(db: &dyn Db, page: File, new_id: &str) -> Result<(), String>
         return Err(format!("`{file}` has an element with the id `{new_id}` already"));
     }
     Ok(())
+}
+
+/// Whether an id cannot contain the letter.
+fn is_forbidden(letter: char) -> bool {
+    letter.is_whitespace() || letter.is_control() || "\"'&<>\\".contains(letter)
 }

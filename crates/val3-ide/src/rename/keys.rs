@@ -124,26 +124,23 @@ fn number(inside: &str, start: TextSize) -> Index {
 /// Literal keys with which programs access the collection, in alphabetical order.
 pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
     let symbol = Symbol::Data(project, name.into());
-    let literal = |(file, _, range): (File, Project, TextRange)| match index(file.text(db), range.end()) {
+    let keys = uses(db, &symbol).filter_map(|(file, _, range)| match index(file.text(db), range.end()) {
         Index::Literal { text, is_key: true, .. } => Some(text),
         _ => None,
-    };
-    let keys: BTreeSet<String> = uses(db, &symbol).filter_map(literal).collect();
-    keys.into_iter().collect()
+    });
+    keys.collect::<BTreeSet<String>>().into_iter().collect()
 }
 
 /// Renames a key to `new_key` at all literal uses.
 pub(super) fn rename(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<SourceChange, RenameError> {
     check(db, found, new_key)?;
     let mut change = SourceChange::default();
-    let mut edit = |file: File, range| {
-        let text = if is_bindings(db, file) { escaped(new_key) } else { new_key.to_owned() };
-        change.edits.push(FileEdit { file, range, text });
-    };
     let symbol = Symbol::Data(found.project, found.data.clone());
     for (file, _, range) in uses(db, &symbol) {
         match index(file.text(db), range.end()) {
-            Index::Literal { text, range, is_key: true, .. } if text == found.key => edit(file, range),
+            Index::Literal { text, range, is_key: true, .. } if text == found.key => {
+                change.edits.push(edit(db, file, range, new_key));
+            }
             Index::Computed | Index::Literal { is_key: false, .. } => {
                 let reason = format!("`{}` is also accessed with computed keys", found.data);
                 return Err(RenameError(reason));
@@ -153,14 +150,20 @@ pub(super) fn rename(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<Sou
     }
     if let Some(item) = items(db, found.project).data.get(&found.data) {
         let parse = parse(db, item.file);
-        let is_it = |element: &XmlElement<'_>| element.value("name").as_deref() == Some(&*found.data);
-        let element = data::elements(parse.view()).find(is_it);
-        let keys = element.into_iter().flat_map(key_attributes);
-        keys.filter(|key| key.text() == found.key).for_each(|key| edit(item.file, key.range));
+        let mut elements = data::elements(parse.view());
+        let element = elements.find(|element| element.value("name").as_deref() == Some(&*found.data));
+        let keys = element.into_iter().flat_map(key_attributes).filter(|key| key.text() == found.key);
+        change.edits.extend(keys.map(|key| edit(db, item.file, key.range, new_key)));
     }
     change.edits.sort_by_key(|edit| (edit.file.path(db).clone(), edit.range.start()));
     change.edits.dedup();
     Ok(change)
+}
+
+/// Edit that replaces the key at `range`.
+fn edit(db: &dyn Db, file: File, range: TextRange, new_key: &str) -> FileEdit {
+    let text = if is_bindings(db, file) { escaped(new_key) } else { new_key.to_owned() };
+    FileEdit { file, range, text }
 }
 
 fn check(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<(), RenameError> {

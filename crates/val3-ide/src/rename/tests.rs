@@ -64,13 +64,8 @@ fn renaming_a_program_renames_its_file() {
 /// The controller's media ignore letter case, so the element, the file and the program have the same name.
 #[test]
 fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
-    let listing = |entry: &str, file: &str| {
-        format!(
-            "call pi$0ck()\n=== main/main.pjx\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Parameters version=\"s7.11\" /><Programs><Program file=\"start.pgx\" />\n<Program file=\"{entry}\" /></Programs></Project>\n=== main/{file}\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"pick\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n"
-        )
-    };
     check(
-        &listing("pick.pgx", "PICK.pgx"),
+        &with_pick("pick.pgx", "PICK.pgx"),
         "grab",
         expect![[r#"
         main/PICK.pgx:1 pick -> grab
@@ -80,7 +75,7 @@ fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
     "#]],
     );
     check(
-        &listing("PICK.pgx", "pick.pgx"),
+        &with_pick("PICK.pgx", "pick.pgx"),
         "grab",
         expect![[r#"
         main/main.pjx:2 PICK -> grab
@@ -90,7 +85,7 @@ fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
     "#]],
     );
     check(
-        &listing(".\\Pick.PGX", "PICK.pgx"),
+        &with_pick(".\\Pick.PGX", "PICK.pgx"),
         "grab",
         expect![[r#"
         main/PICK.pgx:1 pick -> grab
@@ -101,13 +96,20 @@ fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
     );
     // A file with another name than the program is not renamed.
     check(
-        &listing("take.pgx", "take.pgx"),
+        &with_pick("take.pgx", "take.pgx"),
         "grab",
         expect![[r#"
         main/start.pgx:5 pick -> grab
         main/take.pgx:1 pick -> grab
     "#]],
     );
+}
+
+/// A call of `pick`, which is in the file `file` and listed as `entry`.
+fn with_pick(entry: &str, file: &str) -> String {
+    format!(
+        "call pi$0ck()\n=== main/main.pjx\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Parameters version=\"s7.11\" /><Programs><Program file=\"start.pgx\" />\n<Program file=\"{entry}\" /></Programs></Project>\n=== main/{file}\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"pick\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n"
+    )
 }
 
 #[test]

@@ -8,14 +8,14 @@ fn shown(listing: &str) -> String {
     let marked = MarkedListing::new(listing);
     let at = marked.at();
     let text = at.file.text(marked.db());
-    let tokens = semantic_tokens(marked.db(), at.file, None);
-    let line = |token: &SemanticToken| {
-        let names = TokenModifier::NAMES.iter().enumerate().filter(|(bit, _)| token.modifiers & (1 << bit) != 0);
-        let modifiers: String = names.map(|(_, name)| format!(".{name}")).collect();
-        let word = &text[std::ops::Range::<usize>::from(token.range)];
-        format!("{word} {}{modifiers}\n", TokenKind::NAMES[token.kind as usize])
-    };
-    tokens.iter().map(line).collect()
+    semantic_tokens(marked.db(), at.file, None).iter().map(|token| line(text, token)).collect()
+}
+
+fn line(text: &str, token: &SemanticToken) -> String {
+    let names = TokenModifier::NAMES.iter().enumerate().filter(|(bit, _)| token.modifiers & (1 << bit) != 0);
+    let modifiers: String = names.map(|(_, name)| format!(".{name}")).collect();
+    let word = &text[std::ops::Range::<usize>::from(token.range)];
+    format!("{word} {}{modifiers}\n", TokenKind::NAMES[token.kind as usize])
 }
 
 #[test]

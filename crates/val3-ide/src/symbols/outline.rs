@@ -40,19 +40,27 @@ fn item(element: XmlElement<'_>, name: Attribute<'_>, detail: String, kind: Symb
 
 fn project(root: XmlElement<'_>) -> Vec<OutlineItem> {
     let spelling = spelling(root);
-    let list = |(list, entry), name: &'static str, detail: &'static str, kind| {
-        entries(root, (list, entry)).filter_map(move |element| {
-            let detail = element.value(detail).unwrap_or_default().into_owned();
-            Some(item(element, element.attribute(name)?, detail, kind))
-        })
-    };
-    let programs = list(spelling.programs, "file", "", SymbolKind::Program);
-    let data = list(spelling.data, "file", "", SymbolKind::Data);
-    let libraries = list(spelling.libraries, spelling.library_name, spelling.library_path, SymbolKind::Library);
-    let types = list(spelling.types, "name", "path", SymbolKind::Type);
+    let programs = list(entries(root, spelling.programs), "file", "", SymbolKind::Program);
+    let data = list(entries(root, spelling.data), "file", "", SymbolKind::Data);
+    let (name, path) = (spelling.library_name, spelling.library_path);
+    let libraries = list(entries(root, spelling.libraries), name, path, SymbolKind::Library);
+    let types = list(entries(root, spelling.types), "name", "path", SymbolKind::Type);
     let mut items: Vec<OutlineItem> = programs.chain(data).chain(libraries).chain(types).collect();
     items.sort_by_key(|item| item.range.start());
     items
+}
+
+/// Items of list entries; `name` and `detail` are attributes.
+fn list<'g>(
+    entries: impl Iterator<Item = XmlElement<'g>>,
+    name: &'static str,
+    detail: &'static str,
+    kind: SymbolKind,
+) -> impl Iterator<Item = OutlineItem> {
+    entries.filter_map(move |element| {
+        let detail = element.value(detail).unwrap_or_default().into_owned();
+        Some(item(element, element.attribute(name)?, detail, kind))
+    })
 }
 
 fn datum(element: XmlElement<'_>) -> Option<OutlineItem> {

@@ -83,10 +83,7 @@ mod tests {
     #[test]
     fn the_best_match_comes_first() {
         let marked = MarkedListing::new("num nCount\nnum nCounter\nnum nOther\nnCount=1\nprogram count()\nbegin\nend");
-        let shown = |query: &str| {
-            let found = workspace_symbols(marked.db(), query, 3);
-            found.iter().map(|symbol| format!("{:?} {}\n", symbol.kind, symbol.name)).collect::<String>()
-        };
+        let shown = |query| first_three(&marked, query);
         expect![[r#"
             Program count
             Data nCount
@@ -98,5 +95,10 @@ mod tests {
         "#]]
         .assert_eq(&shown("ncr"));
         expect![[r#""#]].assert_eq(&shown("zz"));
+    }
+
+    fn first_three(marked: &MarkedListing, query: &str) -> String {
+        let found = workspace_symbols(marked.db(), query, 3);
+        found.iter().map(|symbol| format!("{:?} {}\n", symbol.kind, symbol.name)).collect()
     }
 }

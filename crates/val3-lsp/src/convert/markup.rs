@@ -59,11 +59,8 @@ fn unmarked(line: &str) -> String {
         } else if let Some(after) = rest.strip_prefix("**") {
             rest = after;
         } else {
-            let is_escaped = |escaped: &&str| escaped.starts_with(|letter: char| letter.is_ascii_punctuation());
-            let (letter, after) = match rest.strip_prefix('\\').filter(is_escaped).and_then(first) {
-                Some(escaped) => escaped,
-                None => (letter, rest.part(letter.len_utf8()..)),
-            };
+            let escaped = rest.strip_prefix('\\').and_then(first).filter(|(letter, _)| letter.is_ascii_punctuation());
+            let (letter, after) = escaped.unwrap_or_else(|| (letter, rest.part(letter.len_utf8()..)));
             shown.push(letter);
             rest = after;
         }

@@ -1,7 +1,7 @@
 //! `textDocument/prepareCallHierarchy`, `callHierarchy/incomingCalls` and `outgoingCalls`
 
 use tower_lsp::lsp_types::*;
-use val3_ide::{Call, CallItem};
+use val3_ide::CallItem;
 
 use crate::snapshot::{Refusal, Snapshot};
 
@@ -18,12 +18,12 @@ pub(crate) fn incoming(
     params: &CallHierarchyIncomingCallsParams,
 ) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Refusal> {
     let file = snapshot.file(&params.item.uri)?;
-    let call = |call: Call| {
+    let calls = val3_ide::incoming_calls(snapshot.db(), file).into_iter().map(|call| {
         let lines = snapshot.lines(call.item.file);
         let from_ranges = call.places.iter().map(|place| lines.range(*place)).collect();
         CallHierarchyIncomingCall { from: item(snapshot, &call.item, call.in_task), from_ranges }
-    };
-    Ok(Some(val3_ide::incoming_calls(snapshot.db(), file).into_iter().map(call).collect()))
+    });
+    Ok(Some(calls.collect()))
 }
 
 pub(crate) fn outgoing(
@@ -32,11 +32,11 @@ pub(crate) fn outgoing(
 ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Refusal> {
     let file = snapshot.file(&params.item.uri)?;
     let lines = snapshot.lines(file);
-    let call = |call: Call| {
+    let calls = val3_ide::outgoing_calls(snapshot.db(), file).into_iter().map(|call| {
         let from_ranges = call.places.iter().map(|place| lines.range(*place)).collect();
         CallHierarchyOutgoingCall { to: item(snapshot, &call.item, call.in_task), from_ranges }
-    };
-    Ok(Some(val3_ide::outgoing_calls(snapshot.db(), file).into_iter().map(call).collect()))
+    });
+    Ok(Some(calls.collect()))
 }
 
 fn item(snapshot: &Snapshot, found: &CallItem, in_task: bool) -> CallHierarchyItem {

@@ -106,11 +106,15 @@ fn disabled(snapshot: &Snapshot, action: CodeAction, reason: String) -> Option<C
 /// Action that applies all safe fixes of a file. If several projects share the file, it uses the first project with
 /// safe fixes.
 fn fix_all(snapshot: &Snapshot, at: FileRange, place: &CodeActionData, is_lazy: bool) -> Option<CodeAction> {
-    let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
-    snapshot.findings(at.file).find(|findings| findings.iter().any(is_safe))?;
+    snapshot.findings(at.file).find(|findings| findings.iter().any(|finding| has_safe_fix(finding, at.file)))?;
     let title = "Apply all safe fixes of the file".to_owned();
     let action = CodeAction { title, kind: Some(CodeActionKind::SOURCE_FIX_ALL), ..CodeAction::default() };
     offer(snapshot, FIX_ALL, at, action, place, is_lazy)
+}
+
+/// Whether the finding is in the file and has a safe fix.
+fn has_safe_fix(finding: &Diagnostic, file: File) -> bool {
+    finding.place.file == file && finding.fix.as_ref().is_some_and(|fix| fix.safe)
 }
 
 fn assist(
@@ -163,10 +167,10 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
 fn change_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<SourceChange> {
     match id {
         FIX_ALL => {
-            let change = |findings: Vec<Diagnostic>| {
-                snapshot.with_fixes(|context| val3_ide::fix_all(context, &findings, at.file))
-            };
-            snapshot.findings(at.file).map(change).find(|change| !change.is_empty())
+            let mut changes = snapshot
+                .findings(at.file)
+                .map(|findings| snapshot.with_fixes(|context| val3_ide::fix_all(context, &findings, at.file)));
+            changes.find(|change| !change.is_empty())
         }
         _ => val3_ide::resolve_assist(snapshot.db(), id, at),
     }
@@ -201,12 +205,14 @@ struct RequestedKinds<'a>(Option<&'a [CodeActionKind]>);
 
 impl RequestedKinds<'_> {
     fn has(&self, kind: &CodeActionKind) -> bool {
-        let covers = |wanted: &CodeActionKind| {
-            let rest = kind.as_str().strip_prefix(wanted.as_str());
-            wanted.as_str().is_empty() || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-        };
-        self.0.is_none_or(|only| only.iter().any(covers))
+        self.0.is_none_or(|only| only.iter().any(|requested| includes(requested.as_str(), kind.as_str())))
     }
+}
+
+/// Whether `kind` is the requested kind, or a kind below it.
+fn includes(requested: &str, kind: &str) -> bool {
+    let rest = kind.strip_prefix(requested);
+    requested.is_empty() || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 const ASSIST_KINDS: [AssistKind; 5] =

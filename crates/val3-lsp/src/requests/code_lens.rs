@@ -40,24 +40,22 @@ pub(crate) fn current_uses(snapshot: &Snapshot, uri: &Url, lens: Range) -> Optio
 fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let file = snapshot.file(uri)?;
     let lines = snapshot.lines(file);
-    let commands = snapshot.session.commands;
     let counted = serde_json::to_value(UsesLensData { uri: uri.clone(), version: snapshot.version(file) }).ok();
-    let lens = |found: val3_ide::CodeLens| {
-        let program = text_at(file.text(snapshot.db()), found.range);
-        let start = |title, command, manifest| start(snapshot, (title, command), manifest, program);
-        let (command, data) = match found.kind {
-            LensKind::Run(manifest) => (Some(start("Run", ClientCommands::RUN, manifest)), None),
-            LensKind::Debug(manifest) => (Some(start("Debug", ClientCommands::DEBUG, manifest)), None),
-            LensKind::RunTest(manifest) => (Some(start("Run test", ClientCommands::RUN_TEST, manifest)), None),
-            LensKind::DebugTest(manifest) => (Some(start("Debug test", ClientCommands::DEBUG_TEST, manifest)), None),
-            LensKind::References => (None, counted.clone()),
-        };
-        CodeLens { range: lines.range(found.range), command, data }
-    };
     let found = val3_ide::code_lenses(snapshot.db(), file);
     let is_test = found.iter().any(|lens| matches!(lens.kind, LensKind::RunTest(_)));
-    let is_known = |found: &val3_ide::CodeLens| match found.kind {
-        // A test has no "run" lens if the client can execute it as a test.
+    let supported = found.into_iter().filter(|found| is_supported(snapshot, found.kind, is_test));
+    let lenses = supported.map(|found| {
+        let command = start(snapshot, found.kind, text_at(file.text(snapshot.db()), found.range));
+        let data = if found.kind == LensKind::References { counted.clone() } else { None };
+        CodeLens { range: lines.range(found.range), command, data }
+    });
+    Ok(lenses.collect())
+}
+
+/// Whether the client can execute the lens. A test has no "run" lens if the client can execute it as a test.
+fn is_supported(snapshot: &Snapshot, kind: LensKind, is_test: bool) -> bool {
+    let commands = snapshot.session.commands;
+    match kind {
         LensKind::Run(manifest) => commands.runs && !(is_test && commands.runs_tests) && snapshot.is_shown(manifest),
         LensKind::Debug(manifest) => {
             commands.debugs && !(is_test && commands.debugs_tests) && snapshot.is_shown(manifest)
@@ -65,14 +63,20 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
         LensKind::RunTest(_) => commands.runs_tests,
         LensKind::DebugTest(_) => commands.debugs_tests,
         LensKind::References => true,
-    };
-    Ok(found.into_iter().filter(is_known).map(lens).collect())
+    }
 }
 
-/// Client command with the `.pjx` and the program name.
-fn start(snapshot: &Snapshot, (title, command): (&str, &str), manifest: File, program: &str) -> Command {
+/// Client command with the `.pjx` and the program name; `None` for a reference lens.
+fn start(snapshot: &Snapshot, kind: LensKind, program: &str) -> Option<Command> {
+    let (title, command, manifest) = match kind {
+        LensKind::Run(manifest) => ("Run", ClientCommands::RUN, manifest),
+        LensKind::Debug(manifest) => ("Debug", ClientCommands::DEBUG, manifest),
+        LensKind::RunTest(manifest) => ("Run test", ClientCommands::RUN_TEST, manifest),
+        LensKind::DebugTest(manifest) => ("Debug test", ClientCommands::DEBUG_TEST, manifest),
+        LensKind::References => return None,
+    };
     let arguments = vec![json!(snapshot.uri(manifest)), json!(program)];
-    Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(arguments) }
+    Some(Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(arguments) })
 }
 
 /// Computes the reference count of a lens when it becomes visible.

@@ -112,8 +112,11 @@ fn page(snapshot: &Snapshot, offered: &CompletionItemData, item: &CompletionItem
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;
     let project = val3_ide::owner(snapshot.db(), at.file)?;
     let found = val3_ide::completions(snapshot.db(), at);
-    let same = |found: &&Completion| {
-        found.label == item.label && item.kind.is_none_or(|kind| kind == completion_kind(found.kind))
-    };
-    val3_ide::completion_documentation(snapshot.db(), project, found.iter().find(same)?)
+    let completion = found.iter().find(|found| is_same(found, item))?;
+    val3_ide::completion_documentation(snapshot.db(), project, completion)
+}
+
+/// Whether the item was created from an equal completion.
+fn is_same(completion: &Completion, item: &CompletionItem) -> bool {
+    completion.label == item.label && item.kind.is_none_or(|kind| kind == completion_kind(completion.kind))
 }

@@ -10,9 +10,9 @@ pub(crate) fn document_highlight(
 ) -> Result<Option<Vec<DocumentHighlight>>, Refusal> {
     let at = snapshot.position(&params.text_document_position_params)?;
     let lines = snapshot.lines(at.file);
-    let highlight = |found: val3_ide::Highlight| DocumentHighlight {
+    let highlights = val3_ide::highlights(snapshot.db(), at).into_iter().map(|found| DocumentHighlight {
         range: lines.range(found.range),
         kind: Some(if found.is_write { DocumentHighlightKind::WRITE } else { DocumentHighlightKind::READ }),
-    };
-    Ok(Some(val3_ide::highlights(snapshot.db(), at).into_iter().map(highlight).collect()))
+    });
+    Ok(Some(highlights.collect()))
 }

@@ -10,11 +10,11 @@ pub(crate) fn document_link(
 ) -> Result<Option<Vec<DocumentLink>>, Refusal> {
     let file = snapshot.file(&params.text_document.uri)?;
     let lines = snapshot.lines(file);
-    let link = |found: val3_ide::DocumentLink| DocumentLink {
+    let links = val3_ide::document_links(snapshot.db(), file).into_iter().map(|found| DocumentLink {
         range: lines.range(found.range),
         target: Some(snapshot.uri(found.target)),
         tooltip: None,
         data: None,
-    };
-    Ok(Some(val3_ide::document_links(snapshot.db(), file).into_iter().map(link).collect()))
+    });
+    Ok(Some(links.collect()))
 }

@@ -14,14 +14,6 @@ type EditResult = Result<Option<WorkspaceEdit>, Refusal>;
 
 /// Filters for these requests: files of projects, and folders, because projects move with them.
 pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
-    let filter = |glob: &str, matches| FileOperationFilter {
-        scheme: Some("file".to_owned()),
-        pattern: FileOperationPattern {
-            glob: glob.to_owned(),
-            matches: Some(matches),
-            options: Some(FileOperationPatternOptions { ignore_case: Some(true) }),
-        },
-    };
     let files = filter("**/*.{pgx,dtx,pjx}", FileOperationPatternKind::File);
     let folders = filter("**", FileOperationPatternKind::Folder);
     let of_files = FileOperationRegistrationOptions { filters: vec![files.clone()] };
@@ -34,6 +26,12 @@ pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
         will_delete: Some(of_files),
         did_delete: Some(of_all),
     }
+}
+
+fn filter(glob: &str, matches: FileOperationPatternKind) -> FileOperationFilter {
+    let options = FileOperationPatternOptions { ignore_case: Some(true) };
+    let pattern = FileOperationPattern { glob: glob.to_owned(), matches: Some(matches), options: Some(options) };
+    FileOperationFilter { scheme: Some("file".to_owned()), pattern }
 }
 
 pub(crate) fn will_rename(snapshot: &Snapshot, params: &RenameFilesParams) -> EditResult {

@@ -36,7 +36,7 @@ fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>,
     let lines = snapshot.lines(file);
     let settings = snapshot.session.options.inlay_hints.settings();
     let found = val3_ide::inlay_hints(snapshot.db(), file, lines.text_range(range), &settings);
-    let hint = |found: val3_ide::InlayHint| InlayHint {
+    let hints = found.into_iter().map(|found| InlayHint {
         position: lines.position(found.offset),
         data: origin(snapshot, &found, uri, lines.position(found.offset)),
         label: label(snapshot, found.label),
@@ -45,8 +45,8 @@ fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>,
         tooltip: (!found.tooltip.is_empty()).then_some(InlayHintTooltip::String(found.tooltip)),
         padding_left: Some(!found.kind.is_before()),
         padding_right: Some(found.kind.is_before()),
-    };
-    Ok(found.into_iter().map(hint).collect())
+    });
+    Ok(hints.collect())
 }
 
 fn origin(snapshot: &Snapshot, found: &val3_ide::InlayHint, uri: &Url, position: Position) -> Option<Value> {

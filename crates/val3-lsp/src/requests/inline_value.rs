@@ -25,11 +25,9 @@ pub(crate) fn inline_value(
     let stopped = params.context.stopped_location.end.line;
     let last = params.range.end.min(Position { line: stopped, character: u32::MAX });
     let within = lines.text_range(Range { start: params.range.start.min(last), end: last });
-    let value = |found: val3_ide::InlineValue| {
-        InlineValue::EvaluatableExpression(InlineValueEvaluatableExpression {
-            range: lines.range(found.range),
-            expression: Some(found.expression),
-        })
-    };
-    Ok(Some(val3_ide::inline_values(snapshot.db(), file, within).into_iter().map(value).collect()))
+    let values = val3_ide::inline_values(snapshot.db(), file, within).into_iter().map(|found| {
+        let (range, expression) = (lines.range(found.range), Some(found.expression));
+        InlineValue::EvaluatableExpression(InlineValueEvaluatableExpression { range, expression })
+    });
+    Ok(Some(values.collect()))
 }

@@ -107,14 +107,11 @@ pub(crate) fn libraries(snapshot: &Snapshot, params: &LibrariesParams) -> Result
 }
 
 fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) -> LibraryCandidate {
-    let present = |kind| -> Vec<String> {
-        found.present.iter().filter(|(of, _)| *of == kind).map(|(_, name)| name.clone()).collect()
-    };
     LibraryCandidate {
         uri: snapshot.uri(found.project.manifest(snapshot.db())),
         kind: kind.into(),
-        libraries: present(ReferenceKind::Library),
-        types: present(ReferenceKind::Type),
+        libraries: present(&found, ReferenceKind::Library),
+        types: present(&found, ReferenceKind::Type),
         name: found.name,
         path: found.path,
         public_programs: found.programs,
@@ -123,6 +120,11 @@ fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) 
         library_circle: found.library_circle,
         type_circle: found.type_circle,
     }
+}
+
+/// Names under which the project already refers to the candidate.
+fn present(candidate: &ReferenceCandidate, kind: ReferenceKind) -> Vec<String> {
+    candidate.present.iter().filter(|(of, _)| *of == kind).map(|(_, name)| name.clone()).collect()
 }
 
 pub(crate) fn add_library(snapshot: &Snapshot, params: &AddLibraryParams) -> Result<WorkspaceEdit, Refusal> {

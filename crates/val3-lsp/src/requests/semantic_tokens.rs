@@ -99,14 +99,14 @@ mod tests {
     use super::*;
 
     fn tokens(lines: &[u32]) -> Vec<SemanticToken> {
-        let token = |line: &u32| SemanticToken {
+        let tokens = lines.iter().map(|line| SemanticToken {
             delta_line: *line,
             delta_start: 0,
             length: 1,
             token_type: 0,
             token_modifiers_bitset: 0,
-        };
-        lines.iter().map(token).collect()
+        });
+        tokens.collect()
     }
 
     fn applied(before: &[u32], after: &[u32]) -> Vec<u32> {

@@ -20,14 +20,14 @@ pub(crate) fn signature_help(
 }
 
 fn signature(form: &CallForm, active_parameter: Option<u32>, format: TextFormat) -> SignatureInformation {
-    let parameter = |(from, to): &(u32, u32)| ParameterInformation {
+    let parameters = form.parameters.iter().map(|(from, to)| ParameterInformation {
         label: ParameterLabel::LabelOffsets([utf16(&form.line, *from), utf16(&form.line, *to)]),
         documentation: None,
-    };
+    });
     SignatureInformation {
         label: form.line.clone(),
         documentation: (!form.documentation.is_empty()).then(|| documentation(format, form.documentation.clone())),
-        parameters: Some(form.parameters.iter().map(parameter).collect()),
+        parameters: Some(parameters.collect()),
         active_parameter,
     }
 }

@@ -109,33 +109,40 @@ pub(crate) fn variables(snapshot: &Snapshot, params: &VariablesParams) -> Result
 }
 
 fn described(snapshot: &Snapshot, file: File, found: Variables) -> VariablesResult {
-    let range = |variable: &ProgramVariable| snapshot.range(file, variable.range);
-    let parameter = |it: ProgramVariable| Parameter {
-        range: range(&it),
+    let (parameters, locals) = (found.parameters.into_iter(), found.locals.into_iter());
+    VariablesResult {
+        uri: snapshot.uri(file),
+        version: snapshot.version(file),
+        program: found.program.to_string(),
+        parameters: parameters.map(|it| parameter(it, snapshot, file)).collect(),
+        locals: locals.map(|it| local(it, snapshot, file)).collect(),
+        types: found.types.iter().map(ToString::to_string).collect(),
+        is_old: found.is_old,
+        fixed: found.fixed,
+    }
+}
+
+fn parameter(it: ProgramVariable, snapshot: &Snapshot, file: File) -> Parameter {
+    let (container, dimensions) = container(it.container);
+    Parameter {
+        range: snapshot.range(file, it.range),
         name: it.name.to_string(),
         r#type: it.type_name.to_string(),
-        container: container(it.container).0,
-        dimensions: container(it.container).1,
+        container,
+        dimensions,
         passing: if it.by_reference { Passing::Reference } else { Passing::Value },
         uses: it.uses,
-    };
-    let local = |it: ProgramVariable| Local {
-        range: range(&it),
+    }
+}
+
+fn local(it: ProgramVariable, snapshot: &Snapshot, file: File) -> Local {
+    Local {
+        range: snapshot.range(file, it.range),
         name: it.name.to_string(),
         r#type: it.type_name.to_string(),
         container: container(it.container).0,
         size: it.sizes,
         uses: it.uses,
-    };
-    VariablesResult {
-        uri: snapshot.uri(file),
-        version: snapshot.version(file),
-        program: found.program.to_string(),
-        parameters: found.parameters.into_iter().map(parameter).collect(),
-        locals: found.locals.into_iter().map(local).collect(),
-        types: found.types.iter().map(ToString::to_string).collect(),
-        is_old: found.is_old,
-        fixed: found.fixed,
     }
 }
 

@@ -13,10 +13,10 @@ impl ServerState {
         answered: impl FnOnce(&mut Self, Option<R::Result>) + Send + 'static,
     ) {
         let id = self.outbox.request::<R>(params);
-        let read = move |server: &mut Self, answer: Option<Value>| {
+        let handler = Box::new(move |server: &mut Self, answer: Option<Value>| {
             answered(server, answer.and_then(|answer| serde_json::from_value(answer).ok()));
-        };
-        self.answer_handlers.insert(id, Box::new(read));
+        });
+        self.answer_handlers.insert(id, handler);
     }
 
     /// Handles a response of the client. A response to no pending request is ignored.

@@ -72,9 +72,10 @@ impl ServerState {
             self.outbox.request::<TextDocumentContentRefresh>(TextDocumentContentParams { uri });
         }
         reports.into_iter().for_each(|(uri, report)| self.documents.keep_report(&uri, report));
-        let is_open = |uri: &Url, version| self.documents.get(uri).is_some_and(|it| it.version == version);
-        for (uri, now, _) in shown.into_iter().filter(|(uri, now, _)| is_open(uri, now.version)) {
-            self.documents.display_cache().keep(uri, now);
+        for (uri, now, _) in shown {
+            if self.documents.get(&uri).is_some_and(|document| document.version == now.version) {
+                self.documents.display_cache().keep(uri, now);
+            }
         }
     }
 }

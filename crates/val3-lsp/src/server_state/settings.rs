@@ -32,13 +32,14 @@ impl ServerState {
         self.ask_client::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |server, settings| {
             if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null())
             {
-                server.set_options(Options::read(&settings));
+                let (options, faults) = Options::read(&settings);
+                server.set_options(options, &faults);
             }
         });
     }
 
-    /// Applies the editor's settings, and warns about invalid ones.
-    pub(crate) fn set_options(&mut self, (options, faults): (Options, Vec<String>)) {
+    /// Applies the editor's settings, and warns about invalid ones, which `faults` describes.
+    pub(crate) fn set_options(&mut self, options: Options, faults: &[String]) {
         faults.iter().for_each(|fault| self.warn(fault));
         if options != self.session.options {
             // The delivery of findings was agreed in the handshake.

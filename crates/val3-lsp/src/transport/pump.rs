@@ -29,12 +29,11 @@ impl Pump {
         closed: impl FnOnce() + Send + 'static,
     ) -> io::Result<Self> {
         let (sender, receiver) = channel();
-        let work = move || {
+        thread::Builder::new().name("output".to_owned()).spawn(move || {
             if pump(output, &receiver).is_err() {
                 closed();
             }
-        };
-        thread::Builder::new().name("output".to_owned()).spawn(work)?;
+        })?;
         Ok(Self(sender))
     }
 

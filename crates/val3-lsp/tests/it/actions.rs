@@ -86,16 +86,6 @@ fn the_edit_is_computed_when_an_action_is_chosen() {
 #[test]
 fn a_name_that_was_made_up_can_be_replaced_at_once() {
     const CELL: &str = "num nCount\nnCount=nCount*2";
-    let extracted = |session: &mut Session| {
-        let mut place = session.place("nCount*2");
-        let start = place["position"].take();
-        let end = json!({ "line": start["line"], "character": start["character"].as_u64().unwrap() + 8 });
-        place["range"] = json!({ "start": start, "end": end });
-        place["context"] = json!({ "diagnostics": [], "only": ["refactor.extract"] });
-        let offered = session.client.ask("textDocument/codeAction", place);
-        let extract = find(&offered, "title", "Extract into a local variable");
-        session.client.ask("codeAction/resolve", extract)
-    };
     let mut session = Session::with(CELL, able(), json!({ "commands": ["val3.rename"] }));
     let resolved = extracted(&mut session);
     let [path, range] = resolved["command"]["arguments"].as_array().unwrap().as_slice() else { panic!("{resolved}") };
@@ -113,6 +103,18 @@ fn a_name_that_was_made_up_can_be_replaced_at_once() {
     let mut session = Session::of(CELL, able());
     assert_eq!(extracted(&mut session)["command"], Value::Null);
     assert_eq!(session.client.end(), 0);
+}
+
+/// Resolved action that extracts `nCount*2` into a local.
+fn extracted(session: &mut Session) -> Value {
+    let mut place = session.place("nCount*2");
+    let start = place["position"].take();
+    let end = json!({ "line": start["line"], "character": start["character"].as_u64().unwrap() + 8 });
+    place["range"] = json!({ "start": start, "end": end });
+    place["context"] = json!({ "diagnostics": [], "only": ["refactor.extract"] });
+    let offered = session.client.ask("textDocument/codeAction", place);
+    let extract = find(&offered, "title", "Extract into a local variable");
+    session.client.ask("codeAction/resolve", extract)
 }
 
 #[test]
@@ -138,21 +140,27 @@ fn the_condition_of_a_new_block_is_selected() {
 fn harmful_actions_are_disabled_with_a_reason() {
     const CELL: &str = "call other()\nprogram other()\nbegin\n  x_nOut=1\nend";
     const OTHER: &str = "usrapp/main/other.pgx";
-    let titled = |session: &mut Session, file: &str| {
-        let offered = session.actions_in(file, "x_nOut", Value::Null);
-        let found = offered.as_array().unwrap().iter().find(|it| it["title"] == "Create parameter `num x_nOut`");
-        found.cloned()
-    };
-    let mut abilities = able();
-    abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
-    let mut session = Session::of(CELL, abilities);
-    let found = titled(&mut session, OTHER).unwrap();
+    const TITLE: &str = "Create parameter `num x_nOut`";
+    let mut session = Session::of(CELL, showing_disabled());
+    let found = titled(&session.actions_in(OTHER, "x_nOut", Value::Null), TITLE).unwrap();
     assert_eq!(found["disabled"]["reason"], "the caller `start` has no value to pass");
     assert_eq!((&found["edit"], &found["data"]), (&Value::Null, &Value::Null));
     assert_eq!(session.client.end(), 0);
     let mut session = Session::of(CELL, able());
-    assert_eq!(titled(&mut session, OTHER), None);
+    assert_eq!(titled(&session.actions_in(OTHER, "x_nOut", Value::Null), TITLE), None);
     assert_eq!(session.client.end(), 0);
+}
+
+/// Abilities of a client that shows disabled actions with their reason.
+fn showing_disabled() -> Value {
+    let mut abilities = able();
+    abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
+    abilities
+}
+
+/// Offered action with this title.
+fn titled(offered: &Value, title: &str) -> Option<Value> {
+    offered.as_array().unwrap().iter().find(|action| action["title"] == title).cloned()
 }
 
 #[test]
@@ -214,50 +222,50 @@ fn stray(line: &str) -> String {
 
 #[test]
 fn a_fix_that_would_add_an_error_is_disabled() {
-    let listed = |session: &mut Session| {
-        let offered = session.actions_in(PROJECT, "Programs>", json!(["quickfix"]));
-        offered.as_array().unwrap().iter().find(|it| it["title"] == "List `stray.pgx`").cloned()
-    };
-    let session = |abilities: Value, line: &str| {
-        let cell = Cell::new("num nA\nnA=1\nput(nA)");
-        cell.write(STRAY, &stray(line));
-        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
-        client.open(&cell.path(PROJECT), cell.text(PROJECT));
-        Session { cell, client }
-    };
-    let mut abilities = able();
-    abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
-    let mut shows_disabled = session(abilities, "nMissing=1");
-    let fix = listed(&mut shows_disabled).unwrap();
+    let mut shows_disabled = with_stray(showing_disabled(), "nMissing=1");
+    let fix = listing_fix(&mut shows_disabled).unwrap();
     let reason = fix["disabled"]["reason"].as_str().unwrap();
     assert!(reason.starts_with("it would add an error in `stray.pgx`: ") && reason.contains("`nMissing`"), "{reason}");
     assert_eq!((&fix["edit"], &fix["isPreferred"]), (&Value::Null, &Value::Null));
     assert_eq!(shows_disabled.client.end(), 0);
-    let mut hides_disabled = session(able(), "nMissing=1");
-    assert_eq!(listed(&mut hides_disabled), None);
+    let mut hides_disabled = with_stray(able(), "nMissing=1");
+    assert_eq!(listing_fix(&mut hides_disabled), None);
     assert_eq!(hides_disabled.client.end(), 0);
-    let mut harmless = session(able(), "nA=2");
-    assert!(listed(&mut harmless).unwrap()["edit"].is_object());
+    let mut harmless = with_stray(able(), "nA=2");
+    assert!(listing_fix(&mut harmless).unwrap()["edit"].is_object());
     assert_eq!(harmless.client.end(), 0);
+}
+
+/// Session with a program file of this code that the project does not list.
+fn with_stray(abilities: Value, line: &str) -> Session {
+    let cell = Cell::new("num nA\nnA=1\nput(nA)");
+    cell.write(STRAY, &stray(line));
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    client.open(&cell.path(PROJECT), cell.text(PROJECT));
+    Session { cell, client }
+}
+
+fn listing_fix(session: &mut Session) -> Option<Value> {
+    titled(&session.actions_in(PROJECT, "Programs>", json!(["quickfix"])), "List `stray.pgx`")
 }
 
 #[test]
 fn a_fix_that_would_add_an_error_in_another_application_is_disabled() {
-    const LIBRARY: &str = "usrapp/part/weigh.pgx";
-    let renaming = |called: &str| {
-        let cell = Cell::new(&format!(
-            "library part \"Disk://part/part.pjx\"\ncall part:{called}()\n--- part\npublic program weigh()\nbegin\nend"
-        ));
-        let mut abilities = able();
-        abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
-        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
-        client.open(&cell.path(LIBRARY), &cell.text(LIBRARY).replace("name=\"weigh\"", "name=\"wiegh\""));
-        let mut session = Session { cell, client };
-        let offered = session.actions_in(LIBRARY, "weigh\"", json!(["quickfix"]));
-        assert_eq!(session.client.end(), 0);
-        find(&offered, "title", "Write `weigh`")["disabled"]["reason"].as_str().map(str::to_owned)
-    };
-    assert_eq!(renaming("weigh"), None);
-    let reason = renaming("wiegh").unwrap();
+    assert_eq!(reason_against_renaming("weigh"), None);
+    let reason = reason_against_renaming("wiegh").unwrap();
     assert!(reason.starts_with("it would add an error in `") && reason.contains("`wiegh`"), "{reason}");
+}
+
+/// Reason why a fix that renames the program in the file of `weigh` is disabled, if an application calls `called`.
+fn reason_against_renaming(called: &str) -> Option<String> {
+    const LIBRARY: &str = "usrapp/part/weigh.pgx";
+    let cell = Cell::new(&format!(
+        "library part \"Disk://part/part.pjx\"\ncall part:{called}()\n--- part\npublic program weigh()\nbegin\nend"
+    ));
+    let mut client = Client::start_with(&[&cell.folder()], showing_disabled(), Value::Null);
+    client.open(&cell.path(LIBRARY), &cell.text(LIBRARY).replace("name=\"weigh\"", "name=\"wiegh\""));
+    let mut session = Session { cell, client };
+    let offered = session.actions_in(LIBRARY, "weigh\"", json!(["quickfix"]));
+    assert_eq!(session.client.end(), 0);
+    find(&offered, "title", "Write `weigh`")["disabled"]["reason"].as_str().map(str::to_owned)
 }

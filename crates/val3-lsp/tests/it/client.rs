@@ -137,17 +137,13 @@ impl Client {
     pub fn latest_findings(&mut self, path: &str, version: i64) -> Vec<Value> {
         let mut latest = self.findings(path, Some(version));
         let uri = uri(path);
-        let is_meant = |message: &Value| {
-            message["method"] == "textDocument/publishDiagnostics"
-                && message["params"]["uri"] == *uri
-                && message["params"]["version"] == version
-        };
         loop {
             // Responses keep their order; published diagnostics do not.
             while let Ok(message) = self.from_server.recv_timeout(Duration::from_millis(400)) {
                 self.passed.push_back(message);
             }
-            let Some(at) = self.passed.iter().position(is_meant) else { return latest };
+            let mut passed = self.passed.iter();
+            let Some(at) = passed.position(|message| has_findings_of(message, &uri, version)) else { return latest };
             let message = self.passed.remove(at).unwrap();
             latest.clone_from(message["params"]["diagnostics"].as_array().unwrap());
         }
@@ -248,6 +244,13 @@ fn read(input: &mut impl BufRead) -> Option<Value> {
     let mut body = vec![0; length];
     input.read_exact(&mut body).ok()?;
     Some(serde_json::from_slice(&body).unwrap())
+}
+
+/// Whether the message publishes the findings of this version of a file.
+fn has_findings_of(message: &Value, uri: &str, version: i64) -> bool {
+    message["method"] == "textDocument/publishDiagnostics"
+        && message["params"]["uri"] == *uri
+        && message["params"]["version"] == version
 }
 
 /// URI of a path; a URI is returned unchanged.

@@ -126,31 +126,22 @@ fn changed_values_of_an_array_are_sent_alone() {
     let mut session = start(&cell);
     let text = session.cell.text(DATA).to_owned();
     let tables = ask(&mut session, "val3/data", json!({}));
-    let mut version = 1;
-    let mut changes = |text: &str, result: &Value| {
-        version += 1;
-        after_change(
-            &mut session,
-            text,
-            version,
-            json!({ "previousResultId": result["resultId"], "withoutFindings": true }),
-        )
-    };
+    let since = |result: &Value| json!({ "previousResultId": result["resultId"], "withoutFindings": true });
     let one = text.replace("value=\"50\"", "value=\"7\"");
-    let changed = changes(&one, &tables);
+    let changed = after_change(&mut session, &one, 2, since(&tables));
     assert_eq!(changed["values"], json!({ "start": 50, "deleteCount": 1 }));
     assert_eq!(changed["data"]["items"][0]["values"], json!([{ "key": "50", "texts": ["7"] }]));
     let without = one.replace("<Value key=\"51\" value=\"51\" />\n", "");
-    let changed = changes(&without, &changed);
+    let changed = after_change(&mut session, &without, 3, since(&changed));
     assert_eq!(changed["values"], json!({ "start": 51, "deleteCount": 1 }));
     assert_eq!(changed["data"]["items"][0]["values"], json!([]));
     let added = without.replace("<Value key=\"90\"", "<Value key=\"51\" />\n<Value key=\"90\"");
-    let changed = changes(&added, &changed);
+    let changed = after_change(&mut session, &added, 4, since(&changed));
     assert_eq!(changed["values"], json!({ "start": 89, "deleteCount": 0 }));
     assert_eq!(changed["data"]["items"][0]["values"], json!([{ "key": "51", "texts": [null] }]));
     // A different head requires all values.
     let public = added.replace("private", "public");
-    let changed = changes(&public, &changed);
+    let changed = after_change(&mut session, &public, 5, since(&changed));
     assert_eq!(changed["values"], Value::Null);
     assert_eq!(changed["data"]["items"][0]["values"].as_array().unwrap().len(), 100);
     assert_eq!(session.client.end(), 0);

@@ -249,21 +249,23 @@ fn a_pulling_client_is_told_to_refresh() {
     let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
     client.open(&start, cell.text("usrapp/main/start.pgx"));
     client.open(&other, cell.text("usrapp/main/other.pgx"));
-    let ask = |client: &mut Client, path: &str| {
-        client.ask("textDocument/diagnostic", json!({ "textDocument": { "uri": uri(path) } }))["items"].clone()
-    };
-    assert_eq!(ask(&mut client, &start), json!([]));
-    assert_eq!(ask(&mut client, &other), json!([]));
+    assert_eq!(pulled(&mut client, &start), json!([]));
+    assert_eq!(pulled(&mut client, &other), json!([]));
     // The client pulls findings for an edited document without a refresh.
     client.change(&other, 2, &cell.text("usrapp/main/other.pgx").replace("put(x_n)", "put(x_m)"));
     assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
-    assert_eq!(codes(ask(&mut client, &other).as_array().unwrap()), ["V0101"]);
+    assert_eq!(codes(pulled(&mut client, &other).as_array().unwrap()), ["V0101"]);
     client.change(&other, 3, &cell.text("usrapp/main/other.pgx").replace("\"num\"", "\"string\""));
     let told = client.told("workspace/diagnostic/refresh");
     client.send(&json!({ "jsonrpc": "2.0", "id": told["id"], "result": null }));
-    assert_eq!(codes(ask(&mut client, &start).as_array().unwrap()), ["V0203"]);
+    assert_eq!(codes(pulled(&mut client, &start).as_array().unwrap()), ["V0203"]);
     assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
     assert_eq!(client.end(), 0);
+}
+
+/// Findings that a client pulls for a document.
+fn pulled(client: &mut Client, path: &str) -> Value {
+    client.ask("textDocument/diagnostic", json!({ "textDocument": { "uri": uri(path) } }))["items"].clone()
 }
 
 /// Three applications with the same program, whose parameter has the name of the program.
@@ -286,14 +288,8 @@ fn a_shared_cause_is_pushed_once() {
     let text = cell.text("usrapp/main/message.pgx");
     client.open(&message, text);
     let mut files: BTreeMap<String, Vec<Value>> = BTreeMap::new();
-    let wait_for = |client: &mut Client, files: &mut BTreeMap<String, Vec<Value>>, expected: &str| {
-        while let Some(sent) = client.try_told("textDocument/publishDiagnostics") {
-            let findings = sent["params"]["diagnostics"].as_array().unwrap().clone();
-            files.insert(sent["params"]["uri"].as_str().unwrap().to_owned(), findings);
-        }
-        assert_eq!(files_with(files, "V0123"), [expected]);
-    };
-    wait_for(&mut client, &mut files, "main/message.pgx");
+    receive_findings(&mut client, &mut files);
+    assert_eq!(files_with(&files, "V0123"), ["main/message.pgx"]);
     assert_eq!(files_with(&files, "V0123").len(), checked(&cell.folder()).iter().filter(|it| it.2 == "V0123").count());
     let found = files[&uri(&message)].iter().find(|found| found["code"] == "V0123").unwrap();
     let related = found["relatedInformation"].to_string();
@@ -303,10 +299,20 @@ fn a_shared_cause_is_pushed_once() {
         2,
         &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"),
     );
-    wait_for(&mut client, &mut files, "one/message.pgx");
+    receive_findings(&mut client, &mut files);
+    assert_eq!(files_with(&files, "V0123"), ["one/message.pgx"]);
     client.change(&message, 3, text);
-    wait_for(&mut client, &mut files, "main/message.pgx");
+    receive_findings(&mut client, &mut files);
+    assert_eq!(files_with(&files, "V0123"), ["main/message.pgx"]);
     assert_eq!(client.end(), 0);
+}
+
+/// Replaces the findings of the files for which the server sends new ones.
+fn receive_findings(client: &mut Client, files: &mut BTreeMap<String, Vec<Value>>) {
+    while let Some(sent) = client.try_told("textDocument/publishDiagnostics") {
+        let findings = sent["params"]["diagnostics"].as_array().unwrap().clone();
+        files.insert(sent["params"]["uri"].as_str().unwrap().to_owned(), findings);
+    }
 }
 
 #[test]
@@ -317,20 +323,21 @@ fn a_shared_cause_is_pulled_once() {
     let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
     let text = cell.text("usrapp/main/message.pgx");
     client.open(&message, text);
-    let ask = |client: &mut Client| {
-        let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
-        let items = report["items"].as_array().unwrap().iter();
-        let items = items.map(|it| (it["uri"].as_str().unwrap().to_owned(), it["items"].as_array().unwrap().clone()));
-        files_with(&items.collect(), "V0123")
-    };
-    assert_eq!(ask(&mut client), ["main/message.pgx"]);
+    assert_eq!(files_with(&pulled_workspace(&mut client), "V0123"), ["main/message.pgx"]);
     client.change(
         &message,
         2,
         &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"),
     );
-    assert_eq!(ask(&mut client), ["one/message.pgx"]);
+    assert_eq!(files_with(&pulled_workspace(&mut client), "V0123"), ["one/message.pgx"]);
     assert_eq!(client.end(), 0);
+}
+
+/// Findings of all files that a client pulls for the workspace.
+fn pulled_workspace(client: &mut Client) -> BTreeMap<String, Vec<Value>> {
+    let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    let items = report["items"].as_array().unwrap().iter();
+    items.map(|it| (it["uri"].as_str().unwrap().to_owned(), it["items"].as_array().unwrap().clone())).collect()
 }
 
 #[test]

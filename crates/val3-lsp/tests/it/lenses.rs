@@ -65,18 +65,21 @@ fn a_hint_leads_to_the_declaration() {
     let resolves = json!({ "resolveSupport": { "properties": ["tooltip", "label.location"] } });
     let mut session = Session::of(CELL, json!({ "textDocument": { "inlayHint": resolves } }));
     let hints = raw_hints(&mut session);
-    let mut resolved = |label: &str| {
-        let hint = hints.as_array().unwrap().iter().find(|hint| hint["label"][0]["value"] == label).unwrap();
-        assert_eq!(hint["label"][0]["location"], Value::Null, "it is computed on request");
-        session.client.ask("inlayHint/resolve", hint.clone())
-    };
-    let (own, foreign) = (resolved("x_n:"), resolved("nX:"));
+    let own = resolved(&mut session, &hints, "x_n:");
+    let foreign = resolved(&mut session, &hints, "nX:");
     let location = &own["label"][0]["location"];
     assert_eq!(location["uri"], uri(&session.cell.path(OTHER)));
     let (line, column) = place(session.cell.text(OTHER), "x_n");
     assert_eq!(location["range"]["start"], json!({ "line": line, "character": column }));
     assert_eq!(foreign["label"][0]["location"], Value::Null, "instructions have no file");
     assert_eq!(session.client.end(), 0);
+}
+
+/// Resolves the hint with this label, whose location is computed on request.
+fn resolved(session: &mut Session, hints: &Value, label: &str) -> Value {
+    let hint = hints.as_array().unwrap().iter().find(|hint| hint["label"][0]["value"] == label).unwrap();
+    assert_eq!(hint["label"][0]["location"], Value::Null);
+    session.client.ask("inlayHint/resolve", hint.clone())
 }
 
 #[test]

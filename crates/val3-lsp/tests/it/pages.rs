@@ -144,12 +144,7 @@ fn files_of_pages_are_watched() {
         client.open(&start, cell.text(START));
         client.findings(&start, Some(1));
         client.ask("val3/workspaceTree", Value::Null);
-        let tell = |client: &mut Client, path: &str, kind: u8| {
-            if is_told {
-                let changes = json!([{ "uri": uri(path), "type": kind }]);
-                client.notify("workspace/didChangeWatchedFiles", json!({ "changes": changes }));
-            }
-        };
+        let tell = |client: &mut Client, path, kind| is_told.then(|| tell_change(client, path, kind));
         cell.write(BINDINGS, &cell.text(BINDINGS).replace("nCount", "nCuont"));
         tell(&mut client, &bindings, 2);
         while codes(&client.findings(&bindings, None)) != ["V0560"] {}
@@ -169,4 +164,10 @@ fn files_of_pages_are_watched() {
         while client.findings(&bindings, None).len() != 2 {}
         assert_eq!(client.end(), 0);
     }
+}
+
+/// Reports a changed file to the server; 1 is a new, 2 a changed and 3 a deleted file.
+fn tell_change(client: &mut Client, path: &str, kind: u8) {
+    let changes = json!([{ "uri": uri(path), "type": kind }]);
+    client.notify("workspace/didChangeWatchedFiles", json!({ "changes": changes }));
 }

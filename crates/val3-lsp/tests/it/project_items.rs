@@ -46,19 +46,21 @@ fn what_the_cell_has_can_be_added() {
 fn an_item_is_deleted_with_its_uses_known() {
     let mut session = session(&["delete"]);
     let tree = session.client.ask("val3/workspaceTree", Value::Null);
-    let position = |list: &str, name: &str| {
-        let location = find(&tree[0][list], "name", name)["location"].clone();
-        json!({ "textDocument": { "uri": location["uri"] }, "position": location["range"]["start"] })
-    };
-    let of_data = session.client.ask("val3/delete", position("data", "nA"));
+    let of_data = session.client.ask("val3/delete", position(&tree[0]["data"], "nA"));
     assert_eq!(of_data["edit"]["documentChanges"][0]["edits"][0]["newText"], "");
     assert_eq!(of_data["uses"][0]["range"]["start"], json!({ "line": 4, "character": 2 }), "{of_data}");
-    let of_program = session.client.ask("val3/delete", position("programs", "other"));
+    let of_program = session.client.ask("val3/delete", position(&tree[0]["programs"], "other"));
     let changes = of_program["edit"]["documentChanges"].as_array().unwrap();
     assert_eq!(changes[0]["textDocument"]["uri"], *uri(&session.cell.path(MANIFEST)));
     assert_eq!(changes[1]["kind"], "delete");
     assert_eq!(of_program["uses"].as_array().unwrap().len(), 1);
     end(session);
+}
+
+/// Position of an item of the tree.
+fn position(list: &Value, name: &str) -> Value {
+    let location = find(list, "name", name)["location"].clone();
+    json!({ "textDocument": { "uri": location["uri"] }, "position": location["range"]["start"] })
 }
 
 #[test]

@@ -198,11 +198,7 @@ fn the_code_without_xml_is_returned() {
     let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);
     let address = uri(&path).replace("file:", "val-text:");
-    let text = |client: &mut Client| {
-        let content = client.ask("workspace/textDocumentContent", json!({ "uri": address }));
-        content["text"].as_str().unwrap().to_owned()
-    };
-    let before = text(&mut session.client);
+    let before = code_view(&mut session.client, &address);
     assert!(before.starts_with("begin\n") && before.ends_with("\nend"), "{before}");
     // The client is notified once when the code changes, and never for other changes.
     let file = session.cell.text(START).to_owned();
@@ -210,7 +206,7 @@ fn the_code_without_xml_is_returned() {
     session.client.change(&path, 2, &edited);
     let told = session.client.told("workspace/textDocumentContent/refresh");
     assert_eq!(told["params"]["uri"], address);
-    assert_eq!(text(&mut session.client), before.replace("begin\n", "begin\n  // first\n"));
+    assert_eq!(code_view(&mut session.client, &address), before.replace("begin\n", "begin\n  // first\n"));
     session.client.change(&path, 3, &edited.replace("<Code>", "<Locals />\n<Code>"));
     assert_eq!(session.client.try_told("workspace/textDocumentContent/refresh"), None);
     for (wrong, reason) in [
@@ -226,18 +222,20 @@ fn the_code_without_xml_is_returned() {
     assert_eq!(session.client.end(), 0);
 }
 
+fn code_view(client: &mut Client, address: &str) -> String {
+    let content = client.ask("workspace/textDocumentContent", json!({ "uri": address }));
+    content["text"].as_str().unwrap().to_owned()
+}
+
 #[test]
 fn the_workspace_tree_and_pages_are_returned() {
     let mut session = Session::of(CELL, json!({}));
     let tree = session.client.ask("val3/workspaceTree", Value::Null);
     let projects = tree.as_array().unwrap();
     assert_eq!(projects.iter().map(|project| &project["name"]).collect::<Vec<_>>(), ["main", "part"]);
-    let names = |list: &str| -> Vec<&str> {
-        projects[0][list].as_array().unwrap().iter().map(|item| item["name"].as_str().unwrap()).collect()
-    };
-    assert_eq!(names("programs"), ["other", "start"]);
-    assert_eq!(names("data"), ["pA", "nA"]);
-    assert_eq!(names("libraries"), ["part"]);
+    assert_eq!(each(&projects[0]["programs"], "name"), ["other", "start"]);
+    assert_eq!(each(&projects[0]["data"], "name"), ["pA", "nA"]);
+    assert_eq!(each(&projects[0]["libraries"], "name"), ["part"]);
     assert_eq!(projects.iter().map(|project| &project["kind"]).collect::<Vec<_>>(), ["application", "library"]);
     assert_eq!(projects[0]["libraries"][0]["project"], projects[1]["uri"]);
     let count = find(&projects[0]["data"], "name", "nA");

@@ -46,18 +46,10 @@ fn clients_that_cannot_execute_tests_run_them_as_programs() {
 #[test]
 fn a_command_lists_the_tests_and_how_to_execute_them() {
     let mut session = Session::of(CELL, json!({}));
-    let mut ask = |arguments: Value| {
-        let params = json!({ "command": "val3.tests", "arguments": arguments });
-        session.client.ask("workspace/executeCommand", params)
-    };
-    let all = ask(json!([]));
+    let all = listed(&mut session, json!([]));
     assert_eq!(each(&all, "name"), ["mainTest:testAll", "mainTest:testSum"]);
     let file = session.cell.path("usrapp/mainTest/testSum.pgx");
     let folder = session.cell.path("usrapp/mainTest");
-    let mut ask = |arguments: Value| {
-        let params = json!({ "command": "val3.tests", "arguments": arguments });
-        session.client.ask("workspace/executeCommand", params)
-    };
     let start = json!({ "line": 2, "character": 17 });
     let end = json!({ "line": 2, "character": 24 });
     let test = json!({
@@ -68,9 +60,14 @@ fn a_command_lists_the_tests_and_how_to_execute_them() {
         "location": { "uri": uri(&file), "range": { "start": start, "end": end } },
         "command": ["val3", "test", folder, "--exact", "mainTest:testSum"],
     });
-    assert_eq!(ask(json!([uri(&file)])), json!([test]));
-    assert_eq!(ask(json!([uri(&format!("{folder}/setup.pgx"))])), json!([]));
+    assert_eq!(listed(&mut session, json!([uri(&file)])), json!([test]));
+    assert_eq!(listed(&mut session, json!([uri(&format!("{folder}/setup.pgx"))])), json!([]));
     let wrong = json!({ "command": "val3.tests", "arguments": [1] });
     assert_eq!(session.client.ask_in_vain("workspace/executeCommand", wrong), -32803);
     assert_eq!(session.client.end(), 0);
+}
+
+fn listed(session: &mut Session, arguments: Value) -> Value {
+    let params = json!({ "command": "val3.tests", "arguments": arguments });
+    session.client.ask("workspace/executeCommand", params)
 }

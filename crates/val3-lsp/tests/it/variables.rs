@@ -68,20 +68,22 @@ fn callers_follow_new_parameters() {
 #[test]
 fn refusals_have_a_reason() {
     let mut session = Session::of(&CELL.replace("num& x_nB[]", "num x_nB"), json!({}));
-    let mut refused = |wanted: Value| {
-        let params = params(&session, None, &wanted);
-        let answer = session.client.ask("val3/editVariables", params);
-        assert_eq!(answer["edit"], Value::Null, "{answer}");
-        answer["refused"].as_str().unwrap().to_owned()
-    };
-    assert_eq!(refused(json!([parameter(Some(1), "x_nB", "")])), "the parameter `x_nA` is used once in `other`");
-    let both = |name: &str, argument: &str| {
-        json!([parameter(Some(0), "x_nA", ""), parameter(Some(1), "x_nB", ""), parameter(None, name, argument)])
-    };
-    assert_eq!(refused(both("x_nA", "1")), "two variables of the program would be called `x_nA`");
-    let unknown = refused(both("x_nC", "zUnknown"));
+    let mut refused = |wanted: Value| refusal(&mut session, &wanted);
+    let (first, second) = (parameter(Some(0), "x_nA", ""), parameter(Some(1), "x_nB", ""));
+    assert_eq!(refused(json!([second])), "the parameter `x_nA` is used once in `other`");
+    let double = refused(json!([first, second, parameter(None, "x_nA", "1")]));
+    assert_eq!(double, "two variables of the program would be called `x_nA`");
+    let unknown = refused(json!([first, second, parameter(None, "x_nC", "zUnknown")]));
     assert!(unknown.starts_with("it would add an error in `start.pgx`"), "{unknown}");
     assert_eq!(session.client.end(), 0);
+}
+
+/// Reason why the parameters cannot be changed.
+fn refusal(session: &mut Session, parameters: &Value) -> String {
+    let params = params(session, None, parameters);
+    let answer = session.client.ask("val3/editVariables", params);
+    assert_eq!(answer["edit"], Value::Null, "{answer}");
+    answer["refused"].as_str().unwrap().to_owned()
 }
 
 #[test]

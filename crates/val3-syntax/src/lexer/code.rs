@@ -98,8 +98,7 @@ impl Lexer<'_> {
 
     fn code_blanks(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
-        let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t' | 0x0b | 0x0c);
-        let len = bytes.iter().position(|byte| !is_blank(byte)).unwrap_or(bytes.len());
+        let len = bytes.iter().position(|byte| !matches!(byte, b' ' | b'\t' | 0x0b | 0x0c)).unwrap_or(bytes.len());
         self.indent = self.indent.deeper(len);
         self.token(WHITESPACE, self.pos + len);
     }
@@ -118,8 +117,9 @@ impl Lexer<'_> {
 
     fn word(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
-        let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
-        let len = 1 + bytes.iter().skip(1).position(|byte| !is_name(byte)).unwrap_or(bytes.len() - 1);
+        let mut rest = bytes.iter().skip(1);
+        let end = rest.position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_');
+        let len = 1 + end.unwrap_or(bytes.len() - 1);
         let end = self.pos + len;
         let foreign = if self.indent.starts_line() { foreign::word(bytes, len) } else { None };
         match foreign {

@@ -230,8 +230,8 @@ impl Lexer<'_> {
 
     pub(super) fn unknown_entity(&mut self, at: usize) {
         let rest = self.text.part(at..);
-        let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'#';
-        let name = rest.bytes().skip(1).take(32).take_while(is_name).count();
+        let bytes = rest.bytes().skip(1).take(32);
+        let name = bytes.take_while(|byte| byte.is_ascii_alphanumeric() || *byte == b'#').count();
         let closed = usize::from(rest.as_bytes().get(name + 1) == Some(&b';'));
         let len = if name == 0 { 1 } else { 1 + name + closed };
         let text = rest.get(..len).unwrap_or("&").to_owned();

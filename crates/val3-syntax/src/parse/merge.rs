@@ -32,16 +32,18 @@ fn is_conflict(error: &SyntaxError) -> bool {
 /// Keeps one error for each conflict: its opening marker, or the first marker if none opens.
 fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
     let mut markers: Vec<_> = lexer.into_iter().filter(is_conflict).collect();
-    let opens = |marker: &SyntaxError| {
-        text.get(Range::<usize>::from(marker.range))
-            .is_some_and(|t| t.starts_with(['<', '&']) && !t.starts_with("&gt;"))
-    };
-    if markers.iter().any(opens) {
-        markers.retain(opens);
+    if markers.iter().any(|marker| opens(text, marker)) {
+        markers.retain(|marker| opens(text, marker));
     } else {
         markers.truncate(1);
     }
     markers
+}
+
+/// Whether the marker opens a conflict: `<<<<<<<` or `&lt;&lt;…`.
+fn opens(text: &str, marker: &SyntaxError) -> bool {
+    let marker = text.get(Range::<usize>::from(marker.range));
+    marker.is_some_and(|text| text.starts_with(['<', '&']) && !text.starts_with("&gt;"))
 }
 
 /// Removes errors that are consequences of the first lexer error on a line.
@@ -49,13 +51,12 @@ fn drop_cascades(text: &str, faults: Vec<MergedError>) -> Vec<SyntaxError> {
     let mut kept = Vec::with_capacity(faults.len());
     for line in faults.chunk_by(|a, b| on_one_line(text, &a.error, &b.error)) {
         let first = line.iter().position(|fault| fault.of_lexer);
-        let keep = |at: usize, fault: &MergedError| match first {
-            Some(first) => at == first || !fault.of_lexer && is_about_other_lines(&fault.error.kind),
-            None => true,
-        };
-        kept.extend(
-            line.iter().enumerate().filter(|(at, fault)| keep(*at, fault)).map(|(_, fault)| fault.error.clone()),
-        );
+        for (at, fault) in line.iter().enumerate() {
+            let is_cause = first.is_none_or(|first| at == first);
+            if is_cause || !fault.of_lexer && is_about_other_lines(&fault.error.kind) {
+                kept.push(fault.error.clone());
+            }
+        }
     }
     kept
 }

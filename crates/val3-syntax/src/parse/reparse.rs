@@ -135,13 +135,12 @@ fn sole_element(fragment: &Parse) -> Option<NodeRef<'_>> {
 /// Whether every tag in the element belongs to it. A lexer error on the same line would hide a superfluous tag.
 fn has_own_tags_only(element: NodeRef<'_>) -> bool {
     let last = nodes(element).last().map(NodeRef::index);
-    let is_own = |child: NodeRef<'_>| match child.kind() {
+    nodes(element).all(|child| match child.kind() {
         SyntaxKind::ERROR => false,
         SyntaxKind::END_TAG => last == Some(child.index()),
         SyntaxKind::ELEMENT => has_own_tags_only(child),
         _ => true,
-    };
-    nodes(element).all(is_own)
+    })
 }
 
 /// Whether an error is on a line where `element` starts or ends.

@@ -42,8 +42,8 @@ impl<'p, 't> StatementRun<'p, 't> {
     pub(super) fn all_in_last(path: &'p [NodeRef<'t>]) -> impl Iterator<Item = Self> {
         let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
         let siblings: Vec<NodeRef<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
-        let is_block = |index: &usize| siblings.get(*index).is_some_and(|piece| piece.kind() == SyntaxKind::BLOCK);
-        let blocks: Vec<usize> = (0..siblings.len()).filter(is_block).collect();
+        let blocks = (0..).zip(&siblings).filter(|(_, piece)| piece.kind() == SyntaxKind::BLOCK);
+        let blocks: Vec<usize> = blocks.map(|(index, _)| index).collect();
         blocks.into_iter().filter_map(move |block| Self::new(path, &siblings, block))
     }
 
@@ -113,9 +113,9 @@ impl<'p, 't> StatementRun<'p, 't> {
         let entries: Vec<&[TreeEntry]> = [before, new.entries(&new.indexes()), after].concat();
         // A trivia token has one entry, and no node ends with trivia.
         let size: usize = entries.iter().map(|stretch| stretch.len()).sum();
-        let is_trivia = |entry: &&TreeEntry| entry.kind.is_trivia();
-        let leading = entries.iter().copied().flatten().take_while(is_trivia).count();
-        let trailing = entries.iter().copied().rev().flat_map(|stretch| stretch.iter().rev()).take_while(is_trivia);
+        let leading = entries.iter().copied().flatten().take_while(|entry| entry.kind.is_trivia()).count();
+        let backwards = entries.iter().copied().rev().flat_map(|stretch| stretch.iter().rev());
+        let trailing = backwards.take_while(|entry| entry.kind.is_trivia());
         let trailing = if leading == size { 0 } else { trailing.count() };
         // Trivia at the end of a node belongs to the parent node.
         if trailing > 0 && self.is_last {

@@ -9,13 +9,21 @@ struct ParseAttempt {
     errors: Vec<SyntaxError>,
 }
 
+/// State of the parser before an attempt: the token, and the numbers of events and errors.
+#[derive(Clone, Copy)]
+struct ReadingStart {
+    position: usize,
+    events: usize,
+    errors: usize,
+}
+
 impl Parser<'_> {
     /// Runs `read`, which parses the code at the cursor to its end. If blocks do not match, further modes are tried:
     /// the result with the fewest errors is kept; for equal numbers, the result by indentation.
     pub(crate) fn best_reading(&mut self, read: impl Fn(&mut Self)) {
-        let start = (self.position(), self.events.len(), self.errors.len());
+        let start = ReadingStart { position: self.position(), events: self.events.len(), errors: self.errors.len() };
         read(self);
-        if !self.errors.iter().skip(start.2).any(|error| error.kind.is_about_blocks()) {
+        if !self.errors.iter().skip(start.errors).any(|error| error.kind.is_about_blocks()) {
             return;
         }
         let plain = self.take_reading(start);
@@ -29,9 +37,9 @@ impl Parser<'_> {
         self.errors.append(&mut best.errors);
     }
 
-    fn read_by(&mut self, matching: Matching, start: (usize, usize, usize), read: impl Fn(&mut Self)) -> ParseAttempt {
+    fn read_by(&mut self, matching: Matching, start: ReadingStart, read: impl Fn(&mut Self)) -> ParseAttempt {
         let end = self.pos;
-        self.pos = start.0;
+        self.pos = start.position;
         self.matching = matching;
         read(self);
         self.matching = Matching::Plain;
@@ -39,7 +47,7 @@ impl Parser<'_> {
         self.take_reading(start)
     }
 
-    fn take_reading(&mut self, (_, events, errors): (usize, usize, usize)) -> ParseAttempt {
-        ParseAttempt { events: self.events.split_off(events), errors: self.errors.split_off(errors) }
+    fn take_reading(&mut self, start: ReadingStart) -> ParseAttempt {
+        ParseAttempt { events: self.events.split_off(start.events), errors: self.errors.split_off(start.errors) }
     }
 }

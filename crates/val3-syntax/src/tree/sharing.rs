@@ -113,11 +113,11 @@ fn is_same(node: &GreenNode, kind: SyntaxKind, children: &[GreenElement]) -> boo
 }
 
 fn text_len(children: &[GreenElement]) -> u32 {
-    let len = |child: &GreenElement| match child {
+    let lengths = children.iter().map(|child| match child {
         NodeOrToken::Node(node) => u32::from(node.text_len()),
         NodeOrToken::Token(token) => u32::from(token.text_len()),
-    };
-    children.iter().map(len).sum()
+    });
+    lengths.sum()
 }
 
 fn address(element: &GreenElement) -> usize {

@@ -9,13 +9,13 @@ const STACK: usize = 2 << 20;
 
 /// Parses, walks and drops a tree in a thread with a small stack. Returns the first errors.
 fn survive(text: String) -> Vec<String> {
-    let work = move || {
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(move || {
         let parse = parsed(&text);
         assert_eq!(parse.root().descendants().count(), parse.clone().root().descendants().count());
         assert!(height(&parse.root()) < 1000);
         parse.errors().iter().take(5).map(|error| line(&text, error)).collect()
-    };
-    std::thread::Builder::new().stack_size(STACK).spawn(work).unwrap().join().unwrap()
+    });
+    thread.unwrap().join().unwrap()
 }
 
 fn height(node: &val3_syntax::SyntaxNode) -> usize {

@@ -5,7 +5,7 @@ use val3_analysis::interfaces::is_public;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::ty::Ty;
+use val3_analysis::ty::{Base, Ty};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
@@ -38,7 +38,7 @@ pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: b
         same_elsewhere(context.db, *project, name)?;
         let symbol = Symbol::Program(*project, name.clone());
         for (file, user, range) in uses(context.db, &symbol) {
-            let Some(call) = Call::at(context.db, (file, user), range)? else { continue };
+            let Some(call) = Call::at(context.db, file, user, range)? else { continue };
             let argument = match is_available(context, unknown, file, user) {
                 true => unknown.name.as_str(),
                 false => default(unknown.ty(), by_reference)
@@ -73,17 +73,19 @@ fn is_available(context: &Context<'_>, unknown: &UnknownName, file: File, user: 
     if file == context.file {
         return true;
     }
-    let (header, types) = (header(db, file), &items(db, user).types);
-    let wanted = unknown.ty();
-    let suits = |type_name: &str, container: Container| {
-        let base = resolve_type(types, type_name);
-        let is_array = matches!(wanted.container, Container::Array { .. } | Container::Collection);
-        base.is_some_and(|base| base.same_as(wanted.base)) && (!is_array || container == wanted.container)
-    };
-    let local = header.locals.iter().find(|local| local.name == unknown.name);
-    let param = header.params.iter().find(|param| param.name == unknown.name);
-    local.is_some_and(|local| suits(&local.type_name, local.container))
-        || param.is_some_and(|param| suits(&param.type_name, param.container))
+    let header = header(db, file);
+    let locals = header.locals.iter().map(|local| (&local.name, &local.type_name, local.container));
+    let params = header.params.iter().map(|param| (&param.name, &param.type_name, param.container));
+    let mut named = locals.chain(params).filter(|(name, ..)| **name == unknown.name);
+    named.any(|(_, type_name, container)| {
+        resolve_type(&items(db, user).types, type_name).is_some_and(|base| suits(unknown.ty(), base, container))
+    })
+}
+
+/// Whether a variable has the type that the unknown name must have.
+fn suits(expected: Ty, base: Base, container: Container) -> bool {
+    let is_array = matches!(expected.container, Container::Array { .. } | Container::Collection);
+    base.same_as(expected.base) && (!is_array || container == expected.container)
 }
 
 /// Literal that is passed for a single value; `None` if a variable is required.

@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use smol_str::SmolStr;
-use val3_analysis::body::{Stmt, StmtKind};
 use val3_analysis::effects::{Access, AccessKind, Effects, RootVariable};
 use val3_analysis::flow::{Facts, FlowGraph, FlowNode, FlowNodeId, backward, flow};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
 use super::super::context::Context;
+use super::super::evaluation::is_loop;
 use crate::declare::NewVariable;
 
 /// Passing of a variable to the extracted program.
@@ -22,6 +22,13 @@ pub(super) enum Passing {
     /// Not passed: its value is neither read before it is written nor used afterwards, so both programs have their own
     /// local.
     Apart,
+}
+
+impl Passing {
+    /// Whether the variable becomes a local of the extracted program.
+    pub(super) fn is_local(self) -> bool {
+        matches!(self, Self::Inside | Self::Apart)
+    }
 }
 
 /// A local or parameter that the extracted program uses.
@@ -60,8 +67,8 @@ fn passed(
     name: &SmolStr,
     uses: &[&Access],
 ) -> Option<PassedVariable> {
-    let is_inside = |access: &&&Access| range.contains_range(context.body().range(access.id));
-    let inside: Vec<&&Access> = uses.iter().filter(is_inside).collect();
+    let inside = uses.iter().filter(|access| range.contains_range(context.body().range(access.id)));
+    let inside: Vec<&&Access> = inside.collect();
     if inside.is_empty() {
         return None;
     }
@@ -82,15 +89,11 @@ fn passed(
 
 /// Declaration of a local or parameter; the second value is true for a local.
 fn declared(context: &Context<'_>, name: &str) -> Option<(NewVariable, bool)> {
-    let variable = |type_name: &str, container, sizes: Vec<u32>| NewVariable {
-        name: name.to_owned(),
-        type_name: type_name.to_owned(),
-        container,
-        sizes,
-    };
     let header = context.header();
+    let name = name.to_owned();
     if let Some(local) = header.locals.iter().find(|local| local.name == name) {
-        return Some((variable(&local.type_name, local.container, local.sizes.clone()), true));
+        let (type_name, container, sizes) = (local.type_name.to_string(), local.container, local.sizes.clone());
+        return Some((NewVariable { name, type_name, container, sizes }, true));
     }
     let param = header.params.iter().find(|param| param.name == name)?;
     // A parameter of the old dialect may be an array, so it is passed unchanged.
@@ -98,7 +101,8 @@ fn declared(context: &Context<'_>, name: &str) -> Option<(NewVariable, bool)> {
         Container::Array { dims } => vec![2; usize::from(dims)],
         _ => vec![1],
     };
-    Some((variable(&param.type_name, param.container, sizes), false))
+    let (type_name, container) = (param.type_name.to_string(), param.container);
+    Some((NewVariable { name, type_name, container, sizes }, false))
 }
 
 /// Whether the variable must be passed by reference. Arrays and collections always are, and inputs, outputs and serial
@@ -110,9 +114,20 @@ fn is_whole(variable: &NewVariable) -> bool {
 
 /// Whether the statements are inside a loop of the program.
 fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
-    let repeats = |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
-    let around = |stmt: &&Stmt| stmt.range.contains_range(range) && stmt.range != range;
-    context.body().stmts().iter().filter(|stmt| around(stmt)).any(|stmt| repeats(&stmt.kind))
+    let stmts = context.body().stmts();
+    stmts.iter().any(|stmt| is_loop(stmt) && stmt.range.contains_range(range) && stmt.range != range)
+}
+
+/// Whether the node is code in the range.
+fn is_inside(range: TextRange, point: &FlowNode) -> bool {
+    range.contains_range(point.range) && !point.range.is_empty()
+}
+
+/// Adds the names of `other` to `names`. Returns whether a name was new.
+fn add_names(names: &mut VariableNames, other: &VariableNames) -> bool {
+    let len = names.len();
+    names.extend(other.iter().cloned());
+    names.len() > len
 }
 
 /// Live variables: their values are used later.
@@ -129,17 +144,11 @@ impl LiveVariables {
         let referenced = context.header().params.iter().filter(|param| param.by_reference);
         let end: VariableNames = referenced.map(|param| param.name.clone()).collect();
         let step = |id: FlowNodeId, _: &FlowNode, behind: &VariableNames| before(effects, id, behind);
-        let join = |known: &mut VariableNames, other: &VariableNames| {
-            let len = known.len();
-            known.extend(other.iter().cloned());
-            known.len() > len
-        };
-        let facts = backward(flow, end, step, join);
-        let is_inside = |point: &FlowNode| range.contains_range(point.range) && !point.range.is_empty();
-        let mut inside = flow.points().filter(|(_, point)| is_inside(point)).peekable();
+        let facts = backward(flow, end, step, add_names);
+        let mut inside = flow.points().filter(|(_, point)| is_inside(range, point)).peekable();
         let entry = inside.peek().map(|(id, _)| *id);
         let exits = inside.flat_map(|(_, point)| &point.next);
-        let exits = exits.filter(|next| flow.point(**next).is_some_and(|point| !is_inside(point)));
+        let exits = exits.filter(|next| flow.point(**next).is_some_and(|point| !is_inside(range, point)));
         Self {
             before: entry.map(|id| at(context, effects, &facts, id)).unwrap_or_default(),
             behind: exits.flat_map(|id| at(context, effects, &facts, *id)).collect(),

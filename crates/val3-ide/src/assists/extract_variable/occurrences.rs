@@ -34,8 +34,7 @@ impl Occurrences {
             return None;
         }
         let survives = |index: usize| block.get(index).is_some_and(|it| dependencies.survive(std::slice::from_ref(it)));
-        let is_read = |index: usize| block.get(index).is_some_and(|stmt| dependencies.survive_reads_of(stmt));
-        while survives(last) && is_read(last + 1) {
+        while survives(last) && block.get(last + 1).is_some_and(|next| dependencies.survive_reads_of(next)) {
             last += 1;
         }
         while first.checked_sub(1).is_some_and(survives) {

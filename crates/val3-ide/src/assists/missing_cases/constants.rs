@@ -60,13 +60,14 @@ fn written(body: &Body) -> Vec<SmolStr> {
         _ => None,
     });
     let targets: Vec<ExprId> = in_stmts.chain(chained).collect();
-    let name = |id: ExprId| match body.expr(id) {
-        Expr::Name(name) => Some(name.clone()),
-        Expr::Index(base, _) => match body.expr(*base) {
-            Expr::Name(name) => Some(name.clone()),
-            _ => None,
-        },
+    targets.into_iter().filter_map(|target| variable_name(body, target)).cloned().collect()
+}
+
+/// Name of a variable or of an array whose element is assigned.
+fn variable_name(body: &Body, target: ExprId) -> Option<&SmolStr> {
+    let root = if let Expr::Index(base, _) = body.expr(target) { *base } else { target };
+    match body.expr(root) {
+        Expr::Name(name) => Some(name),
         _ => None,
-    };
-    targets.into_iter().filter_map(name).collect()
+    }
 }

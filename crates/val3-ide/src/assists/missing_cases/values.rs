@@ -13,6 +13,7 @@ use val3_syntax::ast::{AstNode, CaseClause};
 
 use super::super::context::Context;
 use super::constants::{Constants, common_prefix};
+use crate::variables::declares_variable;
 
 /// Values in order, with their source texts. A named constant and a literal with the same number are one value.
 #[derive(Default)]
@@ -54,13 +55,7 @@ pub(super) fn missing(
     }
     let mut known = CaseSearch { constants, found: CaseValues::default() };
     labels.iter().for_each(|label| known.label(own, *label));
-    let is_known = |key: &CaseKey| match key {
-        CaseKey::Other(_, text) => {
-            known.found.0.keys().any(|other| matches!(other, CaseKey::Other(_, known) if known == text))
-        }
-        number => known.found.0.contains_key(number),
-    };
-    search.found.0.into_iter().filter(|(key, _)| !is_known(key)).map(|(_, text)| text).collect()
+    search.found.0.into_iter().filter(|(key, _)| !known.found.contains(key)).map(|(_, text)| text).collect()
 }
 
 impl CaseValues {
@@ -73,6 +68,15 @@ impl CaseValues {
 
     fn add_other(&mut self, at: usize, text: &str) {
         self.0.insert(CaseKey::Other(at, text.to_owned()), text.to_owned());
+    }
+
+    fn contains(&self, key: &CaseKey) -> bool {
+        match key {
+            CaseKey::Other(_, text) => {
+                self.0.keys().any(|other| matches!(other, CaseKey::Other(_, known) if known == text))
+            }
+            number => self.0.contains_key(number),
+        }
     }
 }
 
@@ -123,23 +127,21 @@ impl CaseSearch<'_> {
     fn uses(&mut self, context: &Context<'_>, selector: ExprId) {
         let Some(place) = place(context.body(), selector) else { return };
         let root = place.split('.').next().unwrap_or("");
-        let is_own = |file| {
-            let header = header(context.db, file);
-            header.locals.iter().any(|it| it.name == root) || header.params.iter().any(|it| it.name == root)
-        };
-        let files = match is_own(context.file) {
+        let declares = |file| declares_variable(header(context.db, file), root);
+        let programs = program_files(context.db, context.project).iter().copied();
+        let files = match declares(context.file) {
             true => vec![context.file],
-            false => program_files(context.db, context.project).iter().copied().filter(|file| !is_own(*file)).collect(),
+            false => programs.filter(|file| !declares(*file)).collect(),
         };
         files.into_iter().for_each(|file| self.uses_in(body(context.db, file), &place));
     }
 
     fn uses_in(&mut self, body: &Body, wanted: &str) {
-        let is_place = |id: ExprId| place(body, id).is_some_and(|found| found == wanted);
+        let uses = |id: ExprId| place(body, id).is_some_and(|found| found == wanted);
         for stmt in body.stmts() {
             match &stmt.kind {
-                StmtKind::Assign { target, value } if is_place(*target) => self.value(body, *value),
-                StmtKind::Switch { selector: Some(selector), cases } if is_place(*selector) => {
+                StmtKind::Assign { target, value } if uses(*target) => self.value(body, *value),
+                StmtKind::Switch { selector: Some(selector), cases } if uses(*selector) => {
                     cases.iter().flat_map(|(values, _)| values).for_each(|value| self.label(body, *value));
                 }
                 _ => {}
@@ -147,12 +149,12 @@ impl CaseSearch<'_> {
         }
         for (_, expr, _) in body.exprs() {
             match expr {
-                Expr::Assign(target, value) if is_place(*target) => self.value(body, *value),
+                Expr::Assign(target, value) if uses(*target) => self.value(body, *value),
                 Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) => {
-                    if is_place(*left) {
+                    if uses(*left) {
                         self.label(body, *right);
                     }
-                    if is_place(*right) {
+                    if uses(*right) {
                         self.label(body, *left);
                     }
                 }

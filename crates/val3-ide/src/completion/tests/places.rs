@@ -121,13 +121,8 @@ fn nothing_is_proposed_where_no_name_fits() {
 
 #[test]
 fn escaped_code_is_completed() {
-    let file = |line: &str| {
-        format!(
-            "string sA\nmdesc mA\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code>begin\n{line}\nend</Code></Program></Programs>"
-        )
-    };
     check(
-        &file("if sA&lt;$0"),
+        &with_escaped_line("if sA&lt;$0"),
         expect![[r#"
         sA Data string
         chr Instruction string chr(num nCodePoint)
@@ -138,7 +133,7 @@ fn escaped_code_is_completed() {
     "#]],
     );
     check(
-        &file("sA=getDate(&quot;%$0&quot;)"),
+        &with_escaped_line("sA=getDate(&quot;%$0&quot;)"),
         expect![[r#"
         %y Text part of the date
         %Y Text part of the date
@@ -150,40 +145,37 @@ fn escaped_code_is_completed() {
     );
 }
 
+/// A cell with this line in the code of `start`, which is not in a CDATA section.
+fn with_escaped_line(line: &str) -> String {
+    format!(
+        "string sA\nmdesc mA\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code>begin\n{line}\nend</Code></Program></Programs>"
+    )
+}
+
 #[test]
 fn values_of_attributes_are_completed() {
-    let program = |line: &str| {
-        format!(
-            "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">{line}<Code><![CDATA[begin\nend]]></Code></Program></Programs>"
-        )
-    };
     check(
-        &program("<Locals><Local name=\"l_n\" type=\"po$0\" /></Locals>"),
+        &with_declarations("<Locals><Local name=\"l_n\" type=\"po$0\" /></Locals>"),
         expect![[r#"
         point Type
     "#]],
     );
     check(
-        &program("<Parameters><Parameter name=\"x_n\" use=\"$0\" /></Parameters>"),
+        &with_declarations("<Parameters><Parameter name=\"x_n\" use=\"$0\" /></Parameters>"),
         expect![[r#"
         value Keyword
         reference Keyword
     "#]],
     );
-    let data = |line: &str| {
-        format!(
-            "cls()\nframe fTable\n=== main/more.dtx\n<Database><Datas>{line}</Datas></Database>\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /><Data file=\"more.dtx\" /></Database></Project>"
-        )
-    };
     check(
-        &data("<Data name=\"pA\" type=\"pointRx\"><Value key=\"0\" fatherId=\"$0\" /></Data>"),
+        &with_data("<Data name=\"pA\" type=\"pointRx\"><Value key=\"0\" fatherId=\"$0\" /></Data>"),
         expect![[r#"
         fTable[0] Data frame
         world[0] Constant frame
     "#]],
     );
     check(
-        &data("<Data name=\"mA\" type=\"mdesc\"><Value key=\"0\" blend=\"$0\" /></Data>"),
+        &with_data("<Data name=\"mA\" type=\"mdesc\"><Value key=\"0\" blend=\"$0\" /></Data>"),
         expect![[r#"
         joint Keyword
         off Keyword
@@ -191,7 +183,7 @@ fn values_of_attributes_are_completed() {
     "#]],
     );
     check(
-        &data("<Data name=\"mA\" xsi:type=\"$0\" />"),
+        &with_data("<Data name=\"mA\" xsi:type=\"$0\" />"),
         expect![[r#"
         array Keyword
         collection Keyword
@@ -212,4 +204,18 @@ fn values_of_attributes_are_completed() {
         Disk://part/part.pjx Path
     "#]],
     );
+}
+
+/// A cell with these elements before the code of `start`.
+fn with_declarations(elements: &str) -> String {
+    format!(
+        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">{elements}<Code><![CDATA[begin\nend]]></Code></Program></Programs>"
+    )
+}
+
+/// A cell with a second data file that contains these elements.
+fn with_data(elements: &str) -> String {
+    format!(
+        "cls()\nframe fTable\n=== main/more.dtx\n<Database><Datas>{elements}</Datas></Database>\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /><Data file=\"more.dtx\" /></Database></Project>"
+    )
 }

@@ -61,10 +61,9 @@ fn a_statement_follows_the_dot_after_its_value() {
 
 #[test]
 fn comments_about_the_program_are_proposed() {
-    let listing = |code: &str| {
-        format!("program start()\nbegin\n  call pick(1,2)\nend\nprogram pick(num x_nA, num x_nB)\nbegin\n{code}\nend")
-    };
-    let labels = |code: &str| -> Vec<String> { found(&listing(code)).into_iter().map(|item| item.label).collect() };
+    let pick = |code| format!("program pick(num x_nA, num x_nB)\nbegin\n{code}\nend");
+    let listing = |code| format!("program start()\nbegin\n  call pick(1,2)\nend\n{}", pick(code));
+    let labels = |code| -> Vec<String> { found(&listing(code)).into_iter().map(|item| item.label).collect() };
     assert_eq!(labels("  //$0"), ["\\brief", "\\param x_nA", "\\param x_nB"]);
     assert_eq!(labels("  //\\brief pick: takes it\n\n  // \\pa$0\n  //\\param x_nB num"), ["\\param x_nA"]);
     check_insert(

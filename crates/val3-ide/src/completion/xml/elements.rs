@@ -43,15 +43,18 @@ pub(super) fn elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>,
 
 /// Elements that the parent may contain and does not contain yet.
 fn children(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<&'static ElementPage> {
-    let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.name == name);
     let Some(parent) = context.cursor.parent() else {
         let root = root(context.file, is_old(found.db, found.project));
         return files::find(context.file, root).filter(|_| context.cursor.siblings.is_empty()).into_iter().collect();
     };
-    let is_repeated = |name: &str| REPEATED.iter().any(|(file, names)| *file == context.file && names.contains(&name));
     let known = files::find(context.file, parent.name).map_or(&[][..], |known| known.children);
-    let free = known.iter().filter(|child| is_repeated(child) || !is_there(child));
+    let free = known.iter().filter(|child| is_repeated(context.file, child) || !context.cursor.has_sibling(child));
     free.filter_map(|child| files::find(context.file, child)).collect()
+}
+
+/// Whether the parent may contain several of these elements.
+fn is_repeated(file: FileKind, element: &str) -> bool {
+    REPEATED.iter().any(|(of, names)| *of == file && names.contains(&element))
 }
 
 fn root(file: FileKind, old: bool) -> &'static str {
@@ -121,9 +124,8 @@ fn value(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, 
 
 /// A `<Field>` for each missing field of the user type.
 fn user_fields(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, project: Project) {
-    let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.value("name") == Some(name));
     for (place, (name, item)) in (0..).zip(sorted_fields(found, project)) {
-        if is_there(&name) {
+        if context.cursor.has_sibling_with("name", &name) {
             continue;
         }
         let mut snippet = Snippet::default();
@@ -157,9 +159,8 @@ fn field(snippet: &mut Snippet, name: &str, item: &DataItem) {
 fn old_elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str) {
     let Some(parent) = context.cursor.parent() else { return };
     if parent.name == "dataList" {
-        let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.name == name);
         for (place, section) in (0..).zip(old_data::SECTIONS) {
-            if !is_there(section) {
+            if !context.cursor.has_sibling(section) {
                 let mut snippet = Snippet::default();
                 snippet.list(angle, section);
                 add(found, context, section, section, snippet, -place);

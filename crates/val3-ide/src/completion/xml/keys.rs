@@ -23,10 +23,6 @@ pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<
     let Some((data, parent)) = context.declarations().next() else { return Vec::new() };
     let is_old = parent.ends_with("Section");
     let attribute = if is_old { "index" } else { "key" };
-    let is_free = |key: &String| {
-        let mut others = context.cursor.siblings.iter();
-        !others.any(|other| other.value(attribute) == Some(key.as_str()))
-    };
     let is_direct = matches!(parent, "Datas");
     let keys = match is_collection(context) {
         true if is_direct => spelt_keys(found.db, found.project, data.value("name").unwrap_or("")),
@@ -35,7 +31,7 @@ pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<
         false if is_old => (0..=context.cursor.siblings.len()).map(|index| index.to_string()).collect(),
         false => indexes(&data.value("size").and_then(sizes).unwrap_or_else(|| vec![1]), context.cursor.siblings.len()),
     };
-    keys.into_iter().filter(is_free).take(SHOWN).collect()
+    keys.into_iter().filter(|key| !context.cursor.has_sibling_with(attribute, key)).take(SHOWN).collect()
 }
 
 fn is_collection(context: &XmlContext<'_>) -> bool {

@@ -60,10 +60,12 @@ pub(super) fn stem(db: &dyn Db, file: File) -> Option<String> {
 pub(super) fn files(found: &CompletionList<'_>, extension: &str) -> Vec<(SmolStr, bool)> {
     let (db, project) = (found.db, found.project);
     let manifest = manifest(db, project.manifest(db));
-    let is_listed =
-        |name: &str| manifest.programs.iter().chain(&manifest.data).any(|listed| listed.eq_ignore_ascii_case(name));
     let files = project.beside(db).iter().filter(|name| name.to_ascii_lowercase().ends_with(extension));
-    files.map(|name| (name.clone(), is_listed(name))).collect()
+    let files = files.map(|name| {
+        let mut entries = manifest.programs.iter().chain(&manifest.data);
+        (name.clone(), entries.any(|entry| entry.eq_ignore_ascii_case(name)))
+    });
+    files.collect()
 }
 
 fn unlisted(found: &CompletionList<'_>, extension: &str) -> Option<String> {
@@ -123,15 +125,14 @@ fn undeclared_in(db: &dyn Db, project: Project, file: File) -> Vec<SmolStr> {
         .exprs()
         .filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None })
         .collect();
-    let is_known = |name: &str| {
-        names.is_declared(name)
-            || builtins::find(name).is_some()
-            || enumerations::find(name).is_some()
-            || instructions::find(name).is_some()
-    };
     let unknown = body.exprs().filter(|(id, ..)| !callees.contains(id)).filter_map(|(_, expr, _)| match expr {
-        Expr::Name(name) if !is_known(name) => Some(name.clone()),
+        Expr::Name(name) if !names.is_declared(name) && !is_predefined(name) => Some(name.clone()),
         _ => None,
     });
     unknown.collect()
+}
+
+/// Whether the language defines the name.
+fn is_predefined(name: &str) -> bool {
+    builtins::find(name).is_some() || enumerations::find(name).is_some() || instructions::find(name).is_some()
 }

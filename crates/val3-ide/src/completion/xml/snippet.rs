@@ -129,12 +129,6 @@ impl Snippet {
     fn content(&mut self, file: FileKind, element: &ElementPage, indent: &str, known: &dyn Fn(&str) -> Option<String>) {
         let inner = format!("{indent}  ");
         let mandatory = MANDATORY.iter().find(|(of, name, _)| *of == file && *name == element.name);
-        let around = |snippet: &mut Self, before: &str, after: &str| {
-            snippet.push(before);
-            snippet.last();
-            snippet.push(after);
-            snippet.push(&format!("</{}>", element.name));
-        };
         match (mandatory, element.name) {
             (Some((.., children)), _) => {
                 self.push(">");
@@ -144,14 +138,21 @@ impl Snippet {
                 }
                 self.push(&format!("\n{indent}</{}>", element.name));
             }
-            (None, "Code") => around(self, "><![CDATA[begin\n  ", "\nend]]>"),
-            (None, "code") => around(self, ">begin\n  ", "\nend\n"),
-            (None, "Description") => around(self, "><![CDATA[", "]]>"),
-            (None, "description") => around(self, ">", ""),
+            (None, "Code") => self.around("><![CDATA[begin\n  ", "\nend]]></Code>"),
+            (None, "code") => self.around(">begin\n  ", "\nend\n</code>"),
+            (None, "Description") => self.around("><![CDATA[", "]]></Description>"),
+            (None, "description") => self.around(">", "</description>"),
             // A variable without values has its defaults.
             (None, _) if element.children.is_empty() || !element.attributes.is_empty() => self.push(" />"),
-            (None, _) => around(self, &format!(">\n{inner}"), &format!("\n{indent}")),
+            (None, name) => self.around(&format!(">\n{inner}"), &format!("\n{indent}</{name}>")),
         }
+    }
+
+    /// Appends the two texts with the final cursor position between them.
+    fn around(&mut self, before: &str, after: &str) {
+        self.push(before);
+        self.last();
+        self.push(after);
     }
 }
 

@@ -73,14 +73,8 @@ fn of_project(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element:
         ("Library", "alias") | ("Type" | "alias", "name") => {
             let path = context.cursor.tag.as_ref().and_then(|tag| tag.value("path").or(tag.value("interface")));
             let aliases = names::aliases(found, path);
-            let taken = |name: &String| {
-                context
-                    .cursor
-                    .siblings
-                    .iter()
-                    .any(|other| other.value(if element == "Library" { "alias" } else { "name" }) == Some(name))
-            };
-            add_all(found, aliases.into_iter().filter(|name| !taken(name)), Kind::Library, "");
+            let unused = aliases.into_iter().filter(|alias| !context.cursor.has_sibling_with(name, alias));
+            add_all(found, unused, Kind::Library, "");
         }
         ("Library" | "Type", "path") | ("alias", "interface") => projects(found, element == "Type"),
         _ => {}

@@ -40,12 +40,13 @@ fn added(edits: &[DataEdit]) -> String {
     let before = data_findings(db, file, before);
     let change = data_edits(db, project, file, edits).unwrap();
     let context = FixContext { db, system: &marked.system, check_cancelled: &|| {} };
-    let line = |found: DataFinding| {
-        let (name, key) = (found.place.name, found.place.key.unwrap_or_default());
-        let column = found.column.unwrap_or_default();
-        format!("{name}[{key}] {column}: {} {}\n", found.diagnostic.rule.code, found.diagnostic.message)
-    };
     added_data_findings(context, file, &change, &before).into_iter().map(line).collect()
+}
+
+fn line(found: DataFinding) -> String {
+    let (name, key) = (found.place.name, found.place.key.unwrap_or_default());
+    let column = found.column.unwrap_or_default();
+    format!("{name}[{key}] {column}: {} {}\n", found.diagnostic.rule.code, found.diagnostic.message)
 }
 
 #[test]

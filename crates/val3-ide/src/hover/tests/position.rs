@@ -204,13 +204,11 @@ fn fields_of_user_types_show_their_pose() {
     let slots = "    <Data name=\"tSlots\" access=\"private\" xsi:type=\"array\" type=\"Slot\" size=\"1 2\">\n      \
         <Value key=\"0,1\">\n<Field name=\"pPlace\" xsi:type=\"array\" type=\"pointRx\" size=\"1\">\n\
         <Value key=\"0\" x=\"600\" z=\"200\" rx=\"180\" fatherId=\"world[0]\"/></Field></Value>\n    </Data>";
-    let listing = |code: &str| {
-        format!(
-            "type Slot \"Disk://Slot/Slot.pjx\"\nSlot tSlots[1,2]\nmdesc mX\n{code}\n\n--- Slot\npublic point pPlace\n\n--- main"
-        )
-    };
+    let code = "movej(tSlots[0,1].pPl$0ace,flange,mX)";
     check(
-        &listing("movej(tSlots[0,1].pPl$0ace,flange,mX)"),
+        &format!(
+            "type Slot \"Disk://Slot/Slot.pjx\"\nSlot tSlots[1,2]\nmdesc mX\n{code}\n\n--- Slot\npublic point pPlace\n\n--- main"
+        ),
         slots,
         ARM,
         expect![[r#"

@@ -297,16 +297,6 @@ fn versions_show_their_page() {
 
 #[test]
 fn files_of_s6_have_hovers() {
-    let old = |part: &str| {
-        let data = "<dataList xmlns=\"DataNameSpace\"><toolSection><tool name=\"tA\" public=\"true\" privilege=\"0\"><tFather alias=\"\" name=\"flange\" fatherIndex=\"0\" /><valueTool index=\"0\"><ttValue x=\"1\" /><io alias=\"\" name=\"\" ioIndex=\"0\" open=\"2\" close=\"0\" /></valueTool></tool></toolSection></dataList>";
-        let manifest = "<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection><aliasSection><alias name=\"part\" interface=\"part\" /></aliasSection></project>";
-        let mark = |text: &str| text.replacen(part, &format!("$0{part}"), 1);
-        format!(
-            "cls(){LIBRARIES}=== main/main.pjx\n{}\n=== main/main.dtx\n{}\n",
-            mark(manifest),
-            if manifest.contains(part) { data.to_owned() } else { mark(data) }
-        )
-    };
     let mut silent = String::new();
     for part in [
         "project xmlns",
@@ -331,14 +321,14 @@ fn files_of_s6_have_hovers() {
         "open=",
         "flange",
     ] {
-        let marked = MarkedListing::new(&old(part));
+        let marked = MarkedListing::new(&cell_of_s6(part));
         if hover(marked.db(), marked.at()).is_none() {
             silent += &format!("{part}\n");
         }
     }
     assert!(silent.is_empty(), "nothing about:\n{silent}");
     check(
-        &old("open="),
+        &cell_of_s6("open="),
         expect![[r#"
             ```val3
             tool.otime
@@ -351,7 +341,7 @@ fn files_of_s6_have_hovers() {
         "#]],
     );
     check(
-        &old("part\" />"),
+        &cell_of_s6("part\" />"),
         expect![[r#"
         `Disk://part/part.pjx`
 
@@ -365,4 +355,16 @@ fn files_of_s6_have_hovers() {
 
     "#]],
     );
+}
+
+/// A cell in the old dialect with the cursor before the first `part` of the project file or data file.
+fn cell_of_s6(part: &str) -> String {
+    let data = "<dataList xmlns=\"DataNameSpace\"><toolSection><tool name=\"tA\" public=\"true\" privilege=\"0\"><tFather alias=\"\" name=\"flange\" fatherIndex=\"0\" /><valueTool index=\"0\"><ttValue x=\"1\" /><io alias=\"\" name=\"\" ioIndex=\"0\" open=\"2\" close=\"0\" /></valueTool></tool></toolSection></dataList>";
+    let manifest = "<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection><aliasSection><alias name=\"part\" interface=\"part\" /></aliasSection></project>";
+    let mark = |text: &str| text.replacen(part, &format!("$0{part}"), 1);
+    format!(
+        "cls(){LIBRARIES}=== main/main.pjx\n{}\n=== main/main.dtx\n{}\n",
+        mark(manifest),
+        if manifest.contains(part) { data.to_owned() } else { mark(data) }
+    )
 }

@@ -217,26 +217,27 @@ fn elements_keep_an_id_that_others_may_name() {
 
 #[test]
 fn references_reach_bindings() {
-    let shown = |cursor: &str| {
-        let marked = MarkedListing::new(&cell(cursor));
-        shown_all(marked.db(), references(marked.db(), marked.at(), false))
-    };
     expect![[r#"
         main/clkReset.pgx:5 nCount
         main/interface/main.Bindings.JSON:2 nCount
         main/interface/main.Bindings.JSON:3 n\u0043ount
         main/start.pgx:10 nCount
     "#]]
-    .assert_eq(&shown("n|Count=tSlot"));
+    .assert_eq(&references_at("n|Count=tSlot"));
     expect![[r#"
         main/interface/main.Bindings.JSON:8 clkReset
         main/start.pgx:12 clkReset
     "#]]
-    .assert_eq(&shown("call clk|Reset"));
+    .assert_eq(&references_at("call clk|Reset"));
     expect![[r#"
         main/interface/main.Bindings.JSON:2 lblCount
         main/interface/main.Bindings.JSON:3 lblCount
         main/start.pgx:9 lblCount
     "#]]
-    .assert_eq(&shown("id='lbl|Count'"));
+    .assert_eq(&references_at("id='lbl|Count'"));
+}
+
+fn references_at(cursor: &str) -> String {
+    let marked = MarkedListing::new(&cell(cursor));
+    shown_all(marked.db(), references(marked.db(), marked.at(), false))
 }

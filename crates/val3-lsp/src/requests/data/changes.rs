@@ -4,7 +4,7 @@ use std::hash::{Hash as _, Hasher as _};
 use std::ops::Range;
 
 use rustc_hash::FxHasher;
-use val3_ide::{DataOutline, DataType, DatumSource};
+use val3_ide::{DataOutline, DataType};
 
 use super::messages::{DataFinding, Datum, ReplacedValues, Replacement};
 use crate::lines::PositionConverter;
@@ -58,16 +58,15 @@ impl PartialEq for KeptDatum {
 impl KeptTables {
     pub(super) fn new(lines: &PositionConverter<'_>, tables: &DataOutline) -> Self {
         let mut before = 0;
-        let kept = |source: &DatumSource| {
+        let data = tables.data.iter().map(|source| {
             let range = lines.range(source.name);
             let line = range.start.line;
             let distance = line.saturating_sub(before);
             before = line;
             let columns = (range.start.character, range.end.character);
             KeptDatum { fingerprint: source.fingerprint, line, columns, distance }
-        };
-        let data = tables.data.iter().map(kept).collect();
-        Self { types: tables.types.clone(), data, rows: Vec::new(), findings: Vec::new() }
+        });
+        Self { types: tables.types.clone(), data: data.collect(), rows: Vec::new(), findings: Vec::new() }
     }
 
     /// Sets the rows of all data.

@@ -37,16 +37,16 @@ pub(super) fn in_words(lines: &PositionConverter<'_>, problem: &ide::DataProblem
 
 fn data_type(ty: ide::DataType) -> DataType {
     let containers = [(ty.has_arrays, Container::Array), (ty.has_collections, Container::Collection)];
-    let field = |field: ide::TypeField| FieldType {
+    let fields = ty.fields.into_iter().map(|field| FieldType {
         name: field.name,
         type_name: field.type_name,
         container: container(field.container),
         size: field.sizes,
-    };
+    });
     DataType {
         name: ty.name,
         columns: ty.columns.into_iter().map(column).collect(),
-        fields: ty.fields.into_iter().map(field).collect(),
+        fields: fields.collect(),
         containers: containers.into_iter().filter(|(allowed, _)| *allowed).map(|(_, container)| container).collect(),
     }
 }
