@@ -280,18 +280,13 @@ impl Application {
 
     /// Fills `waiting`: follows calls backwards from the waiting programs.
     fn find_waiting(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
-        let calls_unknown = |summary: &Summary| {
-            summary.calls.iter().any(|callee| callee.library.is_none() && !summaries.contains_key(&callee.program))
-        };
-        let first = summaries.iter().filter(|(_, summary)| summary.waits || !summary.sound || calls_unknown(summary));
+        let first = summaries.iter().filter(|(_, summary)| summary.may_wait_directly(summaries));
         let mut open: Vec<SmolStr> = first.map(|(name, _)| (*name).clone()).collect();
         while let Some(program) = open.pop() {
             let callers = self.callers.get(&program).into_iter().flatten();
-            let calls = |caller: &&SmolStr| {
-                let summary = summaries.get(caller);
-                summary.is_some_and(|summary| summary.calls.iter().any(|callee| callee.program == program))
-            };
-            open.extend(callers.filter(|caller| !self.waiting.contains(*caller)).filter(calls).cloned());
+            let callers = callers.filter(|caller| !self.waiting.contains(*caller));
+            let callers = callers.filter(|caller| summaries.get(caller).is_some_and(|it| it.calls_program(&program)));
+            open.extend(callers.cloned());
             self.waiting.insert(program);
         }
     }

@@ -249,11 +249,10 @@ impl<'s> Loader<'s> {
 
     /// Reads the programs and data of a project. Returns the paths of libraries that the programs load.
     fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, outside: &[SmolStr]) -> Vec<PathArgument> {
-        let paths = |references: &[SmolStr]| -> Vec<Utf8PathBuf> {
+        let [data, programs] = [&manifest.data, &manifest.programs].map(|references| {
             let inside = references.iter().filter(|reference| !outside.contains(reference));
-            inside.map(|reference| paths::file_in(folder, reference)).collect()
-        };
-        let (data, programs) = (paths(&manifest.data), paths(&manifest.programs));
+            inside.map(|reference| paths::file_in(folder, reference)).collect::<Vec<_>>()
+        });
         self.read_ahead(data.iter().chain(&programs));
         for path in &data {
             self.found_file(path);
