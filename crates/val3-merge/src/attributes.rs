@@ -3,6 +3,7 @@
 use val3_syntax::xml::{Attribute, XmlElement, escaped};
 use val3_syntax::{TextEdit, TextRange, TextSize};
 
+use crate::kind::MergedKind;
 use crate::merger::{ElementVersions, Merger};
 use crate::node::MergeNode;
 use crate::same::same_attribute;
@@ -58,12 +59,7 @@ fn changed(
     ElementVersions { base, ours, theirs }: ElementVersions<'_, '_>,
     unit: &[&str],
 ) -> Changed {
-    let differs = |one: Option<&MergeNode<'_>>, other: Option<&MergeNode<'_>>| {
-        unit.iter().any(|name| {
-            let [one, other] = [one, other].map(|node| node.and_then(|node| node.value(name)));
-            !same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref())
-        })
-    };
+    let differs = |one, other| unit.iter().any(|name| !has_same_value(merger.kind, ours, name, [one, other]));
     if !differs(base, Some(theirs)) || !differs(Some(ours), Some(theirs)) {
         Changed::Ours
     } else if differs(base, Some(ours)) {
@@ -71,6 +67,12 @@ fn changed(
     } else {
         Changed::Theirs
     }
+}
+
+/// Whether an attribute has the same meaning in both versions of the element `node`.
+fn has_same_value(kind: MergedKind, node: &MergeNode<'_>, name: &str, versions: [Option<&MergeNode<'_>>; 2]) -> bool {
+    let [one, other] = versions.map(|version| version.and_then(|version| version.value(name)));
+    same_attribute(kind, node, name, one.as_deref(), other.as_deref())
 }
 
 /// Formats the difference: `x is 5 in ours and 7 in theirs`.

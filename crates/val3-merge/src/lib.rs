@@ -123,15 +123,16 @@ fn tree<'t>(
 
 /// Checks that all versions have the same dialect.
 fn check_roots(files: [Option<&MergeNode<'_>>; 3]) -> Result<(), String> {
-    let root = |file: &MergeNode<'_>| {
-        file.children.iter().map(MergeNode::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()
-    };
-    let mut roots: Vec<String> = files.into_iter().flatten().map(root).collect();
+    let mut roots: Vec<&str> = files.into_iter().flatten().map(root_name).collect();
     roots.dedup();
     match roots.as_slice() {
         [_] => Ok(()),
         roots => Err(format!("the versions have different root elements: `{}`", roots.join("`, `"))),
     }
+}
+
+fn root_name<'n>(file: &'n MergeNode<'_>) -> &'n str {
+    file.children.iter().map(MergeNode::name).find(|name| !name.is_empty()).unwrap_or_default()
 }
 
 fn merged(

@@ -6,7 +6,7 @@ use crate::conflict::Conflict;
 use crate::diff3::{Chunk, merge};
 use crate::merger::{ElementVersions, Merger};
 use crate::node::MergeNode;
-use crate::text::{ElementText, TextLine, TextSpelling};
+use crate::text::{ElementText, TextSpelling};
 
 /// Conflict marks, as in version control.
 const MARKS: [&str; 4] = ["<<<<<<< ours", "||||||| base", "=======", ">>>>>>> theirs"];
@@ -48,13 +48,9 @@ impl Merger<'_> {
 }
 
 fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementText<'_>, line_end: &str) -> MergedText {
-    let decoded = |content: ElementText<'_>, lines: &[TextLine<'_>]| -> Vec<String> {
-        lines.iter().map(|line| content.decoded(line)).collect()
-    };
-    let [base_lines, our_lines, their_lines] =
-        [base, Some(ours), Some(theirs)].map(|content| content.map(ElementText::lines).unwrap_or_default());
-    let base = base.map(|content| decoded(content, &base_lines)).unwrap_or_default();
-    let [of_ours, of_theirs] = [decoded(ours, &our_lines), decoded(theirs, &their_lines)];
+    let our_lines = ours.lines();
+    let [base, of_ours, of_theirs] =
+        [base, Some(ours), Some(theirs)].map(|content| content.map(decoded_lines).unwrap_or_default());
     let mut out = MergedLines { lines: Vec::new(), conflicts: Vec::new() };
     let encoded = |line: &String| (ours.encoded(line), "");
     for chunk in merge(&base, &of_ours, &of_theirs) {
@@ -87,6 +83,10 @@ fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementT
     out.joined(line_end)
 }
 
+fn decoded_lines(content: ElementText<'_>) -> Vec<String> {
+    content.lines().iter().map(|line| content.decoded(line)).collect()
+}
+
 struct MergedLines {
     lines: Vec<(String, &'static str)>,
     conflicts: Vec<usize>,
@@ -96,13 +96,13 @@ impl MergedLines {
     /// Joins the lines. Lines of theirs get the line end of ours.
     fn joined(self, line_end: &str) -> MergedText {
         let last = self.lines.len().saturating_sub(1);
-        let end = |at: usize, own: &'static str| match (at == last, own.is_empty()) {
-            (true, _) => String::new(),
-            (false, true) => line_end.to_owned(),
-            (false, false) => own.to_owned(),
-        };
-        let lines = self.lines.into_iter().enumerate();
-        let text = lines.map(|(at, (text, own))| text + &end(at, own)).collect();
+        let mut text = String::new();
+        for (at, (line, own_end)) in self.lines.into_iter().enumerate() {
+            text += &line;
+            if at != last {
+                text += if own_end.is_empty() { line_end } else { own_end };
+            }
+        }
         MergedText { text, conflicts: self.conflicts }
     }
 }

@@ -48,15 +48,17 @@ fn same_name(one: &Application<'_>, other: &Application<'_>) -> bool {
 mod tests {
     use super::*;
 
-    fn pairs(old: &[&str], new: &[&str]) -> Vec<String> {
-        let application = |path: &&str| Application {
-            path: (*path).into(),
+    fn application(path: &str) -> Application<'static> {
+        Application {
+            path: path.into(),
             name: camino::Utf8Path::new(path).file_stem().unwrap().to_owned(),
             manifest: Some(b""),
             ..Application::default()
-        };
-        let (old, new): (Vec<_>, Vec<_>) =
-            (old.iter().map(application).collect(), new.iter().map(application).collect());
+        }
+    }
+
+    fn pairs(old: &[&str], new: &[&str]) -> Vec<String> {
+        let [old, new] = [old, new].map(|paths| paths.iter().map(|path| application(path)).collect::<Vec<_>>());
         let path = |side: Option<&Application<'_>>| side.map_or("-".to_owned(), |found| found.path.to_string());
         matched(&old, &new).iter().map(|pair| format!("{} {}", path(pair.old), path(pair.new))).collect()
     }

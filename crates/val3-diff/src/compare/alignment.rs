@@ -35,19 +35,21 @@ pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<AlignmentStep> {
 
 /// Returns the elements that occur once in each sequence, in old order.
 fn unique(old: &[u32], new: &[u32]) -> Vec<(usize, usize)> {
-    let once = |sequence: &[u32]| -> FxHashMap<u32, Option<usize>> {
-        let mut indexes = FxHashMap::default();
-        for (index, element) in sequence.iter().enumerate() {
-            indexes.entry(*element).and_modify(|index| *index = None).or_insert(Some(index));
-        }
-        indexes
-    };
-    let (old_indexes, new_indexes) = (once(old), once(new));
+    let (old_indexes, new_indexes) = (unique_indexes(old), unique_indexes(new));
     let in_both = old.iter().filter_map(|element| {
         let index = |indexes: &FxHashMap<u32, Option<usize>>| indexes.get(element).copied().flatten();
         index(&old_indexes).zip(index(&new_indexes))
     });
     in_both.collect()
+}
+
+/// Returns the index of each element; `None` for an element that occurs several times.
+fn unique_indexes(sequence: &[u32]) -> FxHashMap<u32, Option<usize>> {
+    let mut indexes = FxHashMap::default();
+    for (index, element) in sequence.iter().enumerate() {
+        indexes.entry(*element).and_modify(|index| *index = None).or_insert(Some(index));
+    }
+    indexes
 }
 
 /// Returns the longest subsequence of the pairs with increasing new indexes.
@@ -113,12 +115,12 @@ mod tests {
 
     fn shown(old: &str, new: &str) -> String {
         let ids = |text: &str| text.chars().map(u32::from).collect::<Vec<_>>();
-        let step = |step: AlignmentStep| match step {
+        let steps = align(&ids(old), &ids(new)).into_iter().map(|step| match step {
             AlignmentStep::Pair { old, new } => format!("{old}{new}"),
             AlignmentStep::Removed(old) => format!("-{old}"),
             AlignmentStep::Inserted(new) => format!("+{new}"),
-        };
-        align(&ids(old), &ids(new)).into_iter().map(step).collect::<Vec<_>>().join(" ")
+        });
+        steps.collect::<Vec<_>>().join(" ")
     }
 
     #[test]

@@ -28,11 +28,7 @@ pub(super) struct DataComparison {
 pub(super) fn compare([original, new]: [&[DataVersion]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
     let old: Vec<DataVersion> = original.iter().map(|data| data.renamed(renames)).collect();
     let old = old.as_slice();
-    let by_name = |list: &'_ [DataVersion]| -> BTreeMap<String, usize> {
-        // If a name is declared twice, the first declaration is used, as in the analysis.
-        list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
-    };
-    let (old_names, new_names) = (by_name(old), by_name(new));
+    let (old_names, new_names) = (indexes_by_name(old), indexes_by_name(new));
     let [old_unit, new_unit] = units;
     let mut places = Places::new(TreePositions::new(old, old_unit), TreePositions::new(new, new_unit));
     let mut names: Vec<&String> =
@@ -53,6 +49,11 @@ pub(super) fn compare([original, new]: [&[DataVersion]; 2], units: [f64; 2], ren
     found.problems.extend(places.old.loops().map(|message| (TreeSide::Old, message)));
     found.problems.extend(places.new.loops().map(|message| (TreeSide::New, message)));
     found
+}
+
+/// Returns the index of each name. If a name is declared twice, the first declaration is used, as in the analysis.
+fn indexes_by_name(list: &[DataVersion]) -> BTreeMap<String, usize> {
+    list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
 }
 
 /// Formats the interface of data for their users, for example `num nA[]`.

@@ -128,12 +128,12 @@ impl CodeLine {
 
     /// Returns the line with a placeholder for each name.
     pub(crate) fn shape(&self) -> String {
-        let text = |token: &CodeToken| match token.kind {
+        let texts = self.tokens.iter().map(|token| match token.kind {
             TokenKind::Name => "\0",
             TokenKind::Keyword(text) => text,
             TokenKind::Comment | TokenKind::Other => self.raw(token),
-        };
-        self.tokens.iter().map(text).collect::<Vec<_>>().join(" ")
+        });
+        texts.collect::<Vec<_>>().join(" ")
     }
 
     /// Returns the names of programs, data and local variables in order.
