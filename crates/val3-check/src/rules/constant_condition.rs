@@ -50,16 +50,19 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 /// Intended literal conditions: a switch `true`, and `false` before comments, which disables nothing.
 fn idle_conditions(program: &ProgramView<'_>) -> FxHashSet<ExprId> {
-    let is_idle = |id: &ExprId, block: &[Stmt]| match program.body.expr(program.body.without_parentheses(*id)) {
-        Expr::Bool(true) => true,
-        Expr::Bool(false) => block.is_empty(),
-        _ => false,
-    };
     let arms = program.stmts().iter().flat_map(|stmt| match &stmt.kind {
         StmtKind::If { arms, .. } => arms.as_slice(),
         _ => &[],
     });
-    arms.filter_map(|(condition, block)| condition.filter(|id| is_idle(id, block))).collect()
+    arms.filter_map(|(condition, block)| condition.filter(|id| is_idle(program, *id, block))).collect()
+}
+
+fn is_idle(program: &ProgramView<'_>, condition: ExprId, block: &[Stmt]) -> bool {
+    match program.body.expr(program.body.without_parentheses(condition)) {
+        Expr::Bool(true) => true,
+        Expr::Bool(false) => block.is_empty(),
+        _ => false,
+    }
 }
 
 fn word(value: bool) -> Wording {

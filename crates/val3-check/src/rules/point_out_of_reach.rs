@@ -195,19 +195,20 @@ mod tests {
         assert_eq!(check(&RULE, &listing("movej(pY,flange,mX)", &two_arms)), "");
     }
 
+    fn check_reference(code: &str) -> String {
+        let programs = format!(
+            "call go(pX)\nprogram go(point& x_p)\nbegin\ncall on(x_p)\nend\nprogram on(point& x_pNext)\nbegin\n{code}\nend"
+        );
+        points(&programs, &[FAR])
+    }
+
     /// A called program may change a parameter by reference, or only read it.
     #[test]
     fn a_point_by_reference_is_not_reported_if_a_program_changes_it() {
-        let called = |code: &str| {
-            let programs = format!(
-                "call go(pX)\nprogram go(point& x_p)\nbegin\ncall on(x_p)\nend\nprogram on(point& x_pNext)\nbegin\n{code}\nend"
-            );
-            points(&programs, &[FAR])
-        };
-        let reported = called("movej(x_pNext,flange,mX)");
+        let reported = check_reference("movej(x_pNext,flange,mX)");
         assert!(reported.contains("beyond the reach"), "{reported}");
         for code in ["x_pNext=here(flange,world)", "x_pNext.trsf.x=1", "call on(x_pNext)\nx_pNext.trsf={0,0,0,0,0,0}"] {
-            assert_eq!(called(code), "", "{code}");
+            assert_eq!(check_reference(code), "", "{code}");
         }
     }
 

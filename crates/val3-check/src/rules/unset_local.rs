@@ -158,17 +158,18 @@ mod tests {
         assert_ne!(check(&RULE, &program("l_tr=l_tr*trA")), "");
     }
 
+    fn with_empty_locals(code: &str) -> String {
+        format!(
+            "joint jA\ntrsf trA\n\nprogram start()\n  trsf l_trEmpty\n  joint l_jZERO\n  trsf l_trShift\nbegin\n{code}\nend"
+        )
+    }
+
     #[test]
     fn locals_that_stay_empty_are_not_reported() {
-        let program = |code: &str| {
-            format!(
-                "joint jA\ntrsf trA\n\nprogram start()\n  trsf l_trEmpty\n  joint l_jZERO\n  trsf l_trShift\nbegin\n{code}\nend"
-            )
-        };
-        assert_eq!(check(&RULE, &program("trA=trA*l_trEmpty\nif jA==l_jZERO\ncls()\nendIf")), "");
+        assert_eq!(check(&RULE, &with_empty_locals("trA=trA*l_trEmpty\nif jA==l_jZERO\ncls()\nendIf")), "");
         // An unset variable without such a name is reported, and so is a variable that is set after its use.
-        assert_ne!(check(&RULE, &program("trA=trA*l_trShift")), "");
-        assert_ne!(check(&RULE, &program("trA=trA*l_trEmpty\nl_trEmpty.x=1")), "");
+        assert_ne!(check(&RULE, &with_empty_locals("trA=trA*l_trShift")), "");
+        assert_ne!(check(&RULE, &with_empty_locals("trA=trA*l_trEmpty\nl_trEmpty.x=1")), "");
     }
 
     #[test]
