@@ -141,8 +141,8 @@ fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let text = file.text(db);
     for behind in memchr_iter(b':', text.as_bytes()).filter_map(|at| text.get(at + 1..)) {
         let name = behind.trim_start_matches([' ', '\t']);
-        let is_name = |letter: &u8| letter.is_ascii_alphanumeric() || *letter == b'_';
-        let len = name.bytes().position(|letter| !is_name(&letter)).unwrap_or(name.len());
+        let len = name.bytes().position(|letter| !letter.is_ascii_alphanumeric() && letter != b'_');
+        let len = len.unwrap_or(name.len());
         mentions.extend(name.get(..len).filter(|name| !name.is_empty()).map(SmolStr::from));
     }
     mentions

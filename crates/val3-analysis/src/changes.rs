@@ -119,8 +119,8 @@ fn program_changes(db: &dyn Db, project: Project, file: File) -> ProgramChanges 
             }
         }
     }
-    let is_change = |kind, id: &ExprId| kind != AccessKind::Read && !arguments.contains(id);
-    let changes = search.effects.all().iter().filter(|access| is_change(access.kind, &access.id));
+    let accesses = search.effects.all().iter();
+    let changes = accesses.filter(|access| access.kind != AccessKind::Read && !arguments.contains(&access.id));
     found.changed = changes.filter_map(|access| search.target(access.id)).collect();
     found
 }

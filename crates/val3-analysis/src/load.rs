@@ -243,8 +243,9 @@ impl<'s> Loader<'s> {
     /// Returns the program and data files outside of the project's folder, as written in the project file.
     fn files_outside(&self, folder: &Utf8Path, manifest: &Manifest) -> Vec<SmolStr> {
         let listed = manifest.programs.iter().chain(&manifest.data);
-        let is_outside = |name: &&SmolStr| !outside::is_in_folder(self.system, folder, &paths::file_in(folder, name));
-        listed.filter(is_outside).cloned().collect()
+        let mut outside = listed.cloned().collect::<Vec<_>>();
+        outside.retain(|name| !outside::is_in_folder(self.system, folder, &paths::file_in(folder, name)));
+        outside
     }
 
     /// Reads the programs and data of a project. Returns the paths of libraries that the programs load.

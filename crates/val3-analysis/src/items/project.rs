@@ -154,8 +154,8 @@ impl Items {
     }
 
     fn add_data(&mut self, db: &dyn Db, project: Project, manifest: &Manifest) {
-        let is_there = |reference| find_file(db, project, reference).is_some_and(|file| is_complete(db, file));
-        self.lacks_data = self.incomplete || !manifest.data.iter().all(|reference| is_there(reference));
+        let mut files = manifest.data.iter().map(|reference| find_file(db, project, reference));
+        self.lacks_data = self.incomplete || !files.all(|file| file.is_some_and(|file| is_complete(db, file)));
         for &file in data_files(db, project) {
             for decl in data(db, file) {
                 let base = resolve_type(&self.types, &decl.type_name).unwrap_or(Base::Unknown);

@@ -17,8 +17,7 @@ impl Loader<'_> {
     /// Returns the projects in reading order: projects that no other project loads come first, because an application
     /// determines the folder of `Disk://` for all projects that it loads.
     pub(super) fn applications_first<'p>(&mut self, manifests: &'p [Utf8PathBuf]) -> Vec<&'p Utf8Path> {
-        let is_certain = |manifest: &&Utf8PathBuf| usrapp(manifest).is_some();
-        if manifests.len() < 2 || manifests.iter().all(|manifest| is_certain(&manifest)) {
+        if manifests.len() < 2 || manifests.iter().all(|manifest| usrapp(manifest).is_some()) {
             return manifests.iter().map(Utf8PathBuf::as_path).collect();
         }
         let mut loaded = FxHashSet::default();
@@ -35,9 +34,9 @@ impl Loader<'_> {
             });
             loaded.extend(targets.filter(|target| *target != own));
         }
-        let is_loaded = |manifest: &&Utf8Path| loaded.contains(&path_key(manifest.as_str()));
+        let manifests = manifests.iter().map(Utf8PathBuf::as_path);
         let (libraries, mut order): (Vec<_>, Vec<_>) =
-            manifests.iter().map(Utf8PathBuf::as_path).partition(|manifest| is_loaded(manifest));
+            manifests.partition(|manifest| loaded.contains(&path_key(manifest.as_str())));
         order.extend(libraries);
         order
     }

@@ -21,9 +21,12 @@ pub fn cell_around(system: &dyn System, folder: &Utf8Path) -> Utf8PathBuf {
 /// Returns the repository that contains a folder, unless it is the user's home. Links are resolved.
 pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Option<Utf8PathBuf> {
     let folder = system.target(folder);
-    let is_marked = |folder: &Utf8Path| REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some());
     let mut within_home = folder.ancestors().take_while(|folder| !trust::is_home(folder));
-    within_home.find(|folder| is_marked(folder)).map(Utf8Path::to_owned)
+    within_home.find(|folder| is_repository(system, folder)).map(Utf8Path::to_owned)
+}
+
+fn is_repository(system: &dyn System, folder: &Utf8Path) -> bool {
+    REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some())
 }
 
 /// Whether `folder` is below a folder `tests`, or is such a folder itself. Only folders inside the repository are
