@@ -5,7 +5,7 @@ use val3_syntax::TextSlice;
 use crate::conflict::Conflict;
 use crate::diff3::{Chunk, merge};
 use crate::merger::{ElementVersions, Merger};
-use crate::node::MergeNode;
+use crate::same::same;
 use crate::text::{ElementText, TextSpelling};
 
 /// Conflict marks, as in version control.
@@ -39,10 +39,9 @@ impl Merger<'_> {
 
     /// Merges a text that is not split into lines: it must be unchanged on one side.
     fn whole_text(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
-        let is_unchanged = |base: &MergeNode<'_>| crate::same::same(self.kind, base, versions.ours);
-        match versions.base.is_some_and(is_unchanged) {
-            true => self.replace(versions.ours, versions.theirs),
-            false => self.conflict(versions, path, "ours and theirs have another text".to_owned()),
+        match versions.base {
+            Some(base) if same(self.kind, base, versions.ours) => self.replace(versions.ours, versions.theirs),
+            _ => self.conflict(versions, path, "ours and theirs have another text".to_owned()),
         }
     }
 }

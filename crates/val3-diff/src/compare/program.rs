@@ -83,8 +83,8 @@ fn code(old: Option<&ProgramVersion>, new: Option<&ProgramVersion>, rules: Rules
 
 /// Returns the renames without names of parameters and local variables.
 fn names_of(old: &ProgramVersion, new: &ProgramVersion, renames: &Renames) -> Renames {
-    let is_global = |(before, after): &(&String, &String)| !old.has_local(before) && !new.has_local(after);
-    renames.iter().filter(is_global).map(|(before, after)| (before.clone(), after.clone())).collect()
+    let global = renames.iter().filter(|(before, after)| !old.has_local(before) && !new.has_local(after));
+    global.map(|(before, after)| (before.clone(), after.clone())).collect()
 }
 
 /// Returns the lines of the code, without blank lines if layout is ignored.

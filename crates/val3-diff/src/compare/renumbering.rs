@@ -82,12 +82,18 @@ fn is_move(step: &AlignmentStep) -> bool {
 /// index. Single numbers do not identify an element, so in arrays of them elements are matched only if the size
 /// differs.
 fn can_be_renumbered(old: &DataVersion, new: &DataVersion) -> bool {
-    let is_array = |data: &DataVersion| data.decl.container != Container::Collection && data.decl.sizes.len() == 1;
-    let is_father = |ty: BaseType| matches!(ty, BaseType::Frame | BaseType::Tool);
-    let has_fathers = |data: &DataVersion| data.values.iter().any(|(_, value)| is_father(value.ty));
     let is_rich = new.base.is_none_or(|(ty, arm)| attributes(ty, arm).len() > 1);
     let has_other_size = old.decl.sizes != new.decl.sizes;
     [old, new].into_iter().all(|data| is_array(data) && !has_fathers(data)) && (is_rich || has_other_size)
+}
+
+fn is_array(data: &DataVersion) -> bool {
+    data.decl.container != Container::Collection && data.decl.sizes.len() == 1
+}
+
+/// Whether the data contain frames or tools, which can be fathers of other data.
+fn has_fathers(data: &DataVersion) -> bool {
+    data.values.iter().any(|(_, value)| matches!(value.ty, BaseType::Frame | BaseType::Tool))
 }
 
 /// Identifiers of the different element contents.

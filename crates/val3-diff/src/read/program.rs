@@ -104,9 +104,9 @@ fn description(program: XmlElement<'_>) -> String {
 
 /// Returns the decoded character data directly in an element.
 pub(crate) fn text_in(element: XmlElement<'_>) -> String {
-    let is_text = |kind| matches!(kind, SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF);
     let tokens = element.view().children_with_tokens().filter_map(rowan::NodeOrToken::into_token);
-    tokens.filter(|token| is_text(token.kind())).map(|token| val3_syntax::decode_entities(token.text())).collect()
+    let texts = tokens.filter(|token| matches!(token.kind(), SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF));
+    texts.map(|token| val3_syntax::decode_entities(token.text())).collect()
 }
 
 #[cfg(test)]

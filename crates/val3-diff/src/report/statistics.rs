@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::block::{Block, ReportMark, ReportRow, TextTable};
 use super::counts::DifferenceCounts;
-use super::points::{by_size, displacement, extent};
+use super::points::{by_size, displacement, extent, is_pose};
 use crate::model::{ApplicationChange, Change, Comparison, Displacement};
 
 /// Statistics for an application, or for the configuration and files outside of applications.
@@ -72,7 +72,7 @@ fn one(application: &ApplicationChange, others: usize) -> DiffStatistics {
 
 fn greatest(application: &ApplicationChange) -> Option<GreatestMovement> {
     let values = || application.data.iter().flat_map(|data| &data.values);
-    let moved = values().filter(|value| value.movement.is_some() || value.axes.is_some());
+    let moved = values().filter(|value| is_pose(value));
     let own = moved.map(|value| (&value.path, extent(value)));
     let along = values().flat_map(|value| &value.dependents).map(|dependent| (&dependent.path, dependent.in_world));
     // The first of equal movements.

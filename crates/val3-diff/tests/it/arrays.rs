@@ -184,21 +184,22 @@ fn numbers_are_compared_by_index_unless_the_size_differs() {
     );
 }
 
+fn points_in_frame(x: i32, places: &[String]) -> String {
+    points(places).replace("world[0]", "f[0]").replace(
+        "<Datas>",
+        &format!(
+            "<Datas><Data name=\"f\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\">\
+             <Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/></Data>"
+        ),
+    )
+}
+
 #[test]
 fn points_of_a_renumbered_array_still_move_with_their_frame() {
-    let cell = |x: i32, places: &[String]| {
-        points(places).replace("world[0]", "f[0]").replace(
-            "<Datas>",
-            &format!(
-                "<Datas><Data name=\"f\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\">\
-                 <Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/></Data>"
-            ),
-        )
-    };
     let old = row(10);
     check(
-        &cell(0, &old),
-        &cell(5, &old[1..]),
+        &points_in_frame(0, &old),
+        &points_in_frame(5, &old[1..]),
         &expect![[r#"
         main  main/main.pjx
           Points, frames and tools

@@ -48,8 +48,8 @@ impl DataSides {
         let mut sides = [old, new].map(|files| -> Vec<DataFile<'_, 't>> {
             files.iter().map(|(key, file)| DataFile { key, file, data: read(file.bytes) }).collect()
         });
-        let is_broken = |file: &&DataFile<'_, '_>| file.data.is_none();
-        let keys: BTreeSet<&str> = sides.iter().flatten().filter(is_broken).map(|file| file.key).collect();
+        let broken_files = sides.iter().flatten().filter(|file| file.data.is_none());
+        let keys: BTreeSet<&str> = broken_files.map(|file| file.key).collect();
         let mut broken = Vec::new();
         for key in keys {
             let [old, new] = sides.each_ref().map(|side| side.iter().find(|file| file.key == key));
