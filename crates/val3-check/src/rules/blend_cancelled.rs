@@ -47,11 +47,11 @@ rule! {
 
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for step in program.arm_calls() {
-        let is_tool = |id| program.inference.ty(id).base.builtin() == Some(BaseType::Tool);
         let (MotionRole::Arrive, ArmActivity::Moving, Some(last)) = (step.role, step.arm.phase, step.arm.last) else {
             continue;
         };
-        if step.call.args.iter().copied().any(is_tool) && program.is_blended(last) {
+        let mut types = step.call.args.iter().map(|id| program.inference.ty(*id).base.builtin());
+        if types.any(|ty| ty == Some(BaseType::Tool)) && program.is_blended(last) {
             let descriptor = program.descriptor(last).unwrap_or(last);
             found
                 .report(&RULE, program.range(step.call.id), word(step.call.instruction.name))

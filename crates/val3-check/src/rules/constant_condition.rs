@@ -96,10 +96,12 @@ mod tests {
         .assert_eq(&check(&RULE, "if 1==2\nelseIf !(2>3)\nendIf\nwhile 1<2\nendWhile"));
     }
 
+    fn listing(line: &str) -> String {
+        format!("num n\nif n==1\nput(n)\nelseIf (false)\n// put(1)\nendIf\nif false\n{line}\nendIf")
+    }
+
     #[test]
     fn conditions_around_comments_alone_are_not_reported() {
-        let listing =
-            |line: &str| format!("num n\nif n==1\nput(n)\nelseIf (false)\n// put(1)\nendIf\nif false\n{line}\nendIf");
         assert_eq!(check(&RULE, &listing("// put(2)\n\n  // put(3)")), "");
         expect![[r#"
             start.pgx:10 `false` this condition is always false

@@ -127,10 +127,9 @@ mod tests {
 
     #[test]
     fn only_another_form_is_reported() {
-        let listing =
-            |target: &str| format!("version s7.3\ncls()\n=== val3.toml\n[lint]\ntarget-version = \"{target}\"");
-        assert!(check(&RULE, &listing("s6.8")).contains("reads that of s5 and s6"));
-        assert_eq!(check(&RULE, &listing("s8.10")), "");
+        let listing = "version s7.3\ncls()\n=== val3.toml\n[lint]\ntarget-version = ";
+        assert!(check(&RULE, &format!("{listing}\"s6.8\"")).contains("reads that of s5 and s6"));
+        assert_eq!(check(&RULE, &format!("{listing}\"s8.10\"")), "");
         assert_eq!(check(&RULE, "version s7.3\ncls()"), "");
     }
 

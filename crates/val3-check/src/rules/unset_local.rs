@@ -61,8 +61,8 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
             let is_unset = access.kind == AccessKind::Read && (written | told | returned) & bit == 0;
             let RootVariable::Local(name) = &access.root else { continue };
             let local = program.header.locals.iter().find(|local| is_unset && local.name == *name);
-            let is_set = || variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
-            let local = local.filter(|_| is_set() || !is_meant_to_be_empty(name));
+            let is_ever_set = variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
+            let local = local.filter(|_| is_ever_set || !is_meant_to_be_empty(name));
             if let Some(ty) = local.and_then(|local| followed(&local.type_name)) {
                 told |= bit;
                 let reported = found.report(&RULE, program.range(access.id), word(name, ty));
