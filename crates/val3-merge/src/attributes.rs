@@ -27,9 +27,7 @@ pub(crate) fn merge(merger: &mut Merger<'_>, versions: ElementVersions<'_, '_>, 
     }
     let mut contradictions = Vec::new();
     while let Some(first) = names.first().copied() {
-        let is_together =
-            |name: &&str| *name == first || UNITS.iter().any(|unit| unit.contains(&first) && unit.contains(name));
-        let (unit, rest): (Vec<&str>, Vec<&str>) = names.into_iter().partition(is_together);
+        let (unit, rest): (Vec<&str>, Vec<&str>) = names.into_iter().partition(|name| belong_together(first, name));
         names = rest;
         match changed(merger, versions, &unit) {
             Changed::Ours => {}
@@ -69,6 +67,11 @@ fn changed(
     }
 }
 
+/// Whether the attributes are equal or parts of one value.
+fn belong_together(one: &str, other: &str) -> bool {
+    one == other || UNITS.iter().any(|unit| unit.contains(&one) && unit.contains(&other))
+}
+
 /// Whether an attribute has the same meaning in both versions of the element `node`.
 fn has_same_value(kind: MergedKind, node: &MergeNode<'_>, name: &str, versions: [Option<&MergeNode<'_>>; 2]) -> bool {
     let [one, other] = versions.map(|version| version.and_then(|version| version.value(name)));
@@ -81,14 +84,16 @@ fn described(
     ElementVersions { ours, theirs, .. }: ElementVersions<'_, '_>,
     unit: &[&str],
 ) -> Vec<String> {
-    let shown =
-        |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
     let differing = unit.iter().filter_map(|name| {
         let [one, other] = [ours, theirs].map(|node| node.value(name));
         let is_same = same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref());
-        (!is_same).then(|| format!("{name} is {} in ours and {} in theirs", shown(&one), shown(&other)))
+        (!is_same).then(|| format!("{name} is {} in ours and {} in theirs", quoted(one), quoted(other)))
     });
     differing.collect()
+}
+
+fn quoted(value: Option<String>) -> String {
+    value.map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""))
 }
 
 /// Returns the text of the element without its content.

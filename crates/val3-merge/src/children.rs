@@ -135,8 +135,8 @@ impl Merger<'_> {
     pub(crate) fn ordered(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
         let ElementVersions { base, ours, theirs } = versions;
         let [b, o, t] = [base, Some(ours), Some(theirs)].map(|node| node.map(element_ids).unwrap_or_default());
-        let is_shorter = |side: &[String]| side.iter().all(|id| b.contains(id));
-        let is_clear = o == t || t == b || o == b || (is_shorter(&o) && is_shorter(&t));
+        let has_additions = o.iter().chain(&t).any(|id| !b.contains(id));
+        let is_clear = o == t || t == b || o == b || !has_additions;
         if is_clear && has_same_order(&t, &b) && has_same_order(&o, &b) {
             return self.children(versions, path);
         }

@@ -78,10 +78,9 @@ pub fn merge(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> MergeRes
         Ok(merged) => merged,
         Err(reason) => {
             let (text, lines) = lines::merge_files(base, ours, theirs, line_end(ours));
-            let conflict =
-                |line| Conflict { path: format!("line {line}"), reason: "both sides have changed it".to_owned() };
-            let conflicts = lines.into_iter().map(conflict).collect();
-            MergeResult { text, conflicts, moved: Vec::new(), by_lines: Some(reason) }
+            let paths = lines.into_iter().map(|line| format!("line {line}"));
+            let conflicts = paths.map(|path| Conflict { path, reason: "both sides have changed it".to_owned() });
+            MergeResult { text, conflicts: conflicts.collect(), moved: Vec::new(), by_lines: Some(reason) }
         }
     }
 }

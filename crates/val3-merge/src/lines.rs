@@ -6,7 +6,7 @@ use crate::conflict::Conflict;
 use crate::diff3::{Chunk, merge};
 use crate::merger::{ElementVersions, Merger};
 use crate::same::same;
-use crate::text::{ElementText, TextSpelling};
+use crate::text::{ElementText, TextLine, TextSpelling};
 
 /// Conflict marks, as in version control.
 const MARKS: [&str; 4] = ["<<<<<<< ours", "||||||| base", "=======", ">>>>>>> theirs"];
@@ -53,10 +53,8 @@ fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementT
     let mut out = MergedLines { lines: Vec::new(), conflicts: Vec::new() };
     let encoded = |line: &String| (ours.encoded(line), "");
     for chunk in merge(&base, &of_ours, &of_theirs) {
-        let own =
-            |range: std::ops::Range<usize>| our_lines.part(range).iter().map(|line| (line.raw.to_owned(), line.end));
         match chunk {
-            Chunk::Ours(range) => out.lines.extend(own(range)),
+            Chunk::Ours(range) => out.add_raw(our_lines.part(range)),
             Chunk::Theirs(range, _) => out.lines.extend(of_theirs.part(range).iter().map(encoded)),
             Chunk::Conflict { base: b, ours: o, theirs: t } => {
                 let mark = |mark: &str| (ours.encoded(mark), "");
@@ -67,7 +65,7 @@ fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementT
                 out.conflicts.push(out.lines.len() + 1);
                 let [opening, of_base, middle, closing] = MARKS.map(mark);
                 out.lines.push(opening);
-                out.lines.extend(own(o));
+                out.add_raw(our_lines.part(o));
                 out.lines.push(of_base);
                 out.lines.extend(base.get(b).unwrap_or(&[]).iter().map(encoded));
                 out.lines.push(middle);
@@ -92,6 +90,11 @@ struct MergedLines {
 }
 
 impl MergedLines {
+    /// Adds lines unchanged, with their line ends.
+    fn add_raw(&mut self, lines: &[TextLine<'_>]) {
+        self.lines.extend(lines.iter().map(|line| (line.raw.to_owned(), line.end)));
+    }
+
     /// Joins the lines. Lines of theirs get the line end of ours.
     fn joined(self, line_end: &str) -> MergedText {
         let last = self.lines.len().saturating_sub(1);

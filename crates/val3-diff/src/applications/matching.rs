@@ -19,8 +19,8 @@ pub(crate) fn matched<'a, 't>(old: &'a [Application<'t>], new: &'a [Application<
         old.iter().map(|application| (path(application), application)).collect();
     let mut found: Vec<Matched<'a, 't>> =
         new.iter().map(|new| Matched { old: by_path.get(&path(new)).copied(), new: Some(new) }).collect();
-    let is_free = |old: &&Application<'_>| !new.iter().any(|new| path(new) == path(old));
-    let mut free: Vec<&'a Application<'t>> = old.iter().filter(is_free).collect();
+    let free = old.iter().filter(|old| !new.iter().any(|new| path(new) == path(old)));
+    let mut free: Vec<&'a Application<'t>> = free.collect();
     let alone: Vec<usize> =
         (0..found.len()).filter(|index| found.get(*index).is_some_and(|pair| pair.old.is_none())).collect();
     for index in alone.iter().copied() {

@@ -70,7 +70,6 @@ fn compare_one(
 ) -> Option<DataChange> {
     let shown = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
-    let is_public = |data: Option<&DataVersion>| data.is_some_and(|data| data.decl.public);
     let mut compared = DataChange {
         name: shown.decl.name.to_string(),
         renamed_from,
@@ -82,7 +81,10 @@ fn compare_one(
         access: None,
         types: None,
         sizes: None,
-        public: ValuePair { old: is_public(old), new: is_public(new) },
+        public: ValuePair {
+            old: old.is_some_and(|data| data.decl.public),
+            new: new.is_some_and(|data| data.decl.public),
+        },
         renumbering: None,
         values: Vec::new(),
     };

@@ -148,9 +148,13 @@ fn greatest_distance(name: &str, indexes: &[usize], places: &mut Places<'_>) -> 
 
 /// Returns the new index of every old index that is in both versions.
 fn pairs(steps: &[AlignmentStep]) -> FxHashMap<usize, usize> {
-    let pair =
-        |step: &AlignmentStep| if let AlignmentStep::Pair { old, new } = step { Some((*old, *new)) } else { None };
-    steps.iter().filter_map(pair).collect()
+    let mut indexes = FxHashMap::default();
+    for step in steps {
+        if let AlignmentStep::Pair { old, new } = *step {
+            indexes.insert(old, new);
+        }
+    }
+    indexes
 }
 
 /// Returns the runs of elements whose index differs.

@@ -47,10 +47,9 @@ impl ProgramVersion {
 
     /// Formats the interface for callers: `pick(num, string&)`.
     pub(crate) fn interface(&self) -> String {
-        let ty =
-            |param: &ParamDecl| parameter(&ParamDecl { name: SmolStr::default(), ..param.clone() }).replace(' ', "");
-        let params: Vec<String> = self.header.params.iter().map(ty).collect();
-        format!("{}({})", self.header.name, params.join(", "))
+        let unnamed = self.header.params.iter().map(|param| ParamDecl { name: SmolStr::default(), ..param.clone() });
+        let types: Vec<String> = unnamed.map(|param| parameter(&param).replace(' ', "")).collect();
+        format!("{}({})", self.header.name, types.join(", "))
     }
 
     /// Returns `public` or `private`.

@@ -11,8 +11,8 @@ pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
     if !programs.is_empty() {
         blocks.push(heading(2, "Programs", ""));
     }
-    let is_small = |change: &&ProgramChange| is_only(change, CodeKind::Layout) || has_only_renames(change);
-    let (small, others): (Vec<&ProgramChange>, Vec<&ProgramChange>) = programs.iter().partition(is_small);
+    let (small, others): (Vec<&ProgramChange>, Vec<&ProgramChange>) =
+        programs.iter().partition(|change| is_only(change, CodeKind::Layout) || has_only_renames(change));
     others.into_iter().for_each(|change| program(change, blocks));
     let renames = names(small.iter().copied().filter(|change| has_only_renames(change)));
     let layouts = names(small.iter().copied().filter(|change| is_only(change, CodeKind::Layout)));

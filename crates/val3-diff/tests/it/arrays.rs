@@ -217,15 +217,19 @@ fn points_of_a_renumbered_array_still_move_with_their_frame() {
     );
 }
 
+/// Returns 10,000 places that differ; `offset` is added to each `y`.
+fn places(offset: f64) -> Vec<String> {
+    let places =
+        (0..10_000).map(|index| format!("x=\"{}\" y=\"{}\" rz=\"{}\"", 10 * index, 0.1 * 3.0 + offset, index % 90));
+    places.collect()
+}
+
 #[test]
 fn elements_that_moved_by_the_same_amount_share_a_line() {
-    let place =
-        |offset: f64, index: usize| format!("x=\"{}\" y=\"{}\" rz=\"{}\"", 10 * index, 0.1 * 3.0 + offset, index % 90);
-    let all = |offset: f64| (0..10_000).map(|index| place(offset, index)).collect::<Vec<_>>();
-    let mut new = all(1.5);
+    let mut new = places(1.5);
     new[7] = "x=\"75\" rz=\"9\"".to_owned();
     check(
-        &points(&all(0.0)),
+        &points(&places(0.0)),
         &points(&new),
         &expect![[r#"
         main  main/main.pjx

@@ -199,14 +199,17 @@ fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
         }
     }
     // The file contains every value that one side has written and no side has removed.
-    let all =
-        |model: &Model| -> BTreeSet<u32> { model.values().flatten().copied().filter(|value| *value != 0).collect() };
-    let [b, o, t] = [base, ours, theirs].map(all);
+    let [b, o, t] = [base, ours, theirs].map(written_values);
     let kept = o.intersection(&t).chain(o.difference(&b)).chain(t.difference(&b));
     for value in kept {
         assert!(merged.text.contains(&format!("value=\"{value}\"")), "{value} is lost\n{}", merged.text);
     }
     merged.is_clean()
+}
+
+/// Returns the values that differ from the default.
+fn written_values(model: &Model) -> BTreeSet<u32> {
+    model.values().flatten().copied().filter(|value| *value != 0).collect()
 }
 
 /// Whether an array of `base` has fewer elements on the side.
