@@ -113,14 +113,17 @@ impl AddOnProgram {
 #[salsa::tracked]
 pub(crate) fn forms(db: &dyn Db, library: Project, file: File) -> Vec<AddOnOverload> {
     let params = &signature(db, library, file).params;
-    let form = |params: &[SignatureParam], result| AddOnOverload {
+    let with_result = params.split_last().and_then(|(last, others)| Some(form(others, Some(result_type(last)?))));
+    std::iter::once(form(params, None)).chain(with_result).collect()
+}
+
+fn form(params: &[SignatureParam], result: Option<BaseType>) -> AddOnOverload {
+    AddOnOverload {
         on_library: false,
         params: params.iter().map(add_on_param).collect(),
         result,
         class: CallClass::Modifier,
-    };
-    let with_result = params.split_last().and_then(|(last, others)| Some(form(others, Some(result_type(last)?))));
-    std::iter::once(form(params, None)).chain(with_result).collect()
+    }
 }
 
 fn add_on_param(param: &SignatureParam) -> AddOnParam {

@@ -141,8 +141,8 @@ fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let text = file.text(db);
     for behind in memchr_iter(b':', text.as_bytes()).filter_map(|at| text.get(at + 1..)) {
         let name = behind.trim_start_matches([' ', '\t']);
-        let is_name = |letter: &u8| letter.is_ascii_alphanumeric() || *letter == b'_';
-        let len = name.bytes().position(|letter| !is_name(&letter)).unwrap_or(name.len());
+        let len = name.bytes().position(|letter| !letter.is_ascii_alphanumeric() && letter != b'_');
+        let len = len.unwrap_or(name.len());
         mentions.extend(name.get(..len).filter(|name| !name.is_empty()).map(SmolStr::from));
     }
     mentions
@@ -280,18 +280,13 @@ impl Application {
 
     /// Fills `waiting`: follows calls backwards from the waiting programs.
     fn find_waiting(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
-        let calls_unknown = |summary: &Summary| {
-            summary.calls.iter().any(|callee| callee.library.is_none() && !summaries.contains_key(&callee.program))
-        };
-        let first = summaries.iter().filter(|(_, summary)| summary.waits || !summary.sound || calls_unknown(summary));
+        let first = summaries.iter().filter(|(_, summary)| summary.may_wait_directly(summaries));
         let mut open: Vec<SmolStr> = first.map(|(name, _)| (*name).clone()).collect();
         while let Some(program) = open.pop() {
             let callers = self.callers.get(&program).into_iter().flatten();
-            let calls = |caller: &&SmolStr| {
-                let summary = summaries.get(caller);
-                summary.is_some_and(|summary| summary.calls.iter().any(|callee| callee.program == program))
-            };
-            open.extend(callers.filter(|caller| !self.waiting.contains(*caller)).filter(calls).cloned());
+            let callers = callers.filter(|caller| !self.waiting.contains(*caller));
+            let callers = callers.filter(|caller| summaries.get(caller).is_some_and(|it| it.calls_program(&program)));
+            open.extend(callers.cloned());
             self.waiting.insert(program);
         }
     }

@@ -59,12 +59,13 @@ pub fn arm(db: &dyn Db, project: Project) -> Result<ProjectArm, SmolStr> {
 /// # Errors
 /// No arm has this name.
 pub fn shipped(name: &str) -> Result<Arc<Arm>, SmolStr> {
-    let unknown = |_| {
-        let hint = question(proposals(name, Arm::names()));
-        let hint = hint.unwrap_or_else(|| "another arm can be described in a file that ends in `.toml`".to_owned());
-        format_smolstr!("the arm `{name}` is not known; {hint}")
-    };
-    Arm::by_name(name).map(Arc::new).map_err(unknown)
+    Arm::by_name(name).map(Arc::new).map_err(|_| unknown_arm(name))
+}
+
+fn unknown_arm(name: &str) -> SmolStr {
+    let hint = question(proposals(name, Arm::names()));
+    let hint = hint.unwrap_or_else(|| "another arm can be described in a file that ends in `.toml`".to_owned());
+    format_smolstr!("the arm `{name}` is not known; {hint}")
 }
 
 fn configured(db: &dyn Db, project: Project) -> Option<Result<Arc<Arm>, SmolStr>> {

@@ -34,22 +34,10 @@ type ParamChanges = FxHashMap<(SmolStr, usize), FxHashSet<SmolStr>>;
 fn changes(db: &dyn Db, project: Project) -> FieldChanges {
     let programs: Vec<&ProgramChanges> =
         program_files(db, project).iter().map(|file| program_changes(db, project, *file)).collect();
-    let mut params = ParamChanges::default();
-    let mut all = FieldChanges::default();
-    let mut add = |params: &mut ParamChanges, program: &ProgramChanges, target: &ChangedPath, rest: &str| match target {
-        ChangedPath::Data(path) => {
-            let name = path.split('.').next().unwrap_or_default();
-            all.entry(name.into()).or_default().insert(format!("{path}{rest}").into())
-        }
-        ChangedPath::Param(position, fields) => {
-            let rest = format!("{fields}{rest}");
-            let rest = if rest.len() > LONGEST { SmolStr::default() } else { rest.into() };
-            params.entry((program.name.clone(), *position)).or_default().insert(rest)
-        }
-    };
+    let mut changes = KnownChanges::default();
     for program in &programs {
         for target in &program.changed {
-            add(&mut params, program, target, "");
+            changes.add(program, target, "");
         }
     }
     let mut is_growing = true;
@@ -57,14 +45,38 @@ fn changes(db: &dyn Db, project: Project) -> FieldChanges {
         is_growing = false;
         for program in &programs {
             for HandOver { target, callee, position } in &program.handed_over {
-                let rests = params.get(&(callee.clone(), *position)).cloned().unwrap_or_default();
+                let rests = changes.params.get(&(callee.clone(), *position)).cloned().unwrap_or_default();
                 for rest in rests {
-                    is_growing |= add(&mut params, program, target, &rest);
+                    is_growing |= changes.add(program, target, &rest);
                 }
             }
         }
     }
-    all
+    changes.data
+}
+
+/// Changes found so far.
+#[derive(Debug, Default)]
+struct KnownChanges {
+    data: FieldChanges,
+    params: ParamChanges,
+}
+
+impl KnownChanges {
+    /// Adds that `program` may change `target` followed by `rest`. Returns whether the change is new.
+    fn add(&mut self, program: &ProgramChanges, target: &ChangedPath, rest: &str) -> bool {
+        match target {
+            ChangedPath::Data(path) => {
+                let name = path.split('.').next().unwrap_or_default();
+                self.data.entry(name.into()).or_default().insert(format!("{path}{rest}").into())
+            }
+            ChangedPath::Param(position, fields) => {
+                let rest = format!("{fields}{rest}");
+                let rest = if rest.len() > LONGEST { SmolStr::default() } else { rest.into() };
+                self.params.entry((program.name.clone(), *position)).or_default().insert(rest)
+            }
+        }
+    }
 }
 
 /// Variables that a program changes directly, and variables that it passes by reference.
@@ -107,8 +119,8 @@ fn program_changes(db: &dyn Db, project: Project, file: File) -> ProgramChanges 
             }
         }
     }
-    let is_change = |kind, id: &ExprId| kind != AccessKind::Read && !arguments.contains(id);
-    let changes = search.effects.all().iter().filter(|access| is_change(access.kind, &access.id));
+    let accesses = search.effects.all().iter();
+    let changes = accesses.filter(|access| access.kind != AccessKind::Read && !arguments.contains(&access.id));
     found.changed = changes.filter_map(|access| search.target(access.id)).collect();
     found
 }

@@ -81,10 +81,9 @@ impl<'db> FileCheck<'db> {
                 }
             }
             // Misplaced elements are reported by other checks.
-            let belongs = |inner: &XmlElement<'_>| {
-                known.is_none_or(|known| known.children.is_empty() || known.children.contains(&inner.name()))
-            };
-            let inner: Vec<XmlElement<'_>> = element.elements().filter(belongs).collect();
+            let children = known.map_or(&[][..], |known| known.children);
+            let inner = element.elements().filter(|inner| children.is_empty() || children.contains(&inner.name()));
+            let inner: Vec<XmlElement<'_>> = inner.collect();
             rest.extend(inner.into_iter().rev());
         }
     }
@@ -126,10 +125,11 @@ impl<'db> FileCheck<'db> {
             let written = unknown.iter().position(resembles).map(|place| unknown.remove(place));
             self.missing(element, attribute, written);
         }
-        let near = |found: &Attribute<'_>| {
-            nearest(found.name, names().filter(|name| element.attribute(name).is_none())).map(SmolStr::from)
-        };
-        unknown.into_iter().map(|found| (found, near(&found))).collect()
+        let unknown = unknown.into_iter().map(|found| {
+            let absent = names().filter(|name| element.attribute(name).is_none());
+            (found, nearest(found.name, absent).map(SmolStr::from))
+        });
+        unknown.collect()
     }
 
     fn missing(&mut self, element: XmlElement<'_>, attribute: &files::AttributePage, written: Option<Attribute<'_>>) {

@@ -99,6 +99,12 @@ fn public_items(db: &dyn Db, project: Project) -> Vec<SmolStr> {
     names.filter(|name| is_public(db, project, name)).cloned().collect()
 }
 
+/// Whether the project has data or a program for each name.
+fn has_items(db: &dyn Db, project: Project, names: &[SmolStr]) -> bool {
+    let items = items(db, project);
+    names.iter().all(|name| items.data.contains_key(name) || items.programs.contains_key(name))
+}
+
 /// Whether the project has public data or a public program called `item`.
 pub fn is_public(db: &dyn Db, project: Project, item: &str) -> bool {
     let items = items(db, project);
@@ -173,12 +179,11 @@ impl Interfaces<'_> {
 
     fn look_alikes(&self, alias: &SmolStr) -> Vec<Project> {
         let needed = self.needed(alias);
-        let offers_all = |library: &Project| {
-            let offered = items(self.db, *library);
-            needed.iter().all(|item| offered.data.contains_key(item) || offered.programs.contains_key(item))
-        };
+        if needed.is_empty() {
+            return Vec::new();
+        }
         let projects = Sources::get(self.db).projects(self.db).values().copied();
-        projects.filter(|library| *library != self.project && !needed.is_empty() && offers_all(library)).collect()
+        projects.filter(|library| *library != self.project && has_items(self.db, *library, &needed)).collect()
     }
 
     fn candidates(&mut self, alias: &SmolStr, place: FileRange, path: &LoadedPath) -> Vec<Project> {

@@ -243,17 +243,17 @@ impl<'s> Loader<'s> {
     /// Returns the program and data files outside of the project's folder, as written in the project file.
     fn files_outside(&self, folder: &Utf8Path, manifest: &Manifest) -> Vec<SmolStr> {
         let listed = manifest.programs.iter().chain(&manifest.data);
-        let is_outside = |name: &&SmolStr| !outside::is_in_folder(self.system, folder, &paths::file_in(folder, name));
-        listed.filter(is_outside).cloned().collect()
+        let mut outside = listed.cloned().collect::<Vec<_>>();
+        outside.retain(|name| !outside::is_in_folder(self.system, folder, &paths::file_in(folder, name)));
+        outside
     }
 
     /// Reads the programs and data of a project. Returns the paths of libraries that the programs load.
     fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, outside: &[SmolStr]) -> Vec<PathArgument> {
-        let paths = |references: &[SmolStr]| -> Vec<Utf8PathBuf> {
+        let [data, programs] = [&manifest.data, &manifest.programs].map(|references| {
             let inside = references.iter().filter(|reference| !outside.contains(reference));
-            inside.map(|reference| paths::file_in(folder, reference)).collect()
-        };
-        let (data, programs) = (paths(&manifest.data), paths(&manifest.programs));
+            inside.map(|reference| paths::file_in(folder, reference)).collect::<Vec<_>>()
+        });
         self.read_ahead(data.iter().chain(&programs));
         for path in &data {
             self.found_file(path);

@@ -45,11 +45,11 @@ pub fn is_bindings(db: &dyn Db, file: File) -> bool {
 
 /// Returns the HTML file of the page called `name`, in any letter case.
 pub fn html_file(db: &dyn Db, project: Project, name: &str) -> Option<File> {
-    let page = |file: &File| {
+    let mut files = project.pages(db).iter().copied();
+    files.find(|file| {
         let own = file.path(db).file_name().and_then(|own| page_name(own, HTML));
         own.is_some_and(|own| own.eq_ignore_ascii_case(name))
-    };
-    project.pages(db).iter().copied().find(page)
+    })
 }
 
 /// Returns the HTML file of the page to which a page file belongs.

@@ -12,8 +12,8 @@ const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
 /// Returns the nearest folder `usrapp` above a project, which is the folder of `Disk://` on a controller.
 pub(crate) fn usrapp(manifest: &Utf8Path) -> Option<&Utf8Path> {
-    let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
-    manifest.ancestors().skip(1).find(is_usrapp)
+    let mut folders = manifest.ancestors().skip(1);
+    folders.find(|folder| folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp")))
 }
 
 /// Returns the ends of two different paths, starting with the last common folder.

@@ -36,6 +36,17 @@ struct ProjectCheck<'db> {
     found: FileCheck<'db>,
 }
 
+/// A list of libraries or user types in a project file.
+struct ReferenceList {
+    /// Names of the list and of an entry.
+    list: (&'static str, &'static str),
+    /// Attribute with the entry's name.
+    name: &'static str,
+    /// Attribute with the entry's path.
+    path: &'static str,
+    what: FileRole,
+}
+
 impl ProjectCheck<'_> {
     fn root(&mut self, root: XmlElement<'_>) {
         if !matches!(root.name(), "Project" | "project") {
@@ -49,8 +60,11 @@ impl ProjectCheck<'_> {
         self.parameters(root, spelling);
         self.files(root, spelling.programs, FileRole::Program);
         self.files(root, spelling.data, FileRole::Data);
-        self.projects(root, spelling.libraries, (spelling.library_name, spelling.library_path), FileRole::Library);
-        self.projects(root, spelling.types, ("name", "path"), FileRole::Type);
+        let Spelling { libraries, library_name, library_path, types, .. } = *spelling;
+        let libraries =
+            ReferenceList { list: libraries, name: library_name, path: library_path, what: FileRole::Library };
+        self.projects(root, libraries);
+        self.projects(root, ReferenceList { list: types, name: "name", path: "path", what: FileRole::Type });
         self.circles(root, spelling);
         self.cell_files(root);
     }
@@ -117,13 +131,7 @@ impl ProjectCheck<'_> {
     }
 
     /// Checks the entries of libraries or user types.
-    fn projects(
-        &mut self,
-        root: XmlElement<'_>,
-        list: (&'static str, &'static str),
-        (name, path): (&'static str, &'static str),
-        what: FileRole,
-    ) {
+    fn projects(&mut self, root: XmlElement<'_>, ReferenceList { list, name, path, what }: ReferenceList) {
         let mut seen = FxHashMap::default();
         for element in entries(root, list) {
             let is_again = element.attribute(name).is_some_and(|found| self.project_name(found, what, &mut seen));

@@ -145,10 +145,14 @@ pub fn path(body: &Body, id: ExprId) -> Option<SmolStr> {
 
 /// Returns the key for constant indexes, for example `1,2` or `near`.
 pub fn key(body: &Body, keys: &[ExprId]) -> Option<String> {
-    let part = |key: &ExprId| match body.constant(*key)? {
+    let parts = keys.iter().map(|key| key_part(&body.constant(*key)?));
+    parts.collect::<Option<Vec<_>>>().map(|parts| key_of(&parts.join(",")))
+}
+
+fn key_part(constant: &Constant) -> Option<String> {
+    match constant {
         Constant::Number(number) => Some(number.to_string()),
         Constant::String(text) => Some(text.to_string()),
         Constant::Bool(_) => None,
-    };
-    keys.iter().map(part).collect::<Option<Vec<_>>>().map(|parts| key_of(&parts.join(",")))
+    }
 }

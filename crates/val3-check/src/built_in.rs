@@ -11,11 +11,8 @@ use crate::english::one_of;
 
 /// The built-in type named `ty`, and the arm that its suffix requires.
 pub(crate) fn parse(ty: &str) -> Option<(BaseType, Option<Arm>)> {
-    let enumeration = || {
-        let ty = enumerations::ENUMERATORS.iter().find(|row| row.ty.name() == ty)?.ty;
-        Some((ty, None))
-    };
-    BaseType::from_file_name(ty).or_else(enumeration)
+    let enumeration = || enumerations::ENUMERATORS.iter().find(|row| row.ty.name() == ty);
+    BaseType::from_file_name(ty).or_else(|| Some((enumeration()?.ty, None)))
 }
 
 /// Names of the type's fields, in order; `None` for a type that is not built in.

@@ -1,10 +1,11 @@
 //! Removes faults that are consequences of a syntax fault, so that one mistake causes one message.
 
 use rustc_hash::FxHashSet;
-use val3_analysis::db::{Db, File, FileStatus};
+use val3_analysis::db::{Db, File, FileRange, FileStatus};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::problem::{Problem, ProblemKind};
 use val3_syntax::TextSize;
+use val3_syntax::error::SyntaxError;
 
 /// Returns the problems in `file` that are not consequences of syntax faults. Problems on a line with a syntax error
 /// are removed, and problems with misplaced elements if elements are not closed properly.
@@ -15,18 +16,35 @@ pub(crate) fn without_cascades<'p>(db: &dyn Db, file: File, problems: &'p [Probl
     if errors.is_empty() || problems.is_empty() || is_unreadable {
         return problems.iter().collect();
     }
-    let lines = LineStarts::new(file.text(db));
-    let broken_structure = errors.iter().any(|error| error.kind.breaks_structure());
-    let broken_lines: FxHashSet<usize> = errors
-        .iter()
-        .filter(|error| error.kind.breaks_line())
-        .flat_map(|error| lines.line(error.range.start())..=lines.line(error.range.end()))
-        .collect();
-    let is_echo = |problem: &Problem| {
-        broken_structure && is_about_structure(&problem.kind)
-            || problem.place.file == file && broken_lines.contains(&lines.line(problem.place.range.start()))
-    };
-    problems.iter().filter(|problem| !is_echo(problem)).collect()
+    let faults = FileFaults::new(file, file.text(db), errors);
+    problems.iter().filter(|problem| !faults.may_cause(problem)).collect()
+}
+
+/// Syntax faults of a file.
+struct FileFaults {
+    file: File,
+    lines: LineStarts,
+    broken_lines: FxHashSet<usize>,
+    /// Whether elements are not closed properly.
+    broken_structure: bool,
+}
+
+impl FileFaults {
+    fn new(file: File, text: &str, errors: &[SyntaxError]) -> Self {
+        let lines = LineStarts::new(text);
+        let broken = errors.iter().filter(|error| error.kind.breaks_line());
+        let broken = broken.flat_map(|error| lines.line(error.range.start())..=lines.line(error.range.end()));
+        let broken_lines = broken.collect();
+        let broken_structure = errors.iter().any(|error| error.kind.breaks_structure());
+        Self { file, lines, broken_lines, broken_structure }
+    }
+
+    /// Whether the problem is on a line with a fault, or about elements if they are not closed properly.
+    fn may_cause(&self, problem: &Problem) -> bool {
+        let FileRange { file, range } = problem.place;
+        self.broken_structure && is_about_structure(&problem.kind)
+            || file == self.file && self.broken_lines.contains(&self.lines.line(range.start()))
+    }
 }
 
 fn is_about_structure(kind: &ProblemKind) -> bool {

@@ -66,19 +66,19 @@ impl CheckUnit {
 
 /// The units of some projects, without excluded files, in the order of the projects' files.
 pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<CheckUnit> {
-    let is_wanted = |unit: &CheckUnit| matches!(unit, CheckUnit::Project(_)) || !unit.is_excluded(db);
-    all_units(db, projects).into_iter().filter(is_wanted).collect()
+    let mut units = all_units(db, projects);
+    units.retain(|unit| matches!(unit, CheckUnit::Project(_)) || !unit.is_excluded(db));
+    units
 }
 
 /// The units of some projects, with excluded files.
 fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<CheckUnit> {
-    let of_project = |project: &Project| {
-        let project = *project;
-        let data = project::data_files(db, project).iter().map(move |file| CheckUnit::Data(project, *file));
-        let programs = project::program_files(db, project).iter().map(move |file| CheckUnit::Program(project, *file));
-        std::iter::once(CheckUnit::Project(project)).chain(data).chain(programs)
-    };
-    let mut units: Vec<CheckUnit> = projects.iter().flat_map(of_project).collect();
+    let mut units = Vec::new();
+    for project in projects {
+        units.push(CheckUnit::Project(*project));
+        units.extend(project::data_files(db, *project).iter().map(|file| CheckUnit::Data(*project, *file)));
+        units.extend(project::program_files(db, *project).iter().map(|file| CheckUnit::Program(*project, *file)));
+    }
     // A file that is listed twice is checked once.
     let mut seen = rustc_hash::FxHashSet::default();
     units.retain(|unit| seen.insert(*unit));

@@ -14,7 +14,7 @@ use val3_analysis::system::Memory;
 use val3_syntax::TextSlice;
 use val3_syntax::encoding::decode;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::fix::{AppliedFixes, FixTarget, TrialWorkspace, add_suppressions, apply_fixes};
 use crate::rule::Severity;
 use crate::settings::{RuleSelection, WorkspaceSettings};
@@ -99,16 +99,16 @@ pub struct OfferedFix {
 /// If there is no project in the files.
 pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
     let (workspace, found) = checked(files, &RuleSelection::default());
-    let offered = |diagnostic: &Diagnostic| {
-        let fix = diagnostic.fix.as_ref()?;
-        let edits = fix.edits.iter().map(|edit| {
+    let fixes = found.iter().filter_map(|diagnostic| {
+        let Fix { title, safe, edits, .. } = diagnostic.fix.as_ref()?;
+        let edits = edits.iter().map(|edit| {
             let file = shown(edit.file.path(&workspace.db).as_str(), files);
             (file, edit.range.into(), edit.text.clone())
         });
         let edits = edits.collect();
-        Some(OfferedFix { code: diagnostic.rule.code, title: fix.title.clone(), safe: fix.safe, edits })
-    };
-    found.iter().filter_map(offered).collect()
+        Some(OfferedFix { code: diagnostic.rule.code, title: title.clone(), safe: *safe, edits })
+    });
+    fixes.collect()
 }
 
 /// Files after all fixes, safe or not.

@@ -39,13 +39,14 @@ pub fn all() -> Vec<Topic> {
 /// Finds topics by name. A topic with this title hides other topics, and an exact match hides matches in another letter
 /// case. Several topics can share a name: `config` is a type, a field and an instruction.
 pub fn find<'a>(topics: &'a [Topic], name: &str) -> Vec<&'a Topic> {
-    let is_title = |topic: &&Topic| topic.name() == name;
-    let is_title_in_any_case = |topic: &&Topic| topic.name().eq_ignore_ascii_case(name);
-    let is_name = |topic: &&Topic| topic.names.iter().any(|known| known == name);
-    let is_name_in_any_case = |topic: &&Topic| topic.names.iter().any(|known| known.eq_ignore_ascii_case(name));
-    let tests: [&dyn Fn(&&Topic) -> bool; 4] = [&is_title, &is_name, &is_title_in_any_case, &is_name_in_any_case];
-    let found = tests.into_iter().map(|test| topics.iter().filter(test).collect::<Vec<_>>());
-    found.into_iter().find(|found| !found.is_empty()).unwrap_or_default()
+    let matches: [fn(&Topic, &str) -> bool; 4] = [
+        |topic, name| topic.name() == name,
+        |topic, name| topic.names.iter().any(|other| other == name),
+        |topic, name| topic.name().eq_ignore_ascii_case(name),
+        |topic, name| topic.names.iter().any(|other| other.eq_ignore_ascii_case(name)),
+    ];
+    let mut found = matches.into_iter().map(|matches| topics.iter().filter(|topic| matches(topic, name)).collect());
+    found.find(|found: &Vec<&Topic>| !found.is_empty()).unwrap_or_default()
 }
 
 #[cfg(test)]

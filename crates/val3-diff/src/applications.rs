@@ -52,13 +52,19 @@ impl<'t> Application<'t> {
     /// Returns the data files in use with their keys: the listed files in the order of the project file, or all files
     /// without a project file.
     pub(crate) fn data_files(&self) -> Vec<(&str, &SourceFile<'t>)> {
-        let all = || self.data.iter().map(|(key, file)| (key.as_str(), file));
-        let Some(project) = &self.project else { return all().collect() };
-        let listed = |reference: &SmolStr| {
-            let path = path_key(file_in(self.folder(), reference).as_str());
-            all().find(|(_, file)| path_key(file.path.as_str()) == path)
-        };
-        project.manifest.data.iter().filter_map(listed).collect()
+        let all = self.data.iter().map(|(key, file)| (key.as_str(), file));
+        match &self.project {
+            Some(project) => {
+                project.manifest.data.iter().filter_map(|reference| self.listed_data_file(reference)).collect()
+            }
+            None => all.collect(),
+        }
+    }
+
+    fn listed_data_file(&self, reference: &SmolStr) -> Option<(&str, &SourceFile<'t>)> {
+        let path = path_key(file_in(self.folder(), reference).as_str());
+        let (key, file) = self.data.iter().find(|(_, file)| path_key(file.path.as_str()) == path)?;
+        Some((key, file))
     }
 
     /// Returns the listed program and data files: path in lower case, and reference in the project file.
@@ -147,6 +153,12 @@ mod tests {
     use super::*;
     use crate::tree::FileTree;
 
+    /// Shows the programs, each with whether it is listed.
+    fn shown(application: &Application<'_>) -> String {
+        let programs = application.programs.iter().map(|(key, file)| format!("{key}:{}", file.listed));
+        format!("{} {}", application.path, programs.collect::<Vec<_>>().join(" "))
+    }
+
     #[test]
     fn files_belong_to_the_project_above_them() {
         let project = "<Project><Programs><Program file=\"START.pgx\"/><Program file=\"sub/x.pgx\"/></Programs>\
@@ -160,10 +172,6 @@ mod tests {
         ]);
         let files = tree.files(true);
         let found = applications(&files);
-        let shown = |application: &Application<'_>| {
-            let programs = application.programs.iter().map(|(key, file)| format!("{key}:{}", file.listed));
-            format!("{} {}", application.path, programs.collect::<Vec<_>>().join(" "))
-        };
         let shown: Vec<String> = found.iter().map(shown).collect();
         assert_eq!(shown, ["a/a.pjx old.pgx:false start.pgx:true sub/x.pgx:true", "b b.pgx:false"]);
         let missing: Vec<_> = missing(&found, &files).into_iter().collect();

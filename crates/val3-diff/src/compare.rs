@@ -54,12 +54,15 @@ pub fn compare_with(old: &FileTree, new: &FileTree, layout: BlankComparison) -> 
 
 /// Returns problems for listed files that are missing in only one tree. A file that is missing in both is not reported.
 fn missing_files(old: &BTreeSet<(String, String)>, new: &BTreeSet<(String, String)>) -> Vec<Problem> {
-    let problem = |side, (path, name): &(String, String), help| Problem {
+    let lost = new.difference(old).map(|file| missing_file(TreeSide::New, file, "; restore it, or remove the entry"));
+    let found = old.difference(new).map(|file| missing_file(TreeSide::Old, file, ""));
+    found.chain(lost).collect()
+}
+
+fn missing_file(side: TreeSide, (path, name): &(String, String), help: &str) -> Problem {
+    Problem {
         path: path.clone(),
         side,
         message: format!("the project file lists `{name}`, and there is no such file{help}"),
-    };
-    let lost = new.difference(old).map(|file| problem(TreeSide::New, file, "; restore it, or remove the entry"));
-    let found = old.difference(new).map(|file| problem(TreeSide::Old, file, ""));
-    found.chain(lost).collect()
+    }
 }

@@ -70,16 +70,19 @@ fn is_beyond(data: &mut DataChange, tolerance: Tolerance, ignored: &mut Ignored)
         return true;
     }
     for value in &mut data.values {
-        let is_within = |moved| tolerance.includes(moved);
         remove(
             &mut value.dependents,
-            |dependent| dependent.in_world.is_some_and(is_within),
+            |dependent| dependent.in_world.is_some_and(|moved| tolerance.includes(moved)),
             &mut ignored.within_tolerance,
         );
     }
     // A frame that moved little may have moved a distant point far.
-    let is_within = |value: &ValueChange| value.dependents.is_empty() && is_within(value, tolerance);
-    remove(&mut data.values, is_within, &mut ignored.within_tolerance) == 0 || !data.is_same()
+    let removed = remove(
+        &mut data.values,
+        |value| value.dependents.is_empty() && is_within(value, tolerance),
+        &mut ignored.within_tolerance,
+    );
+    removed == 0 || !data.is_same()
 }
 
 /// Whether a position moved at most by the tolerance and the value has no other difference.

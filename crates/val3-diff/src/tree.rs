@@ -112,8 +112,8 @@ pub(crate) fn is_settings(path: &Utf8Path) -> bool {
 
 /// Returns the outermost folder with this name that contains a file.
 fn below<'p>(path: &'p Utf8Path, name: &str) -> Option<&'p Utf8Path> {
-    let is_named = |folder: &&Utf8Path| folder.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
-    path.ancestors().skip(1).filter(is_named).last()
+    let folders = path.ancestors().skip(1);
+    folders.filter(|folder| folder.file_name().is_some_and(|own| own.eq_ignore_ascii_case(name))).last()
 }
 
 /// Whether the file has one of these extensions, in any letter case.

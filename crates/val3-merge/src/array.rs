@@ -58,11 +58,17 @@ impl<'n, 't> Array<'n, 't> {
         self.differs_where(kind, other, |index| index.len() != 1 || index.first().is_some_and(|index| *index >= start))
     }
 
+    /// Whether it is an array of one dimension.
+    pub(crate) fn is_list(&self) -> bool {
+        self.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1)
+    }
+
     /// Whether elements were inserted before the last elements of `base`, which moved to higher indexes.
     pub(crate) fn is_shifted(&self, kind: MergedKind, base: &Self) -> bool {
-        let is_list = |array: &Self| array.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
-        let Some(by) = self.size(0).checked_sub(base.size(0)).filter(|by| *by > 0 && is_list(self) && is_list(base))
-        else {
+        if !self.is_list() || !base.is_list() {
+            return false;
+        }
+        let Some(by) = self.size(0).checked_sub(base.size(0)).filter(|by| *by > 0) else {
             return false;
         };
         let first = self.first_difference(kind, base);

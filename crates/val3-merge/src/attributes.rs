@@ -3,6 +3,7 @@
 use val3_syntax::xml::{Attribute, XmlElement, escaped};
 use val3_syntax::{TextEdit, TextRange, TextSize};
 
+use crate::kind::MergedKind;
 use crate::merger::{ElementVersions, Merger};
 use crate::node::MergeNode;
 use crate::same::same_attribute;
@@ -26,9 +27,7 @@ pub(crate) fn merge(merger: &mut Merger<'_>, versions: ElementVersions<'_, '_>, 
     }
     let mut contradictions = Vec::new();
     while let Some(first) = names.first().copied() {
-        let is_together =
-            |name: &&str| *name == first || UNITS.iter().any(|unit| unit.contains(&first) && unit.contains(name));
-        let (unit, rest): (Vec<&str>, Vec<&str>) = names.into_iter().partition(is_together);
+        let (unit, rest): (Vec<&str>, Vec<&str>) = names.into_iter().partition(|name| belong_together(first, name));
         names = rest;
         match changed(merger, versions, &unit) {
             Changed::Ours => {}
@@ -58,12 +57,7 @@ fn changed(
     ElementVersions { base, ours, theirs }: ElementVersions<'_, '_>,
     unit: &[&str],
 ) -> Changed {
-    let differs = |one: Option<&MergeNode<'_>>, other: Option<&MergeNode<'_>>| {
-        unit.iter().any(|name| {
-            let [one, other] = [one, other].map(|node| node.and_then(|node| node.value(name)));
-            !same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref())
-        })
-    };
+    let differs = |one, other| unit.iter().any(|name| !has_same_value(merger.kind, ours, name, [one, other]));
     if !differs(base, Some(theirs)) || !differs(Some(ours), Some(theirs)) {
         Changed::Ours
     } else if differs(base, Some(ours)) {
@@ -73,20 +67,33 @@ fn changed(
     }
 }
 
+/// Whether the attributes are equal or parts of one value.
+fn belong_together(one: &str, other: &str) -> bool {
+    one == other || UNITS.iter().any(|unit| unit.contains(&one) && unit.contains(&other))
+}
+
+/// Whether an attribute has the same meaning in both versions of the element `node`.
+fn has_same_value(kind: MergedKind, node: &MergeNode<'_>, name: &str, versions: [Option<&MergeNode<'_>>; 2]) -> bool {
+    let [one, other] = versions.map(|version| version.and_then(|version| version.value(name)));
+    same_attribute(kind, node, name, one.as_deref(), other.as_deref())
+}
+
 /// Formats the difference: `x is 5 in ours and 7 in theirs`.
 fn described(
     merger: &Merger<'_>,
     ElementVersions { ours, theirs, .. }: ElementVersions<'_, '_>,
     unit: &[&str],
 ) -> Vec<String> {
-    let shown =
-        |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
     let differing = unit.iter().filter_map(|name| {
         let [one, other] = [ours, theirs].map(|node| node.value(name));
         let is_same = same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref());
-        (!is_same).then(|| format!("{name} is {} in ours and {} in theirs", shown(&one), shown(&other)))
+        (!is_same).then(|| format!("{name} is {} in ours and {} in theirs", quoted(one), quoted(other)))
     });
     differing.collect()
+}
+
+fn quoted(value: Option<String>) -> String {
+    value.map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""))
 }
 
 /// Returns the text of the element without its content.

@@ -134,18 +134,10 @@ impl Merger<'_> {
     /// Merges a list whose order has a meaning.
     pub(crate) fn ordered(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
         let ElementVersions { base, ours, theirs } = versions;
-        let ids = |node: &MergeNode<'_>| -> Vec<String> {
-            node.children.iter().filter(|child| child.element.is_some()).map(|child| child.id.clone()).collect()
-        };
-        let [b, o, t] = [base.map(ids).unwrap_or_default(), ids(ours), ids(theirs)];
-        let keeps_order = |some: &[String], all: &[String]| {
-            let common: Vec<&String> = some.iter().filter(|id| all.contains(id)).collect();
-            let expected: Vec<&String> = all.iter().filter(|id| some.contains(id)).collect();
-            common == expected
-        };
-        let is_shorter = |side: &[String]| side.iter().all(|id| b.contains(id));
-        let is_clear = o == t || t == b || o == b || (is_shorter(&o) && is_shorter(&t));
-        if is_clear && keeps_order(&t, &b) && keeps_order(&o, &b) {
+        let [b, o, t] = [base, Some(ours), Some(theirs)].map(|node| node.map(element_ids).unwrap_or_default());
+        let has_additions = o.iter().chain(&t).any(|id| !b.contains(id));
+        let is_clear = o == t || t == b || o == b || !has_additions;
+        if is_clear && has_same_order(&t, &b) && has_same_order(&o, &b) {
             return self.children(versions, path);
         }
         match base {
@@ -154,6 +146,16 @@ impl Merger<'_> {
             _ => self.conflict(versions, path, "both sides have changed the list, whose order counts".to_owned()),
         }
     }
+}
+
+fn element_ids(node: &MergeNode<'_>) -> Vec<String> {
+    node.children.iter().filter(|child| child.element.is_some()).map(|child| child.id.clone()).collect()
+}
+
+/// Whether the items that are in both lists have the same order in both.
+fn has_same_order(one: &[String], other: &[String]) -> bool {
+    let common = one.iter().filter(|id| other.contains(id));
+    common.eq(other.iter().filter(|id| one.contains(id)))
 }
 
 fn all_same(kind: crate::kind::MergedKind, one: &[&MergeNode<'_>], other: &[&MergeNode<'_>]) -> bool {

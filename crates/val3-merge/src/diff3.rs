@@ -61,27 +61,21 @@ fn unstable<T: Ord + Hash + Eq>(
     [b, o, t]: [Range<usize>; 3],
     chunks: &mut Vec<Chunk>,
 ) {
-    let part = |items: &'_ [T], range: &Range<usize>| -> usize { items.get(range.clone()).map_or(0, <[T]>::len) };
-    let is_same = |one: &[T], first: &Range<usize>, other: &[T], second: &Range<usize>| {
-        one.get(first.clone()) == other.get(second.clone())
-    };
-    if part(ours, &o) + part(theirs, &t) + part(base, &b) == 0 {
+    let (base_part, our_part, their_part) = (base.get(b.clone()), ours.get(o.clone()), theirs.get(t.clone()));
+    if [base_part, our_part, their_part].into_iter().flatten().all(<[T]>::is_empty) {
         return;
     }
-    if is_same(theirs, &t, base, &b) || is_same(theirs, &t, ours, &o) {
+    if their_part == base_part || their_part == our_part {
         return push(chunks, Chunk::Ours(o));
     }
-    if is_same(ours, &o, base, &b) {
+    if our_part == base_part {
         return push(chunks, Chunk::Theirs(t, o));
     }
     // Equal lines at the start and at the end of both sides are no conflict.
-    let pairs = |one: Range<usize>, other: Range<usize>| {
-        one.zip(other).take_while(|(first, second)| ours.get(*first) == theirs.get(*second)).count()
-    };
-    let start = pairs(o.clone(), t.clone());
+    let is_pair = |(first, second): &(usize, usize)| ours.get(*first) == theirs.get(*second);
+    let start = o.clone().zip(t.clone()).take_while(is_pair).count();
     let limit = o.len().min(t.len()) - start;
-    let backwards = o.clone().rev().zip(t.clone().rev());
-    let end = backwards.take(limit).take_while(|(first, second)| ours.get(*first) == theirs.get(*second)).count();
+    let end = o.clone().rev().zip(t.clone().rev()).take(limit).take_while(is_pair).count();
     let (our_middle, their_middle) = (o.start + start..o.end - end, t.start + start..t.end - end);
     push(chunks, Chunk::Ours(o.start..our_middle.start));
     if b.is_empty() {

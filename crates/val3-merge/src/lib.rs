@@ -78,10 +78,9 @@ pub fn merge(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> MergeRes
         Ok(merged) => merged,
         Err(reason) => {
             let (text, lines) = lines::merge_files(base, ours, theirs, line_end(ours));
-            let conflict =
-                |line| Conflict { path: format!("line {line}"), reason: "both sides have changed it".to_owned() };
-            let conflicts = lines.into_iter().map(conflict).collect();
-            MergeResult { text, conflicts, moved: Vec::new(), by_lines: Some(reason) }
+            let paths = lines.into_iter().map(|line| format!("line {line}"));
+            let conflicts = paths.map(|path| Conflict { path, reason: "both sides have changed it".to_owned() });
+            MergeResult { text, conflicts: conflicts.collect(), moved: Vec::new(), by_lines: Some(reason) }
         }
     }
 }
@@ -123,15 +122,16 @@ fn tree<'t>(
 
 /// Checks that all versions have the same dialect.
 fn check_roots(files: [Option<&MergeNode<'_>>; 3]) -> Result<(), String> {
-    let root = |file: &MergeNode<'_>| {
-        file.children.iter().map(MergeNode::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()
-    };
-    let mut roots: Vec<String> = files.into_iter().flatten().map(root).collect();
+    let mut roots: Vec<&str> = files.into_iter().flatten().map(root_name).collect();
     roots.dedup();
     match roots.as_slice() {
         [_] => Ok(()),
         roots => Err(format!("the versions have different root elements: `{}`", roots.join("`, `"))),
     }
+}
+
+fn root_name<'n>(file: &'n MergeNode<'_>) -> &'n str {
+    file.children.iter().map(MergeNode::name).find(|name| !name.is_empty()).unwrap_or_default()
 }
 
 fn merged(

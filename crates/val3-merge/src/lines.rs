@@ -5,7 +5,7 @@ use val3_syntax::TextSlice;
 use crate::conflict::Conflict;
 use crate::diff3::{Chunk, merge};
 use crate::merger::{ElementVersions, Merger};
-use crate::node::MergeNode;
+use crate::same::same;
 use crate::text::{ElementText, TextLine, TextSpelling};
 
 /// Conflict marks, as in version control.
@@ -39,29 +39,22 @@ impl Merger<'_> {
 
     /// Merges a text that is not split into lines: it must be unchanged on one side.
     fn whole_text(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
-        let is_unchanged = |base: &MergeNode<'_>| crate::same::same(self.kind, base, versions.ours);
-        match versions.base.is_some_and(is_unchanged) {
-            true => self.replace(versions.ours, versions.theirs),
-            false => self.conflict(versions, path, "ours and theirs have another text".to_owned()),
+        match versions.base {
+            Some(base) if same(self.kind, base, versions.ours) => self.replace(versions.ours, versions.theirs),
+            _ => self.conflict(versions, path, "ours and theirs have another text".to_owned()),
         }
     }
 }
 
 fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementText<'_>, line_end: &str) -> MergedText {
-    let decoded = |content: ElementText<'_>, lines: &[TextLine<'_>]| -> Vec<String> {
-        lines.iter().map(|line| content.decoded(line)).collect()
-    };
-    let [base_lines, our_lines, their_lines] =
-        [base, Some(ours), Some(theirs)].map(|content| content.map(ElementText::lines).unwrap_or_default());
-    let base = base.map(|content| decoded(content, &base_lines)).unwrap_or_default();
-    let [of_ours, of_theirs] = [decoded(ours, &our_lines), decoded(theirs, &their_lines)];
+    let our_lines = ours.lines();
+    let [base, of_ours, of_theirs] =
+        [base, Some(ours), Some(theirs)].map(|content| content.map(decoded_lines).unwrap_or_default());
     let mut out = MergedLines { lines: Vec::new(), conflicts: Vec::new() };
     let encoded = |line: &String| (ours.encoded(line), "");
     for chunk in merge(&base, &of_ours, &of_theirs) {
-        let own =
-            |range: std::ops::Range<usize>| our_lines.part(range).iter().map(|line| (line.raw.to_owned(), line.end));
         match chunk {
-            Chunk::Ours(range) => out.lines.extend(own(range)),
+            Chunk::Ours(range) => out.add_raw(our_lines.part(range)),
             Chunk::Theirs(range, _) => out.lines.extend(of_theirs.part(range).iter().map(encoded)),
             Chunk::Conflict { base: b, ours: o, theirs: t } => {
                 let mark = |mark: &str| (ours.encoded(mark), "");
@@ -72,7 +65,7 @@ fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementT
                 out.conflicts.push(out.lines.len() + 1);
                 let [opening, of_base, middle, closing] = MARKS.map(mark);
                 out.lines.push(opening);
-                out.lines.extend(own(o));
+                out.add_raw(our_lines.part(o));
                 out.lines.push(of_base);
                 out.lines.extend(base.get(b).unwrap_or(&[]).iter().map(encoded));
                 out.lines.push(middle);
@@ -87,22 +80,31 @@ fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementT
     out.joined(line_end)
 }
 
+fn decoded_lines(content: ElementText<'_>) -> Vec<String> {
+    content.lines().iter().map(|line| content.decoded(line)).collect()
+}
+
 struct MergedLines {
     lines: Vec<(String, &'static str)>,
     conflicts: Vec<usize>,
 }
 
 impl MergedLines {
+    /// Adds lines unchanged, with their line ends.
+    fn add_raw(&mut self, lines: &[TextLine<'_>]) {
+        self.lines.extend(lines.iter().map(|line| (line.raw.to_owned(), line.end)));
+    }
+
     /// Joins the lines. Lines of theirs get the line end of ours.
     fn joined(self, line_end: &str) -> MergedText {
         let last = self.lines.len().saturating_sub(1);
-        let end = |at: usize, own: &'static str| match (at == last, own.is_empty()) {
-            (true, _) => String::new(),
-            (false, true) => line_end.to_owned(),
-            (false, false) => own.to_owned(),
-        };
-        let lines = self.lines.into_iter().enumerate();
-        let text = lines.map(|(at, (text, own))| text + &end(at, own)).collect();
+        let mut text = String::new();
+        for (at, (line, own_end)) in self.lines.into_iter().enumerate() {
+            text += &line;
+            if at != last {
+                text += if own_end.is_empty() { line_end } else { own_end };
+            }
+        }
         MergedText { text, conflicts: self.conflicts }
     }
 }

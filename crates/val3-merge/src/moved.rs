@@ -22,16 +22,16 @@ pub struct Moved {
 impl fmt::Display for Moved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { path, from, to, count, .. } = self;
-        let indexes = |first: &usize| match count {
+        let [from, to] = [from, to].map(|first| match count {
             1 => first.to_string(),
             count => format!("{first} to {}", first + count - 1),
-        };
+        });
         let dimension = match self.axis {
             0 => String::new(),
             axis => format!(" of dimension {}", axis + 1),
         };
         let word = if *count == 1 { "index" } else { "indexes" };
-        write!(f, "`{path}`: {word} {}{dimension} of theirs became {}", indexes(from), indexes(to))
+        write!(f, "`{path}`: {word} {from}{dimension} of theirs became {to}")
     }
 }
 

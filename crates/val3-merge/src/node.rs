@@ -53,8 +53,8 @@ pub(crate) fn read<'t>(kind: MergedKind, parse: &'t Parse, source: &'t str) -> O
     let mut file = reader.node(parse.view().range());
     file.children = reader.children(parse.view(), [root].into_iter(), NodeLevel::default())?;
     file.content = Some(file.range);
-    let is_in_code = |range: TextRange| reader.codes.iter().any(|code| code.contains_range(range));
-    parse.errors().iter().all(|error| is_in_code(error.range)).then_some(file)
+    let mut errors = parse.errors().iter();
+    errors.all(|error| reader.codes.iter().any(|code| code.contains_range(error.range))).then_some(file)
 }
 
 /// Depth of elements, and inherited properties.

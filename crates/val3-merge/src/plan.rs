@@ -153,7 +153,7 @@ fn one_sided(base: &Array<'_, '_>, changed: &Array<'_, '_>, other: &Array<'_, '_
 
 /// Plans a variable with the same new size on both sides: elements keep their indexes if no side has moved any.
 fn by_index(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>) -> Option<Plan> {
-    let is_list = base.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
+    let is_list = base.is_list();
     let start = if is_list {
         let first = |side: &Array<'_, '_>| side.first_difference(MergedKind::Data, base);
         first(ours).min(first(theirs))
@@ -179,18 +179,19 @@ fn append(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>, ax
     if our_size == their_size && !ours.differs_after(theirs, axis, first) {
         return None;
     }
-    let is_list = base.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
-    // Equal elements on both sides are one change that was made on both sides.
-    let is_shared = |index: &usize| {
-        // Two elements with default values may be different elements.
-        let is_written = ours.at(*index).is_some_and(|element| !has_defaults(element, &["fatherId"]));
-        is_written && same_element(MergedKind::Data, ours.at(*index), theirs.at(*index))
-    };
+    let is_list = base.is_list();
     let common = first..our_size.min(their_size);
-    let shared = if is_list { common.take_while(is_shared).count() } else { 0 };
+    let shared = if is_list { common.take_while(|index| is_added_by_both(ours, theirs, *index)).count() } else { 0 };
     let from = first + shared;
     let count = their_size - from;
     Some(Plan::Append(Append { path: path.to_owned(), axis, from, by: our_size - from, count, size: our_size + count }))
+}
+
+/// Whether both sides have equal elements at `index`, which are one change that was made on both sides. Two elements
+/// with default values may be different elements.
+fn is_added_by_both(ours: &Array<'_, '_>, theirs: &Array<'_, '_>, index: usize) -> bool {
+    let is_written = ours.at(index).is_some_and(|element| !has_defaults(element, &["fatherId"]));
+    is_written && same_element(MergedKind::Data, ours.at(index), theirs.at(index))
 }
 
 impl Array<'_, '_> {

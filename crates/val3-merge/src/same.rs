@@ -72,10 +72,9 @@ pub(crate) fn same_attribute(
 
 /// Whether the element is a value of a variable or a part of a value.
 fn is_in_value(kind: MergedKind, node: &MergeNode<'_>) -> bool {
-    let declares = |element: XmlElement<'_>| {
-        matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name()
-    };
-    kind == MergedKind::Data && !node.type_name.is_empty() && node.element.is_some_and(|element| !declares(element))
+    let Some(element) = node.element else { return false };
+    let declares = matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name();
+    kind == MergedKind::Data && !node.type_name.is_empty() && !declares
 }
 
 fn same_children(kind: MergedKind, one: &MergeNode<'_>, other: &MergeNode<'_>) -> bool {

@@ -17,10 +17,8 @@ fn merged(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> String {
     merged.moved.iter().for_each(|moved| writeln!(out, "\n# {moved}").unwrap());
     merged.conflicts.iter().for_each(|conflict| writeln!(out, "\n! {conflict}").unwrap());
     merged.by_lines.iter().for_each(|reason| writeln!(out, "\n! by lines: {reason}").unwrap());
-    let is_marked = |text: &str| {
-        let parse = val3_syntax::parse(text);
-        parse.errors().iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
-    };
-    assert_eq!(is_marked(&merged.text), !merged.conflicts.is_empty(), "{out}");
+    let parse = val3_syntax::parse(&merged.text);
+    let is_marked = parse.errors().iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker);
+    assert_eq!(is_marked, !merged.conflicts.is_empty(), "{out}");
     out
 }

@@ -97,9 +97,8 @@ pub(crate) fn lines_of(node: &MergeNode<'_>) -> Vec<String> {
         return node.content_text().lines().map(str::to_owned).collect();
     };
     let lines: Vec<String> = content.lines().iter().map(|line| content.decoded(line)).collect();
-    let is_blank = |line: &&String| line.trim().is_empty();
-    let start = lines.iter().take_while(is_blank).count();
-    let end = lines.len() - lines.iter().rev().take_while(is_blank).count().min(lines.len() - start);
+    let start = lines.iter().position(|line| !line.trim().is_empty()).unwrap_or(lines.len());
+    let end = lines.iter().rposition(|line| !line.trim().is_empty()).map_or(start, |last| last + 1);
     let kept = lines.part(start..end);
     match kept {
         [only] => vec![only.trim().to_owned()],

@@ -65,16 +65,19 @@ fn lock(body: &Body, condition: ExprId, held: bool, next: &Stmt) -> Option<Lock>
     found.then(|| Lock { flag: flag.clone(), test: body.range(condition), set: next.range })
 }
 
+fn names_flag(body: &Body, id: ExprId, flag: &str) -> bool {
+    matches!(body.expr(body.without_parentheses(id)), Expr::Name(name) if name == flag)
+}
+
 /// Whether the flag is certainly clear once `condition` no longer has the value `value`.
 fn holds_only_if(body: &Body, condition: ExprId, flag: &str, value: bool) -> bool {
-    let is_flag = |id: ExprId| matches!(body.expr(body.without_parentheses(id)), Expr::Name(name) if name == flag);
     match body.expr(body.without_parentheses(condition)) {
         Expr::Name(name) => name == flag && value,
         Expr::Unary(UnaryOp::Not, inner) => holds_only_if(body, *inner, flag, !value),
         Expr::Binary(BinaryOp::And, left, right) if !value => {
             holds_only_if(body, *left, flag, value) || holds_only_if(body, *right, flag, value)
         }
-        Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) if is_flag(*left) => {
+        Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) if names_flag(body, *left, flag) => {
             body.constant(*right) == Some(Constant::Bool((*op == BinaryOp::Equal) == value))
         }
         _ => false,

@@ -50,6 +50,19 @@ pub struct Summary {
     pub waits: bool,
 }
 
+impl Summary {
+    /// Whether the program's own code may wait: it waits, has faults, or calls a program without a summary.
+    pub(super) fn may_wait_directly(&self, summaries: &FxHashMap<&SmolStr, &Summary>) -> bool {
+        let mut callees = self.calls.iter().filter(|callee| callee.library.is_none());
+        self.waits || !self.sound || callees.any(|callee| !summaries.contains_key(&callee.program))
+    }
+
+    /// Whether the program calls a program with this name, in any project.
+    pub(super) fn calls_program(&self, name: &SmolStr) -> bool {
+        self.calls.iter().any(|callee| callee.program == *name)
+    }
+}
+
 /// Uses of a variable by a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Use {

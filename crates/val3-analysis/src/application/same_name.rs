@@ -38,11 +38,11 @@ impl Application {
         let name = start.name.as_ref().filter(|name| self.sound && !self.is_managed(name) && self.is_endless(start))?;
         let order = |program: &str| (program != START, SmolStr::from(program));
         let runs = self.run_by.contains_key(program) && !self.runs_at_end_alone(program);
-        let is_second =
-            |other: &str| !(start.certain && self.certain.contains(program)) || order(other) < order(program);
+        let is_certain = start.certain && self.certain.contains(program);
         let created = self.tasks.iter().filter(|task| runs && self.is_certain(task) && self.is_endless(&task.start));
         let same = created.filter(|task| task.start.name.as_ref() == Some(name));
-        same.filter_map(|task| task.created_by.as_ref()).find(|other| *other != program && is_second(other))
+        let mut others = same.filter_map(|task| task.created_by.as_ref()).filter(|other| *other != program);
+        others.find(|other| !is_certain || order(other) < order(program))
     }
 
     fn is_certain(&self, task: &StaticTask) -> bool {

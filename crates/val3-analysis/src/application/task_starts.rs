@@ -100,14 +100,16 @@ fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], nesting: Nes
 
 /// Whether no path reaches the end; only constant conditions are evaluated.
 pub(super) fn never_ends(body: &Body, flow: &FlowGraph) -> bool {
-    let is_taken = |point: &FlowNode, branch: usize| match point.kind {
-        PointKind::Test { condition: Some(condition), .. } => match body.constant(condition) {
-            Some(Constant::Bool(value)) => branch == usize::from(!value),
-            _ => true,
-        },
+    flow.reachable(|point, branch| may_take(body, point, branch)).get(FlowGraph::END.index()) == Some(&false)
+}
+
+/// Whether the condition of `point`, if it is constant, leads to `branch`.
+fn may_take(body: &Body, point: &FlowNode, branch: usize) -> bool {
+    let PointKind::Test { condition: Some(condition), .. } = point.kind else { return true };
+    match body.constant(condition) {
+        Some(Constant::Bool(value)) => branch == usize::from(!value),
         _ => true,
-    };
-    flow.reachable(is_taken).get(FlowGraph::END.index()) == Some(&false)
+    }
 }
 
 fn is_true(body: &Body, condition: ExprId) -> bool {

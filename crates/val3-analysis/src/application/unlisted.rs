@@ -48,7 +48,6 @@ fn unlisted_uses(db: &dyn Db, project: Project) -> UnlistedUses {
 /// Returns every word of a file. The file is not parsed, because a file that belongs to no project may be malformed.
 #[salsa::tracked]
 fn words(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
-    let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
-    let words = file.text(db).split(|letter| !is_part(letter));
+    let words = file.text(db).split(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_');
     words.filter(|word| !word.is_empty()).map(SmolStr::from).collect()
 }

@@ -32,11 +32,12 @@ impl Trees {
     /// Returns the tree of `text`, the present content of `file`.
     pub(crate) fn parse(&self, file: File, text: &Arc<str>) -> Parse {
         let (parse, before) = self.tree(file, text);
-        let make = || {
-            let known = before.as_ref().and_then(|before| before.parse.get());
-            known.map_or_else(|| parse_shared(Arc::clone(text)), |parse| parse.reparse_as(Arc::clone(text)))
-        };
-        parse.get_or_init(make).clone()
+        let former = before.as_ref().and_then(|before| before.parse.get());
+        let tree = parse.get_or_init(|| match former {
+            Some(former) => former.reparse_as(Arc::clone(text)),
+            None => parse_shared(Arc::clone(text)),
+        });
+        tree.clone()
     }
 
     /// Returns the cache entry for the tree of `text`, and the previous entry if its text was different.

@@ -10,6 +10,15 @@ use crate::body::ExprId;
 use crate::problem::{ProblemKind, RelatedRole};
 use crate::ty::Base;
 
+/// A dimension of an array variable.
+struct ArrayDimension<'v> {
+    variable: &'v DeclaredVariable,
+    /// Name of the variable as written.
+    name: &'v SmolStr,
+    /// Position of the dimension, from 0.
+    position: usize,
+}
+
 impl Infer<'_> {
     /// `base[indexes]`
     pub(super) fn index(&mut self, base: ExprId, indexes: &[ExprId]) -> InferredValue {
@@ -58,14 +67,15 @@ impl Infer<'_> {
             if !found.same_as(Base::of(BaseType::Num)) {
                 self.wrong_index(index, &name, "num", found);
             } else if let Some(number) = self.body.number(index) {
-                self.bounds(index, &name, (variable, position), number);
+                self.bounds(index, number, ArrayDimension { variable, name: &name, position });
             }
         }
     }
 
     /// Checks a constant index. A negative index is always wrong, an index above the size only if the size cannot
     /// change. Neither is wrong if the value may be absent, as for `isDefined`.
-    fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&DeclaredVariable, usize), number: f64) {
+    fn bounds(&mut self, id: ExprId, number: f64, dimension: ArrayDimension<'_>) {
+        let ArrayDimension { variable, name, position } = dimension;
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
         let size = self.scope.sizes(variable, name).and_then(|sizes| sizes.get(position)).copied();

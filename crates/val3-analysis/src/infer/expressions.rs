@@ -29,7 +29,7 @@ impl Infer<'_> {
             Expr::Path { library, item } => self.named(id, self.scope.library_value(library, item)),
             Expr::Paren(inner) => InferredValue::computed(self.element_as(*inner, expected)),
             Expr::Unary(op, operand) => self.unary(id, *op, *operand, expected),
-            Expr::Binary(op, left, right) => self.binary(id, *op, (*left, *right), expected),
+            Expr::Binary(op, left, right) => self.binary(id, *op, [*left, *right], expected),
             Expr::Assign(target, value) => InferredValue::computed(self.assign(*target, *value)),
             Expr::Index(base, indexes) => self.index(*base, indexes),
             Expr::Field { base, field, range } => self.field(*base, field, *range),
@@ -93,7 +93,7 @@ impl Infer<'_> {
         &mut self,
         id: ExprId,
         op: BinaryOp,
-        (left, right): (ExprId, ExprId),
+        [left, right]: [ExprId; 2],
         expected: Option<Base>,
     ) -> InferredValue {
         let between_braces = || operators::structure(op).filter(|_| self.is_literal(left) && self.is_literal(right));

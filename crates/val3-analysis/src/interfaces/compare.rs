@@ -60,12 +60,10 @@ impl Interfaces<'_> {
     /// Returns the items that programs use without first checking that they exist. A library without the other items is
     /// loaded; the controller only reports code 11.
     pub(super) fn needed(&self, alias: &SmolStr) -> Vec<SmolStr> {
-        let guarded = |item: &SmolStr| {
-            self.programs.iter().any(|(_, uses)| uses.guarded.contains(&(alias.clone(), item.clone())))
-        };
         let used = self.programs.iter().flat_map(|(_, uses)| &uses.items);
-        let mut needed: Vec<SmolStr> =
-            used.filter(|(library, item)| library == alias && !guarded(item)).map(|(_, item)| item.clone()).collect();
+        let used = used.filter(|(library, _)| library == alias);
+        let unguarded = used.filter(|item| !self.programs.iter().any(|(_, uses)| uses.guarded.contains(item)));
+        let mut needed: Vec<SmolStr> = unguarded.map(|(_, item)| item.clone()).collect();
         needed.sort_unstable();
         needed.dedup();
         needed

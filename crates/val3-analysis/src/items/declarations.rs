@@ -163,11 +163,12 @@ pub fn is_old(db: &dyn Db, project: Project) -> bool {
 }
 
 fn names<'g>(elements: impl Iterator<Item = XmlElement<'g>>) -> Vec<Declared> {
-    let declared = |element: XmlElement<'g>| {
-        let name = element.attribute("name")?;
-        Some(Declared { name: name.text().into(), range: name.range, element: element.view().range() })
-    };
     elements.filter_map(declared).collect()
+}
+
+fn declared(element: XmlElement<'_>) -> Option<Declared> {
+    let name = element.attribute("name")?;
+    Some(Declared { name: name.text().into(), range: name.range, element: element.view().range() })
 }
 
 fn named<'g>(mut elements: impl Iterator<Item = XmlElement<'g>>, attribute: &str, name: &str) -> Option<TextRange> {

@@ -85,13 +85,23 @@ pub fn without_father(db: &dyn Db, file: File) -> Vec<(SmolStr, String, TextRang
 fn unlinked(element: XmlElement<'_>) -> Option<(SmolStr, String, TextRange)> {
     let name = element.attribute("name")?;
     let ty = element.value("type")?;
-    let is_built_in = |base: BaseType| builtins::find(&name.text()).is_some_and(|builtin| builtin.ty == base);
-    BaseType::from_file_name(&ty).filter(|(base, _)| base.has_father() && !is_built_in(*base))?;
-    let is_linked = |value: XmlElement<'_>| value.value(FATHER).is_some_and(|father| !father.trim().is_empty());
+    let (base, _) = BaseType::from_file_name(&ty)?;
+    if !base.has_father() || is_built_in(&name.text(), base) {
+        return None;
+    }
     let mut values = element.elements().peekable();
     if values.peek().is_none() && element.value("size").is_some() {
         return Some((name.text().into(), "0".to_owned(), name.range));
     }
-    let key = values.find(|value| !is_linked(*value))?.value("key")?.into_owned();
+    let key = values.find(|value| !names_father(*value))?.value("key")?.into_owned();
     Some((name.text().into(), key, name.range))
+}
+
+/// Whether the data are predefined: `world` or `flange`.
+fn is_built_in(name: &str, base: BaseType) -> bool {
+    builtins::find(name).is_some_and(|builtin| builtin.ty == base)
+}
+
+fn names_father(value: XmlElement<'_>) -> bool {
+    value.value(FATHER).is_some_and(|father| !father.trim().is_empty())
 }

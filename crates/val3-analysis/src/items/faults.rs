@@ -73,15 +73,17 @@ fn odd_keywords(parse: &Parse, text: &str) -> Vec<OddKeyword> {
     // Unparsed code has already been reported.
     let mut unread = Vec::new();
     unread_code(parse.view(), &mut unread);
-    let is_read = |range: &TextRange| {
-        let next = unread.partition_point(|code| code.end() < range.end());
-        unread.get(next).is_none_or(|code| !code.contains_range(*range))
-    };
     let canonical = |range: TextRange| SyntaxKind::from_keyword(text.get(Range::<usize>::from(range))?)?.keyword_text();
     odd.iter()
-        .filter(|range| is_read(range))
+        .filter(|range| !is_in_any(&unread, **range))
         .filter_map(|range| Some(OddKeyword { range: *range, canonical: canonical(*range)? }))
         .collect()
+}
+
+/// Whether one of `ranges` contains `range`. They are sorted and do not overlap.
+fn is_in_any(ranges: &[TextRange], range: TextRange) -> bool {
+    let next = ranges.partition_point(|earlier| earlier.end() < range.end());
+    ranges.get(next).is_some_and(|next| next.contains_range(range))
 }
 
 /// Collects the outermost error nodes in source order.

@@ -37,16 +37,19 @@ fn values(element: XmlElement<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Initia
     let is_new = element.name() == "Data";
     let written = if is_new { element.value("type")? } else { element.name().into() };
     let (ty, arm) = BaseType::from_file_name(&written).filter(|(ty, _)| has_values(*ty))?;
-    let values: FxHashMap<SmolStr, Initial> = if is_new {
-        let value = |value: XmlElement<'_>| Some((value.value("key")?.as_ref().into(), new_value(value, ty, arm)));
-        element.elements().filter_map(value).collect()
+    let mut values = FxHashMap::default();
+    if is_new {
+        for value in element.elements() {
+            let Some(key) = value.value("key") else { continue };
+            values.insert(key.as_ref().into(), new_value(value, ty, arm));
+        }
     } else {
         let has_father = element.elements().any(is_father);
-        let value = |value: XmlElement<'_>| {
-            Some((value.value("index")?.as_ref().into(), old_value(value, ty, arm, has_father)))
-        };
-        element.elements().filter(|value| value.name().starts_with("value")).filter_map(value).collect()
-    };
+        for value in element.elements().filter(|value| value.name().starts_with("value")) {
+            let Some(index) = value.value("index") else { continue };
+            values.insert(index.as_ref().into(), old_value(value, ty, arm, has_father));
+        }
+    }
     Some((element.value("name")?.as_ref().into(), values))
 }
 
@@ -83,15 +86,17 @@ fn of_attributes(
 
 /// Returns the blend distances `leave` and `reach`.
 fn corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> Option<[f64; 2]> {
-    let distance = |attribute: &ValueAttribute| match attribute.default {
-        DefaultValue::Number(usual) => written(attribute.name).map_or(Some(usual), |text| text.trim().parse().ok()),
-        _ => None,
-    };
     let attributes = attributes(ty, arm).iter().filter(|attribute| rounds_corner(attribute));
-    let numbers: Vec<_> =
-        attributes.filter(|attribute| attribute.value == AttributeValue::Number).map(distance).collect();
-    let &[leave, reach] = numbers.as_slice() else { return None };
+    let numbers = attributes.filter(|attribute| attribute.value == AttributeValue::Number);
+    let distances: Vec<_> = numbers.map(|attribute| distance(attribute, written(attribute.name))).collect();
+    let &[leave, reach] = distances.as_slice() else { return None };
     Some([leave?, reach?])
+}
+
+/// Returns the distance in `text`, or the default distance without a text; `None` for text that is no number.
+fn distance(attribute: &ValueAttribute, text: Option<SmolStr>) -> Option<f64> {
+    let DefaultValue::Number(usual) = attribute.default else { return None };
+    text.map_or(Some(usual), |text| text.trim().parse().ok())
 }
 
 /// Whether the element is `<pFather alias name fatherIndex>` with a name; an empty name means no father.
@@ -100,15 +105,18 @@ fn is_father(element: XmlElement<'_>) -> bool {
 }
 
 fn needs_corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
-    let is_other = |attribute: &ValueAttribute, text: &str| match (attribute.value, attribute.default) {
-        (AttributeValue::Choice(choice), _) => find_in_file(choice, text) != enumerations::values(choice).next(),
-        (_, DefaultValue::Number(usual)) => text.parse() != Ok(usual),
-        _ => false,
-    };
     attributes(ty, arm)
         .iter()
         .filter(|attribute| rounds_corner(attribute))
-        .any(|attribute| written(attribute.name).is_some_and(|text| is_other(attribute, text.trim())))
+        .any(|attribute| written(attribute.name).is_some_and(|text| differs_from_default(attribute, text.trim())))
+}
+
+fn differs_from_default(attribute: &ValueAttribute, text: &str) -> bool {
+    match (attribute.value, attribute.default) {
+        (AttributeValue::Choice(choice), _) => find_in_file(choice, text) != enumerations::values(choice).next(),
+        (_, DefaultValue::Number(usual)) => text.parse() != Ok(usual),
+        _ => false,
+    }
 }
 
 fn choices(
@@ -116,14 +124,16 @@ fn choices(
     ty: BaseType,
     arm: Option<Arm>,
 ) -> Vec<(&'static str, &'static Enumerator)> {
-    let choice = |attribute: &'static ValueAttribute| {
-        let AttributeValue::Choice(choice) = attribute.value else { return None };
-        let text = written(attribute.name);
-        let found = match &text {
-            Some(text) => find_in_file(choice, text.trim())?,
-            None => enumerations::values(choice).next()?,
-        };
-        Some((attribute.field, found))
-    };
-    attributes(ty, arm).iter().filter_map(choice).collect()
+    let attributes = attributes(ty, arm).iter();
+    let choices = attributes.map(|attribute| (attribute.field, choice(attribute, written(attribute.name))));
+    choices.filter_map(|(field, choice)| Some((field, choice?))).collect()
+}
+
+/// Returns the enumerator in `text`, or the default enumerator without a text.
+fn choice(attribute: &ValueAttribute, text: Option<SmolStr>) -> Option<&'static Enumerator> {
+    let AttributeValue::Choice(choice) = attribute.value else { return None };
+    match text {
+        Some(text) => find_in_file(choice, text.trim()),
+        None => enumerations::values(choice).next(),
+    }
 }

@@ -30,9 +30,13 @@ fn linked(element: XmlElement<'_>) -> Option<(SmolStr, SmolStr)> {
 
 /// Returns the link of a value.
 fn link(value: XmlElement<'_>, ty: BaseType) -> Option<SmolStr> {
-    let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
-    let link = value.attributes().find(|attribute| is_link(attribute.name))?;
+    let link = value.attributes().find(|attribute| is_link(ty, attribute.name))?;
     Some(link.text().trim().into())
+}
+
+/// Whether the attribute of a value of this type is a link.
+fn is_link(ty: BaseType, name: &str) -> bool {
+    attribute(ty, None, name).is_some_and(|attribute| attribute.value == AttributeValue::Link)
 }
 
 /// Returns the links of digital, numerical and serial data and of tools in a file, with their ranges without quotes.
@@ -42,10 +46,9 @@ pub fn links(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
     for element in data::elements(parse.view()) {
         let written = element.value("type").unwrap_or_else(|| element.name().into());
         let Some((ty, _)) = BaseType::from_file_name(&written) else { continue };
-        let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
-        let attributes =
-            element.elements().flat_map(XmlElement::attributes).filter(|attribute| is_link(attribute.name));
-        found.extend(attributes.map(|attribute| (SmolStr::from(attribute.text().trim()), attribute.range)));
+        let attributes = element.elements().flat_map(XmlElement::attributes);
+        let links = attributes.filter(|attribute| is_link(ty, attribute.name));
+        found.extend(links.map(|link| (SmolStr::from(link.text().trim()), link.range)));
     }
     found
 }

@@ -9,7 +9,7 @@ use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
 use super::{data, parse};
-use crate::data_check::steps;
+use crate::data_check::{ReferencePart, steps};
 use crate::db::{Db, File};
 use crate::xml::XmlElement;
 
@@ -109,11 +109,13 @@ pub fn key_of(key: &str) -> String {
 
 /// Returns the data path of a father reference: `tSlot[a].fIn[0]` for `tSlot["a"].fIn`.
 pub fn path_of_reference(reference: &str) -> Option<SmolStr> {
-    let part = |part: crate::data_check::ReferencePart| {
-        let index = part.index.unwrap_or_else(|| "0".to_owned());
-        format!("{}[{}]", part.name, key_of(index.trim().trim_matches('"')))
-    };
-    Some(steps(reference)?.into_iter().map(part).collect::<Vec<_>>().join(".").into())
+    Some(steps(reference)?.iter().map(part_with_index).collect::<Vec<_>>().join(".").into())
+}
+
+/// Formats `fIn[0]` for `fIn`.
+fn part_with_index(part: &ReferencePart) -> String {
+    let index = part.index.as_deref().unwrap_or("0");
+    format!("{}[{}]", part.name, key_of(index.trim().trim_matches('"')))
 }
 
 impl PositionElement<'_> {

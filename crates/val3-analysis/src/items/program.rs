@@ -97,15 +97,14 @@ pub(crate) const LISTS: [(&str, Option<&str>); 8] = [
 ];
 
 fn is_complete(program: XmlElement<'_>) -> bool {
-    program.value("name").is_some()
-        && program.elements().all(|list| {
-            let known = LISTS.iter().find(|(name, _)| *name == list.name());
-            known.is_some_and(|(_, item)| {
-                let declares =
-                    |item: &&str, element: XmlElement<'_>| element.name() == *item && element.value("name").is_some();
-                item.is_none_or(|item| list.elements().all(|element| declares(&item, element)))
-            })
-        })
+    program.value("name").is_some() && program.elements().all(is_complete_list)
+}
+
+/// Whether the element has a known name, and its entries are declarations with a name, if it is a list.
+fn is_complete_list(list: XmlElement<'_>) -> bool {
+    let Some((_, item)) = LISTS.iter().find(|(name, _)| *name == list.name()) else { return false };
+    let Some(item) = item else { return true };
+    list.elements().all(|element| element.name() == *item && element.value("name").is_some())
 }
 
 /// Returns the elements that declare parameters.

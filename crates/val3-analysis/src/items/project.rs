@@ -154,8 +154,8 @@ impl Items {
     }
 
     fn add_data(&mut self, db: &dyn Db, project: Project, manifest: &Manifest) {
-        let is_there = |reference| find_file(db, project, reference).is_some_and(|file| is_complete(db, file));
-        self.lacks_data = self.incomplete || !manifest.data.iter().all(|reference| is_there(reference));
+        let mut files = manifest.data.iter().map(|reference| find_file(db, project, reference));
+        self.lacks_data = self.incomplete || !files.all(|file| file.is_some_and(|file| is_complete(db, file)));
         for &file in data_files(db, project) {
             for decl in data(db, file) {
                 let base = resolve_type(&self.types, &decl.type_name).unwrap_or(Base::Unknown);
@@ -220,11 +220,7 @@ pub struct Signature {
 impl Signature {
     /// Formats the syntax line: `pick(num x_nCount, string& x_sName[])`.
     pub(crate) fn syntax_line(&self, db: &dyn Db) -> SmolStr {
-        let param = |param: &SignatureParam| {
-            let reference = if param.by_reference { "&" } else { "" };
-            format!("{}{reference} {}{}", param.base.display(db), param.name, brackets(param.container))
-        };
-        let params: Vec<String> = self.params.iter().map(param).collect();
+        let params: Vec<String> = self.params.iter().map(|param| param.declaration(db)).collect();
         format_smolstr!("{}({})", self.name, params.join(", "))
     }
 }
@@ -245,6 +241,12 @@ pub struct SignatureParam {
 }
 
 impl SignatureParam {
+    /// Formats the declaration: `string& x_sName[]`.
+    fn declaration(&self, db: &dyn Db) -> String {
+        let reference = if self.by_reference { "&" } else { "" };
+        format!("{}{reference} {}{}", self.base.display(db), self.name, brackets(self.container))
+    }
+
     /// Returns the form of argument. In the old dialect, every parameter by reference is an array, because elements are
     /// not distinguished.
     pub fn shape(&self) -> ArgumentForm {

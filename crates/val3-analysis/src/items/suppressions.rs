@@ -91,11 +91,9 @@ fn orders(db: &dyn Db, file: File) -> (Vec<Suppression>, Vec<TextRange>) {
 
 /// Extends a line to the end of the outermost statement or clause that starts in it.
 fn with_block(root: View<'_>, line: TextRange) -> TextRange {
-    let is_inner = |node: &View<'_>| {
-        node.kind() != SyntaxKind::BLOCK && (line.start()..line.end()).contains(&node.range().start())
-    };
+    let starts_in_line = |node: &View<'_>| (line.start()..line.end()).contains(&node.range().start());
     let mut node = root;
-    while !is_inner(&node) {
+    while node.kind() == SyntaxKind::BLOCK || !starts_in_line(&node) {
         let reaching = |child: &View<'_>| child.range().end() > line.start() && child.range().start() < line.end();
         let Some(child) = node.children().find(reaching) else { return line };
         node = child;

@@ -1,5 +1,6 @@
 //! Unlisted files: programs and data files in a project's folder that the project file does not list.
 
+use camino::Utf8Path;
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
@@ -35,12 +36,8 @@ pub fn unlisted(db: &dyn Db, project: Project) -> Unlisted {
 pub fn unlisted_in_shared_folder(db: &dyn Db, project: Project) -> Unlisted {
     let folder = folder(db, project);
     let names = project.beside(db).iter().filter(|name| has_extension(name, "pjx"));
-    let sharing = |name: &SmolStr| {
-        let key = path_key(folder.join(name.as_str()).as_str());
-        let other = Sources::get(db).projects(db).get(&key).copied();
-        other.filter(|other| manifest(db, other.manifest(db)).complete)
-    };
-    let Some(projects) = names.map(sharing).collect::<Option<Vec<Project>>>() else { return Unlisted::default() };
+    let projects = names.map(|name| readable_project(db, &folder.join(name.as_str())));
+    let Some(projects) = projects.collect::<Option<Vec<Project>>>() else { return Unlisted::default() };
     if projects.len() < 2 || projects.first() != Some(&project) {
         return Unlisted::default();
     }
@@ -51,6 +48,12 @@ pub fn unlisted_in_shared_folder(db: &dyn Db, project: Project) -> Unlisted {
     }
     let (programs, data) = names.into_iter().partition(|name| is_program(name));
     Unlisted { programs, data }
+}
+
+/// Returns the loaded project with this project file, if the file is completely readable.
+fn readable_project(db: &dyn Db, path: &Utf8Path) -> Option<Project> {
+    let project = Sources::get(db).projects(db).get(&path_key(path.as_str())).copied();
+    project.filter(|project| manifest(db, project.manifest(db)).complete)
 }
 
 impl Unlisted {

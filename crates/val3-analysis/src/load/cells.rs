@@ -27,39 +27,20 @@ pub(super) fn read(
     system: &dyn System,
     usr: &Utf8Path,
     known_arm: Option<Arm>,
-    mut actual: impl FnMut(&Utf8Path) -> Option<Utf8PathBuf>,
+    actual: impl FnMut(&Utf8Path) -> Option<Utf8PathBuf>,
 ) -> Option<CellConfig> {
-    let configs = usr.join("configs");
-    let mut unreadable_files = Vec::new();
-    let mut unreadable = |path: &Utf8Path, reason: String| {
-        let path = path.strip_prefix(usr).unwrap_or(path).as_str().into();
-        unreadable_files.push(UnreadableCellFile { path, reason: reason.into() });
-    };
-    let tables = match actual(&usr.join("app")) {
-        Some(app) => tables(system, &app).unwrap_or_else(|reason| {
-            unreadable(&app, reason.to_string());
-            Vec::new()
-        }),
-        None => Vec::new(),
-    };
+    let mut files = CellFiles { system, usr, actual, unreadable: Vec::new() };
+    let tables = files.tables();
     // An EtherCAT master has additional signals.
-    let has_master = MASTERS.iter().any(|folder| actual(&configs.join(folder)).is_some());
-    let mut file = |path: &Utf8Path| {
-        let path = actual(path)?;
-        text(system, &path).unwrap_or_else(|reason| {
-            unreadable(&path, reason);
-            None
-        })
-    };
-    let modbus = file(&usr.join("applicom/modbus/modbus.xml"));
-    let mut config = |name: &str| file(&configs.join(name));
+    let has_master = MASTERS.iter().any(|folder| files.actual_config(folder).is_some());
+    let modbus = files.text("applicom/modbus/modbus.xml");
     // The check uses no entry of this file, but a damaged file shows that the backup is incomplete.
-    config("controller.cfx");
-    let arm_file = config("arm.cfx");
-    let cell_file = config("cell.cfx");
-    let version =
-        config("val3version.xml").as_deref().and_then(version_file::language).and_then(|text| Version::parse(&text));
-    let mut io = devices::read(config);
+    files.config("controller.cfx");
+    let arm_file = files.config("arm.cfx");
+    let cell_file = files.config("cell.cfx");
+    let version = files.config("val3version.xml");
+    let version = version.as_deref().and_then(version_file::language).and_then(|text| Version::parse(&text));
+    let mut io = devices::read(|name: &str| files.config(name));
     let is_empty = arm_file.is_none() && version.is_none() && io.devices.is_empty() && tables.is_empty();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
     io.tags = io.tags.filter(|_| !has_master);
@@ -73,14 +54,58 @@ pub(super) fn read(
     for (_, path) in fitting {
         match named_table(system, &path) {
             Ok(table) => add_ons.push(table),
-            Err(reason) => unreadable(&path, reason),
+            Err(reason) => files.add_unreadable(&path, reason),
         }
     }
+    let unreadable_files = files.unreadable;
     if is_empty && unreadable_files.is_empty() {
         return None;
     }
     let arm_files = [arm_file, cell_file].iter().flatten().map(|text| ArmFile::read(text)).collect();
     Some(CellConfig { arm, version, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
+}
+
+/// Files below `usr`. Existing files that cannot be read are added to `unreadable`.
+struct CellFiles<'a, A> {
+    system: &'a dyn System,
+    usr: &'a Utf8Path,
+    actual: A,
+    unreadable: Vec<UnreadableCellFile>,
+}
+
+impl<A: FnMut(&Utf8Path) -> Option<Utf8PathBuf>> CellFiles<'_, A> {
+    /// Returns the path of a file or folder in `usr/configs` as spelt on the disk; `None` if it does not exist.
+    fn actual_config(&mut self, name: &str) -> Option<Utf8PathBuf> {
+        (self.actual)(&self.usr.join("configs").join(name))
+    }
+
+    /// Returns the text of a file in `usr/configs`; `None` if it does not exist or is unreadable.
+    fn config(&mut self, name: &str) -> Option<String> {
+        self.text(&format!("configs/{name}"))
+    }
+
+    /// Returns the text of the file with this path in `usr`; `None` if it does not exist or is unreadable.
+    fn text(&mut self, path: &str) -> Option<String> {
+        let path = (self.actual)(&self.usr.join(path))?;
+        text(self.system, &path).unwrap_or_else(|reason| {
+            self.add_unreadable(&path, reason);
+            None
+        })
+    }
+
+    /// Returns the add-on tables in `usr/app` with their kinds of arm.
+    fn tables(&mut self) -> Vec<(Arm, Utf8PathBuf)> {
+        let Some(app) = (self.actual)(&self.usr.join("app")) else { return Vec::new() };
+        tables(self.system, &app).unwrap_or_else(|reason| {
+            self.add_unreadable(&app, reason.to_string());
+            Vec::new()
+        })
+    }
+
+    fn add_unreadable(&mut self, path: &Utf8Path, reason: String) {
+        let path = path.strip_prefix(self.usr).unwrap_or(path).as_str().into();
+        self.unreadable.push(UnreadableCellFile { path, reason: reason.into() });
+    }
 }
 
 /// Reads an add-on's table.

@@ -17,8 +17,7 @@ impl Loader<'_> {
     /// Returns the projects in reading order: projects that no other project loads come first, because an application
     /// determines the folder of `Disk://` for all projects that it loads.
     pub(super) fn applications_first<'p>(&mut self, manifests: &'p [Utf8PathBuf]) -> Vec<&'p Utf8Path> {
-        let is_certain = |manifest: &&Utf8PathBuf| usrapp(manifest).is_some();
-        if manifests.len() < 2 || manifests.iter().all(|manifest| is_certain(&manifest)) {
+        if manifests.len() < 2 || manifests.iter().all(|manifest| usrapp(manifest).is_some()) {
             return manifests.iter().map(Utf8PathBuf::as_path).collect();
         }
         let mut loaded = FxHashSet::default();
@@ -35,9 +34,9 @@ impl Loader<'_> {
             });
             loaded.extend(targets.filter(|target| *target != own));
         }
-        let is_loaded = |manifest: &&Utf8Path| loaded.contains(&path_key(manifest.as_str()));
+        let manifests = manifests.iter().map(Utf8PathBuf::as_path);
         let (libraries, mut order): (Vec<_>, Vec<_>) =
-            manifests.iter().map(Utf8PathBuf::as_path).partition(|manifest| is_loaded(manifest));
+            manifests.partition(|manifest| loaded.contains(&path_key(manifest.as_str())));
         order.extend(libraries);
         order
     }
@@ -108,28 +107,37 @@ impl Loader<'_> {
     /// Except for the parent folder, they must be in the project's repository, if there is one.
     fn disk_candidates(&mut self, folder: &Utf8Path) -> Vec<Utf8PathBuf> {
         let repository = outside::repository_around(self.system, folder);
-        let system = self.system;
-        let is_allowed = |disk: &Utf8Path| {
-            Some(disk) == folder.parent()
-                || repository.as_ref().is_none_or(|repository| system.target(disk).starts_with(repository))
-        };
+        let repository = repository.as_deref();
         let mut candidates = Vec::new();
-        for above in folder.ancestors().skip(1).take(LEVELS).take_while(|disk| is_allowed(disk)) {
-            let usrapp = self.actual(&above.join("usr").join("usrapp"));
-            let usrapp = usrapp.filter(|path| system.kind(path) == Some(PathKind::Folder) && is_allowed(path));
+        for above in folder.ancestors().skip(1).take(LEVELS) {
+            if !self.may_be_disk(above, folder, repository) {
+                break;
+            }
             candidates.push(above.to_owned());
-            candidates.extend(usrapp);
+            let usrapp = self.actual(&above.join("usr").join("usrapp"));
+            let usrapp = usrapp.filter(|path| self.system.kind(path) == Some(PathKind::Folder));
+            candidates.extend(usrapp.filter(|path| self.may_be_disk(path, folder, repository)));
         }
         candidates
+    }
+
+    /// Whether `disk` is the parent of the project in `folder`, or in its repository, if there is one.
+    fn may_be_disk(&self, disk: &Utf8Path, folder: &Utf8Path, repository: Option<&Utf8Path>) -> bool {
+        Some(disk) == folder.parent()
+            || repository.is_none_or(|repository| self.system.target(disk).starts_with(repository))
     }
 
     /// Returns the number of references that resolve to an existing project if `disk` is the folder of `Disk://`.
     fn resolved(&mut self, folder: &Utf8Path, disk: &Utf8Path, references: &[String]) -> usize {
         let roots = Roots { disk: Some(disk.to_owned()), others: Vec::new() };
-        let mut is_project = |reference: &&String| match paths::project(folder, &roots, reference) {
-            ResolvedPath::Path(path) => self.is_file(&path),
-            ResolvedPath::Elsewhere => false,
-        };
-        references.iter().filter(|reference| is_project(reference)).count()
+        let mut count = 0;
+        for reference in references {
+            if let ResolvedPath::Path(path) = paths::project(folder, &roots, reference)
+                && self.is_file(&path)
+            {
+                count += 1;
+            }
+        }
+        count
     }
 }

@@ -13,17 +13,18 @@ use crate::system::{DecodedFile, PathKind};
 impl Loader<'_> {
     /// Reads several files in one call. Files that do not exist under their exact name are left to `found_file`.
     pub(super) fn read_ahead<'p>(&mut self, paths: impl IntoIterator<Item = &'p Utf8PathBuf>) {
-        let is_new = |path: &&Utf8PathBuf| {
-            let key = path_key(path.as_str());
-            !self.files.contains_key(&key) && !self.is_available(path, &key)
-        };
-        let mut paths: Vec<Utf8PathBuf> = paths.into_iter().filter(is_new).cloned().collect();
+        let mut paths: Vec<Utf8PathBuf> = paths.into_iter().filter(|path| self.must_read(path)).cloned().collect();
         // Files above the limit are left to `found_file`, which reports them.
         paths.retain(|path| self.budget.reserve(path, self.system.size(path)));
         let contents = self.system.read_all(&paths);
         for (path, content) in paths.iter().zip(contents) {
             self.add(path, content);
         }
+    }
+
+    fn must_read(&self, path: &Utf8Path) -> bool {
+        let key = path_key(path.as_str());
+        !self.files.contains_key(&key) && !self.is_available(path, &key)
     }
 
     /// Returns the input for the file at `path` in any letter case; `None` if it does not exist.

@@ -99,11 +99,10 @@ impl Loader<'_> {
 
     /// Returns the status of the stored file that is being edited. An unreadable file is treated as a new file.
     fn stored_status(&self, known: Option<File>, key: &str, path: &Utf8Path) -> FileStatus {
-        let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
         let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
-        let status =
-            known.or_else(|| DecodedFile::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
-        status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
+        let status = known.or_else(|| DecodedFile::of(self.system.stored(path, FileClass::Program))?.status);
+        let read = status.filter(|status| matches!(status, FileStatus::Read { .. }));
+        read.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {

@@ -21,9 +21,12 @@ pub fn cell_around(system: &dyn System, folder: &Utf8Path) -> Utf8PathBuf {
 /// Returns the repository that contains a folder, unless it is the user's home. Links are resolved.
 pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Option<Utf8PathBuf> {
     let folder = system.target(folder);
-    let is_marked = |folder: &Utf8Path| REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some());
     let mut within_home = folder.ancestors().take_while(|folder| !trust::is_home(folder));
-    within_home.find(|folder| is_marked(folder)).map(Utf8Path::to_owned)
+    within_home.find(|folder| is_repository(system, folder)).map(Utf8Path::to_owned)
+}
+
+fn is_repository(system: &dyn System, folder: &Utf8Path) -> bool {
+    REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some())
 }
 
 /// Whether `folder` is below a folder `tests`, or is such a folder itself. Only folders inside the repository are
@@ -36,11 +39,10 @@ pub fn is_below_tests(
     base: &Utf8Path,
 ) -> bool {
     let target = system.target(folder);
-    let tops = || {
+    let top = repository_around(system, folder).or_else(|| {
         let tops = configuration.into_iter().chain([base]).map(|top| system.target(top));
         tops.filter(|top| target.starts_with(top)).min_by_key(|top| top.components().count())
-    };
-    let top = repository_around(system, folder).or_else(tops);
+    });
     let below = top.and_then(|top| target.strip_prefix(top).ok());
     below.is_some_and(|below| below.components().any(|part| part.as_str() == TESTS))
 }
@@ -60,16 +62,19 @@ pub(super) fn check(system: &dyn System, file: &ConfigFile) -> Result<(), Config
         return Ok(());
     }
     let cell = cell_around(system, file.folder());
-    let is_outside = |named: &NamedPath<'_>| {
-        let path = normalise(&file.folder().join(named.path));
-        leads_outside(system, &cell, &if named.is_library() { around_library(path) } else { path })
-    };
-    match named.into_iter().find(is_outside) {
+    let outside = named.into_iter().find(|named| leads_outside(system, &cell, &path_to_check(file, named)));
+    match outside {
         Some(named) if !trust::is_trusted(&system.target(file.folder())) => {
             Err(file.outside(&named.key, &format!("resolves to `{}`, outside of the cell", named.path), &cell))
         }
         _ => Ok(()),
     }
+}
+
+/// Returns the full path of a file or folder in a settings file; the folder around it for a library.
+fn path_to_check(file: &ConfigFile, named: &NamedPath<'_>) -> Utf8PathBuf {
+    let path = normalise(&file.folder().join(named.path));
+    if named.is_library() { around_library(path) } else { path }
 }
 
 /// Returns the parent folder of a library's folder, which becomes a path root.
@@ -145,12 +150,13 @@ mod tests {
         assert_eq!(cell("/x"), "/x");
     }
 
+    fn checked(path: &str, text: &str) -> Result<(), String> {
+        let file = ConfigFile::parse(path.into(), text).unwrap();
+        check(&system(), &file).map_err(|error| error.message)
+    }
+
     #[test]
     fn settings_stay_in_their_cell() {
-        let checked = |path: &str, text: &str| {
-            let file = ConfigFile::parse(path.into(), text).unwrap();
-            check(&system(), &file).map_err(|error| error.message)
-        };
         assert_eq!(checked("/w/tests/val3.toml", "disk = \"../usr\""), Ok(()));
         assert_eq!(checked("/x/val3.toml", "roots.A = \"a\"\nbaseline = \"sub/../b.json\""), Ok(()));
         let outside = |key: &str, path: &str| Err(format!("`{key}` resolves to `{path}`, outside of the cell"));

@@ -13,10 +13,9 @@ impl Loader<'_> {
     pub(super) fn pages(&mut self, folder: &Utf8Path, beside: &[SmolStr]) -> Vec<File> {
         let Some(name) = beside.iter().find(|name| name.eq_ignore_ascii_case(FOLDER)) else { return Vec::new() };
         let pages = folder.join(name.as_str());
-        let is_of_page = |name: &&SmolStr| [BINDINGS, HTML].iter().any(|ending| page_name(name, ending).is_some());
         let names = self.names_in(&pages);
-        let mut paths: Vec<Utf8PathBuf> =
-            names.iter().filter(is_of_page).map(|name| pages.join(name.as_str())).collect();
+        let names = names.iter().filter(|name| [BINDINGS, HTML].iter().any(|ending| page_name(name, ending).is_some()));
+        let mut paths: Vec<Utf8PathBuf> = names.map(|name| pages.join(name.as_str())).collect();
         paths.retain(|path| is_in_folder(self.system, folder, path));
         self.read_ahead(&paths);
         paths.iter().filter_map(|path| self.found_file(path)).collect()

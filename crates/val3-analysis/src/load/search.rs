@@ -29,10 +29,14 @@ pub fn loose_files(
     folder: &Utf8Path,
     unreadable: &mut Vec<(Utf8PathBuf, String)>,
 ) -> Vec<Utf8PathBuf> {
-    let has_project = |names: &[String]| names.iter().any(|name| has_extension(Utf8Path::new(name), "pjx"));
-    let is_part = |entry: &Utf8Path| is_program(entry.as_str()) || is_data(entry.as_str());
-    let wanted = |entry: &Utf8Path, names: &[String]| is_archive_name(entry) || is_part(entry) && !has_project(names);
-    search(system, folder, &wanted, unreadable)
+    search(system, folder, &is_loose, unreadable)
+}
+
+/// Whether the entry of a folder is an archive, or a program or data file without a project file in the folder, which
+/// contains `names`.
+fn is_loose(entry: &Utf8Path, names: &[String]) -> bool {
+    let is_part = is_program(entry.as_str()) || is_data(entry.as_str());
+    is_archive_name(entry) || is_part && !names.iter().any(|name| has_extension(Utf8Path::new(name), "pjx"))
 }
 
 /// Whether the path has the extension, in any letter case.

@@ -3,14 +3,13 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_lang::data_path::DataPath;
-use val3_lang::instruction::Instruction;
 use val3_lang::instructions::{self, shows_named_page};
 use val3_lang::suggest::nearest;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
 use super::{Bindings, BoundData, BoundName, binding_files, bindings, names, page_ids, page_of};
-use crate::body::{Expr, ExprId, body};
+use crate::body::{Body, Expr, ExprId, body};
 use crate::data_check::{ReferencePart, steps};
 use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::items::project::{DataItem, Items, fields, items, program_files, signature};
@@ -35,13 +34,8 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
 /// Returns problems for page names in a program that no page has.
 fn unknown_pages(db: &dyn Db, file: File, names: &[SmolStr]) -> Vec<Problem> {
     let body = body(db, file);
-    let shows_page = |callee: ExprId| {
-        let Expr::Name(name) = body.expr(callee) else { return false };
-        let shows = |found: &Instruction| found.overloads.iter().any(|form| shows_named_page(found, form));
-        instructions::find(name).is_some_and(shows)
-    };
     let shown = body.exprs().filter_map(|(_, expr, _)| match expr {
-        Expr::Call(callee, arguments) if shows_page(*callee) => arguments.first().copied(),
+        Expr::Call(callee, arguments) if shows_page(body, *callee) => arguments.first().copied(),
         _ => None,
     });
     let unknown = shown.filter_map(|argument| {
@@ -54,6 +48,13 @@ fn unknown_pages(db: &dyn Db, file: File, names: &[SmolStr]) -> Vec<Problem> {
         Some(Problem { kind, place: FileRange { file, range: body.range(argument) }, related: Vec::new() })
     });
     unknown.collect()
+}
+
+/// Whether the callee is an instruction whose first argument is the name of a page.
+fn shows_page(body: &Body, callee: ExprId) -> bool {
+    let Expr::Name(name) = body.expr(callee) else { return false };
+    let Some(instruction) = instructions::find(name) else { return false };
+    instruction.overloads.iter().any(|form| shows_named_page(instruction, form))
 }
 
 struct PageCheck<'a> {

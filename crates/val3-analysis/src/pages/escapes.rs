@@ -70,13 +70,16 @@ fn escape(text: &str) -> Option<(char, usize)> {
 
 /// Parses `\u00e9` or a surrogate pair.
 fn unicode(text: &str) -> Option<(char, usize)> {
-    let unit = |at: usize| {
-        let digits = text.get(at..)?.strip_prefix("\\u")?.get(..4)?;
-        u16::from_str_radix(digits, 16).ok()
-    };
-    let units: Vec<u16> = [unit(0)?].into_iter().chain(unit(6)).collect();
-    let letter = char::decode_utf16(units).next()?.unwrap_or(char::REPLACEMENT_CHARACTER);
+    let first = code_unit(text)?;
+    let second = text.get(6..).and_then(code_unit);
+    let letter = char::decode_utf16([first].into_iter().chain(second)).next()?.unwrap_or(char::REPLACEMENT_CHARACTER);
     Some((letter, if u32::from(letter) > 0xFFFF { 12 } else { 6 }))
+}
+
+/// Parses the UTF-16 code unit of an escape at the start of `text`: `\u00e9`.
+fn code_unit(text: &str) -> Option<u16> {
+    let digits = text.strip_prefix("\\u")?.get(..4)?;
+    u16::from_str_radix(digits, 16).ok()
 }
 
 #[cfg(test)]

@@ -88,8 +88,8 @@ fn attributes(text: &str, part: Range<usize>) -> Vec<(&str, Range<usize>)> {
                 None => continue,
             },
             None => {
-                let is_end = |letter: char| letter.is_whitespace() || "/>\"'".contains(letter);
-                start..start + value.find(is_end).unwrap_or(value.len())
+                let length = value.find(|letter: char| letter.is_whitespace() || "/>\"'".contains(letter));
+                start..start + length.unwrap_or(value.len())
             }
         };
         at = at.max(if quote.is_some() { value.end + 1 } else { value.end });

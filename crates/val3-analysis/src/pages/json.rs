@@ -99,8 +99,8 @@ impl<'t> JsonReader<'t> {
             let (text, range) = self.string()?;
             return Ok(JsonNode::Text(text, range));
         }
-        let is_word = |letter: char| letter.is_ascii_alphanumeric() || "+-.".contains(letter);
-        let length = self.rest().find(|letter| !is_word(letter)).unwrap_or(self.rest().len());
+        let length = self.rest().find(|letter: char| !letter.is_ascii_alphanumeric() && !"+-.".contains(letter));
+        let length = length.unwrap_or(self.rest().len());
         let word = self.rest().part(..length);
         if matches!(word, "true" | "false" | "null") || word.parse::<f64>().is_ok() {
             self.at += length;

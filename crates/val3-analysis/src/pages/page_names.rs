@@ -47,11 +47,10 @@ fn in_source(bound: &BoundName, source: &str, range: TextRange) -> TextRange {
 
 fn of_html(db: &dyn Db, file: File) -> Vec<Occurrence> {
     let ids = page_ids(db, file);
-    let occurrence =
-        |range: TextRange, id: &str, usage| Occurrence { range, symbol: Symbol::Element(file, id.into()), usage };
-    let declared = ids.declared.iter().map(|(id, range)| occurrence(*range, id, Usage::Declaration));
-    let named = ids.named.iter().filter(|(id, _)| ids.declares(id));
-    declared.chain(named.map(|(id, range)| occurrence(*range, id, Usage::Read))).collect()
+    let declared = ids.declared.iter().map(|(id, range)| (*range, id, Usage::Declaration));
+    let named = ids.named.iter().filter(|(id, _)| ids.declares(id)).map(|(id, range)| (*range, id, Usage::Read));
+    let all = declared.chain(named);
+    all.map(|(range, id, usage)| Occurrence { range, symbol: Symbol::Element(file, id.into()), usage }).collect()
 }
 
 /// Returns the symbol of the element `id` in the page called `page`.

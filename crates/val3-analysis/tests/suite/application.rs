@@ -51,11 +51,8 @@ fn tasks_and_their_programs_are_listed() {
     assert!(application.sound && application.closed);
     let known = |name: &str| application.may_have_task(name);
     assert!(known("robot") && known("io1") && known("axis7") && !known("Robot") && !known("x"));
-    let at_once = |programs: &[&str]| {
-        let programs: Vec<SmolStr> = programs.iter().map(|name| SmolStr::from(*name)).collect();
-        application.tasks_at_once(&programs)
-    };
-    assert_eq!((at_once(&["cycle"]), at_once(&["shared"]), at_once(&["axis"])), (1, 2, 2));
+    let at_once = |program: &str| application.tasks_at_once([&SmolStr::from(program)]);
+    assert_eq!((at_once("cycle"), at_once("shared"), at_once("axis")), (1, 2, 2));
     let beside = |one: &str, other: &str| application.run_side_by_side(&one.into(), &other.into());
     assert!(beside("cycle", "axis") && beside("cycle", "shared") && !beside("cycle", "cycle"));
     assert!(!beside("start", "cycle"));

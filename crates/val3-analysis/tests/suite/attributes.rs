@@ -44,29 +44,30 @@ fn attributes_of_values() {
     "#]].assert_eq(&shown);
 }
 
+fn faults_with_data(data: &str) -> String {
+    faults(&format!(
+        "nA[2]=1\nnA[\"key\"]=1\nnA[1,1]=\"text\"\nnA=part:nB\ncall part:run()\n=== main/main.dtx\n<Database><Datas>\n{data}\n\
+         </Datas></Database>\n=== part/part.pjx\n<Project><Programs><Program file=\"run.pgx\" /></Programs><Database>\
+         <Data file=\"part.dtx\" /></Database></Project>\n=== part/part.dtx\n<Database><Datas>\n<Data name=\"nB\" \
+         acces=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n</Datas></Database>\n=== part/run.pgx\n<Programs>\n\
+         <Program name=\"run\" acces=\"public\"><Code><![CDATA[begin\nend]]></Code></Program>\n</Programs>\n\
+         === main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" />\
+         </Database><Libraries><Library alias=\"part\" path=\"Disk://part\" /></Libraries></Project>"
+    ))
+}
+
 #[test]
 fn a_wrong_attribute_adds_no_fault_in_the_code() {
-    let listing = |data: &str| {
-        faults(&format!(
-            "nA[2]=1\nnA[\"key\"]=1\nnA[1,1]=\"text\"\nnA=part:nB\ncall part:run()\n=== main/main.dtx\n<Database><Datas>\n{data}\n\
-             </Datas></Database>\n=== part/part.pjx\n<Project><Programs><Program file=\"run.pgx\" /></Programs><Database>\
-             <Data file=\"part.dtx\" /></Database></Project>\n=== part/part.dtx\n<Database><Datas>\n<Data name=\"nB\" \
-             acces=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n</Datas></Database>\n=== part/run.pgx\n<Programs>\n\
-             <Program name=\"run\" acces=\"public\"><Code><![CDATA[begin\nend]]></Code></Program>\n</Programs>\n\
-             === main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" />\
-             </Database><Libraries><Library alias=\"part\" path=\"Disk://part\" /></Libraries></Project>"
-        ))
-    };
     expect![[r#"
         main/main.dtx:2 `Data` MissingAttribute { element: "Data", attribute: "size", default: Some("1"), written: None }
         part/part.dtx:2 `acces` MissingAttribute { element: "Data", attribute: "access", default: Some("private"), written: Some("acces") }
         part/run.pgx:2 `acces` UnknownAttribute { element: "Program", attribute: "acces", near: Some("access") }
-    "#]].assert_eq(&listing(r#"<Data name="nA" access="private" xsi:type="array" type="num" />"#));
+    "#]].assert_eq(&faults_with_data(r#"<Data name="nA" access="private" xsi:type="array" type="num" />"#));
     expect![[r#"
         main/main.dtx:2 `Data` MissingAttribute { element: "Data", attribute: "xsi:type", default: Some("array"), written: None }
         part/part.dtx:2 `acces` MissingAttribute { element: "Data", attribute: "access", default: Some("private"), written: Some("acces") }
         part/run.pgx:2 `acces` UnknownAttribute { element: "Program", attribute: "acces", near: Some("access") }
-    "#]].assert_eq(&listing(r#"<Data name="nA" access="private" type="num" size="1" />"#));
+    "#]].assert_eq(&faults_with_data(r#"<Data name="nA" access="private" type="num" size="1" />"#));
 }
 
 /// Returns the faults of a program file.
@@ -111,20 +112,21 @@ fn programs() {
     assert_eq!(program(fine), "");
 }
 
+fn program_with_namespaces(space: &str, of_parameters: &str) -> String {
+    program(&format!(
+        "<Programs xmlns=\"{space}\"><Program name=\"run\"><Parameters xmlns=\"{of_parameters}\" /><Code><![CDATA[begin\n\
+         end]]></Code></Program></Programs>"
+    ))
+}
+
 #[test]
 fn namespaces() {
-    let program = |space: &str, of_parameters: &str| {
-        program(&format!(
-            "<Programs xmlns=\"{space}\"><Program name=\"run\"><Parameters xmlns=\"{of_parameters}\" /><Code><![CDATA[begin\n\
-             end]]></Code></Program></Programs>"
-        ))
-    };
     let [run, parameters] = ["Program/2", "Param/1"].map(|part| format!("http://www.staubli.com/robotics/VAL3/{part}"));
-    assert_eq!(program(&run, &parameters), "");
+    assert_eq!(program_with_namespaces(&run, &parameters), "");
     expect![[r#"
         main/run.pgx:1 `ProgramNameSpace` Namespace { element: "Programs", found: "ProgramNameSpace", expected: "http://www.staubli.com/robotics/VAL3/Program/2" }
         main/run.pgx:1 `http://www.staubli.com/robotics/VAL3/Program/2` Namespace { element: "Parameters", found: "http://www.staubli.com/robotics/VAL3/Program/2", expected: "http://www.staubli.com/robotics/VAL3/Param/1" }
-    "#]].assert_eq(&[program("ProgramNameSpace", &parameters), program(&run, &run)].concat());
+    "#]].assert_eq(&(program_with_namespaces("ProgramNameSpace", &parameters) + &program_with_namespaces(&run, &run)));
 }
 
 #[test]

@@ -80,24 +80,25 @@ fn values_that_do_not_suit() {
     "#]].assert_eq(&found.concat());
 }
 
+fn array_with_keys(size: &str, keys: &[&str]) -> String {
+    let values: String = keys.iter().map(|key| format!(r#"<Value key="{key}" />"#)).collect();
+    array("num", size, &values)
+}
+
 #[test]
 fn keys() {
-    let keys = |size: &str, keys: &[&str]| {
-        let values: String = keys.iter().map(|key| format!(r#"<Value key="{key}" />"#)).collect();
-        array("num", size, &values)
-    };
-    assert_eq!(keys("3", &["0", "1", "2"]), "");
-    assert_eq!(keys("2 3", &["0,0", "1,2", "1, 1"]), "");
-    assert_eq!(keys("2 2 2", &["1,1,1"]), "");
+    assert_eq!(array_with_keys("3", &["0", "1", "2"]), "");
+    assert_eq!(array_with_keys("2 3", &["0,0", "1,2", "1, 1"]), "");
+    assert_eq!(array_with_keys("2 2 2", &["1,1,1"]), "");
     let faulty = [
-        keys("3", &["3"]),
-        keys("3", &["-1"]),
-        keys("3", &["a"]),
-        keys("3", &["0,1"]),
-        keys("3", &["1", "1"]),
-        keys("2 3", &["2,0"]),
-        keys("2 3", &["1,3"]),
-        keys("2 3", &["1"]),
+        array_with_keys("3", &["3"]),
+        array_with_keys("3", &["-1"]),
+        array_with_keys("3", &["a"]),
+        array_with_keys("3", &["0,1"]),
+        array_with_keys("3", &["1", "1"]),
+        array_with_keys("2 3", &["2,0"]),
+        array_with_keys("2 3", &["1,3"]),
+        array_with_keys("2 3", &["1"]),
         array("num", "1", "<Value />"),
     ];
     expect![[r#"
@@ -114,11 +115,12 @@ fn keys() {
     .assert_eq(&faulty.concat());
 }
 
+fn collection(values: &str) -> String {
+    datas(&format!(r#"<Data name="vA" access="private" xsi:type="collection" type="num">{values}</Data>"#))
+}
+
 #[test]
 fn keys_of_collections() {
-    let collection = |values: &str| {
-        datas(&format!(r#"<Data name="vA" access="private" xsi:type="collection" type="num">{values}</Data>"#))
-    };
     assert_eq!(collection(r#"<Value key="a" /><Value key="0" /><Value key="A" />"#), "");
     let faulty = [collection(r#"<Value key="a" /><Value key="a" />"#), collection(r#"<Value key="" />"#)];
     expect![[r#"
@@ -204,18 +206,19 @@ fn values_of_user_types() {
     .assert_eq(&faulty.concat());
 }
 
+fn link_faults(ty: &str, link: &str) -> String {
+    let attribute = if ty == "tool" { "ioLink" } else { "link" };
+    faults(&format!(
+        "=== /configs/sio.cfx\n<sio><socketClt><String name=\"name\" value=\"host\" /></socketClt></sio>\n\
+         === /configs/bio.cfx\n<bio><bioDin index=\"0\" /><bioDout index=\"1\" /></bio>\n\
+         === main/main.pjx\n<Project><Database><Data file=\"main.dtx\" /></Database></Project>\n=== main/main.dtx\n\
+         <Database><Datas><Data name=\"vA\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"1\"><Value \
+         key=\"0\" {attribute}=\"{link}\" /></Data></Datas></Database>"
+    ))
+}
+
 #[test]
 fn links_against_the_cell() {
-    let link = |ty: &str, link: &str| {
-        let attribute = if ty == "tool" { "ioLink" } else { "link" };
-        faults(&format!(
-            "=== /configs/sio.cfx\n<sio><socketClt><String name=\"name\" value=\"host\" /></socketClt></sio>\n\
-             === /configs/bio.cfx\n<bio><bioDin index=\"0\" /><bioDout index=\"1\" /></bio>\n\
-             === main/main.pjx\n<Project><Database><Data file=\"main.dtx\" /></Database></Project>\n=== main/main.dtx\n\
-             <Database><Datas><Data name=\"vA\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"1\"><Value \
-             key=\"0\" {attribute}=\"{link}\" /></Data></Datas></Database>"
-        ))
-    };
     for (ty, fine) in [
         ("sio", r"Socket\host"),
         ("dio", r"BasicIO-1\%I0"),
@@ -225,14 +228,14 @@ fn links_against_the_cell() {
         ("dio", "valve1"),
         ("dio", ""),
     ] {
-        assert_eq!(link(ty, fine), "", "{fine}");
+        assert_eq!(link_faults(ty, fine), "", "{fine}");
     }
     let faulty = [
-        link("sio", r"Socket\hots"),
-        link("dio", r"Socket\host"),
-        link("dio", r"BasicIO-1\%I1"),
-        link("aio", r"BasicIO-1\%I0"),
-        link("tool", r"Socket\host"),
+        link_faults("sio", r"Socket\hots"),
+        link_faults("dio", r"Socket\host"),
+        link_faults("dio", r"BasicIO-1\%I1"),
+        link_faults("aio", r"BasicIO-1\%I0"),
+        link_faults("tool", r"Socket\host"),
     ];
     expect![[r#"
         main/main.dtx:1 `Socket\hots` IoLinkUnknown { link: "Socket\\hots", near: Some("Socket\\host") }
@@ -244,29 +247,31 @@ fn links_against_the_cell() {
     .assert_eq(&faulty.concat());
 }
 
+fn with_second_file(second: &str) -> String {
+    format!(
+        "nA=nB\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data \
+         file=\"main.dtx\" /><Data file=\"more.dtx\" /></Database></Project>\n=== main/main.dtx\n{}\n\
+         === main/more.dtx\n{}",
+        data_file("nA"),
+        data_file(second)
+    )
+}
+
+fn data_file(name: &str) -> String {
+    format!(
+        r#"<Database><Datas><Data name="{name}" access="private" xsi:type="array" type="num" size="1" /></Datas></Database>"#
+    )
+}
+
 #[test]
 fn two_data_files() {
-    let data = |name: &str| {
-        format!(
-            r#"<Database><Datas><Data name="{name}" access="private" xsi:type="array" type="num" size="1" /></Datas></Database>"#
-        )
-    };
-    let listing = |second: &str| {
-        format!(
-            "nA=nB\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data \
-             file=\"main.dtx\" /><Data file=\"more.dtx\" /></Database></Project>\n=== main/main.dtx\n{}\n\
-             === main/more.dtx\n{}",
-            data("nA"),
-            data(second)
-        )
-    };
-    expect![[r#""#]].assert_eq(&faults(&listing("nB")));
+    expect![[r#""#]].assert_eq(&faults(&with_second_file("nB")));
     expect![[r#"
         main/more.dtx:1 `nA` DuplicateName { name: "nA", what: Data }
             First main/main.dtx:1 `nA`
         main/start.pgx:5 `nB` UnknownName { name: "nB", near: Some("nA") }
     "#]]
-    .assert_eq(&faults(&listing("nA")));
+    .assert_eq(&faults(&with_second_file("nA")));
 }
 
 #[test]

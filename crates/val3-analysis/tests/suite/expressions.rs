@@ -222,20 +222,21 @@ fn long_strings() {
     .assert_eq(&found);
 }
 
+fn add_on_table(functions: &str) -> String {
+    format!(
+        "<Language xmlns=\"http://www.staubli.com/robotics/VAL3/1\"><Version>s7.8</Version><Data></Data><Functions>{functions}</Functions></Language>"
+    )
+}
+
 #[test]
 fn instructions_of_add_ons() {
-    let table = |functions: &str| {
-        format!(
-            "<Language xmlns=\"http://www.staubli.com/robotics/VAL3/1\"><Version>s7.8</Version><Data></Data><Functions>{functions}</Functions></Language>"
-        )
-    };
     let one = r#"<Func><Name>$thing</Name><Return>num</Return><Param index="0" type="num" dataRef="false" collectionName="false" subCollection="false" array="false" dictionary="false" arrayDim="1" /><Lib>false</Lib><Class>Function</Class></Func>"#;
     let other = one.replace("type=\"num\"", "type=\"string\"").replace("<Return>num", "<Return>string");
     let listing = format!(
         "num nA\nstring sA\nnA=$thing(1)\nsA=$thing(\"x\")\nnA=$thing(true)\nnA=$nothing(1)\n$fileOpen(1)\n\
          === /app/val3.One.anthro.cfx\n{}\n=== /app/val3.Two.anthro.cfx\n{}\n=== /app/val3.Two.scara.cfx\n<Language />",
-        table(one),
-        table(&other),
+        add_on_table(one),
+        add_on_table(&other),
     );
     expect![[r#"
         nA: num | $thing(1): num

@@ -52,11 +52,12 @@ fn fathers() {
     .assert_eq(&faulty.map(father).concat());
 }
 
+fn frame(name: &str, size: &str, values: &str) -> String {
+    format!(r#"<Data name="{name}" access="private" xsi:type="array" type="frame" size="{size}">{values}</Data>"#)
+}
+
 #[test]
 fn circles_of_fathers() {
-    let frame = |name: &str, size: &str, values: &str| {
-        format!(r#"<Data name="{name}" access="private" xsi:type="array" type="frame" size="{size}">{values}</Data>"#)
-    };
     let value = |key: &str, father: &str| format!(r#"<Value key="{key}" fatherId="{father}" />"#);
     let chain = frame("fA", "2", &(value("0", "world[0]") + &value("1", "fA[0]")));
     assert_eq!(datas(&chain), "");
@@ -73,29 +74,31 @@ fn circles_of_fathers() {
     .assert_eq(&faulty.map(|faulty| datas(&faulty)).concat());
 }
 
+fn frame_in_world(name: &str) -> String {
+    format!(
+        "<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\"><Value key=\"0\" \
+         fatherId=\"world[0]\" /></Data>\n"
+    )
+}
+
+fn faults_with_world(world: &str, code: &str) -> String {
+    faults(&format!(
+        "{code}\n\n=== main/main.dtx\n<Database xmlns:xsi=\"x\"><Datas>\n<Data name=\"world\" access=\"private\" \
+         xsi:type=\"array\" type=\"{world}\" size=\"1\" />\n{}{}</Datas></Database>\n",
+        frame_in_world("fA"),
+        frame_in_world("fB")
+    ))
+}
+
 #[test]
 fn data_called_world() {
-    let listing = |world: &str, code: &str| {
-        let frame = |name: &str| {
-            format!(
-                "<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\"><Value key=\"0\" \
-                 fatherId=\"world[0]\" /></Data>\n"
-            )
-        };
-        faults(&format!(
-            "{code}\n\n=== main/main.dtx\n<Database xmlns:xsi=\"x\"><Datas>\n<Data name=\"world\" access=\"private\" \
-             xsi:type=\"array\" type=\"{world}\" size=\"1\" />\n{}{}</Datas></Database>\n",
-            frame("fA"),
-            frame("fB")
-        ))
-    };
     expect![[r#"
         main/main.dtx:2 `world` FatherHidden { name: "world", expected: "frame", found: "num", uses: 2 }
             Use main/main.dtx:3 `world[0]`
             Use main/main.dtx:4 `world[0]`
     "#]]
-    .assert_eq(&listing("num", "link(fA,world)\nfB=world"));
-    assert_eq!(listing("frame", "link(fA,world)"), "");
+    .assert_eq(&faults_with_world("num", "link(fA,world)\nfB=world"));
+    assert_eq!(faults_with_world("frame", "link(fA,world)"), "");
 }
 
 #[test]

@@ -236,20 +236,24 @@ fn collected(flow: &FlowGraph, facts: &Facts<BTreeSet<usize>>) -> String {
     flow.points().filter_map(of_point).collect()
 }
 
+/// Adds facts to the known facts. Returns whether there are new facts.
+fn join(known: &mut BTreeSet<usize>, more: &BTreeSet<usize>) -> bool {
+    let before = known.len();
+    known.extend(more);
+    known.len() > before
+}
+
+/// Adds the node to the facts if it is an assignment.
+fn with_assignment(id: FlowNodeId, point: &FlowNode, facts: &BTreeSet<usize>) -> BTreeSet<usize> {
+    let assigns = matches!(point.kind, PointKind::Assign { .. });
+    facts.iter().copied().chain(assigns.then_some(id.index())).collect()
+}
+
 #[test]
 fn facts_flow_in_both_directions() {
     let workspace = workspace("num n\nbool b\n\nwhile b\n  if b\n    n=1\n  endIf\nendWhile\nreturn\nn=2");
     let db = &workspace.db;
     let flow = flow(db, program(db, project(&workspace, "main"), "start"));
-    let step = |id: FlowNodeId, point: &FlowNode, facts: &BTreeSet<usize>| {
-        let assigns = matches!(point.kind, PointKind::Assign { .. });
-        facts.iter().copied().chain(assigns.then_some(id.index())).collect()
-    };
-    let join = |known: &mut BTreeSet<usize>, more: &BTreeSet<usize>| {
-        let before = known.len();
-        known.extend(more);
-        known.len() > before
-    };
     // Variables assigned before and after a node.
     expect![[r#"
         0: {}
@@ -259,7 +263,7 @@ fn facts_flow_in_both_directions() {
         4: {4}
         5: {4}
     "#]]
-    .assert_eq(&collected(flow, &forward(flow, BTreeSet::new(), step, join)));
+    .assert_eq(&collected(flow, &forward(flow, BTreeSet::new(), with_assignment, join)));
     expect![[r#"
         0: {4}
         1: {}
@@ -269,5 +273,5 @@ fn facts_flow_in_both_directions() {
         5: {}
         6: {}
     "#]]
-    .assert_eq(&collected(flow, &backward(flow, BTreeSet::new(), step, join)));
+    .assert_eq(&collected(flow, &backward(flow, BTreeSet::new(), with_assignment, join)));
 }

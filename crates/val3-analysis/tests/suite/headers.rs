@@ -72,17 +72,22 @@ fn parameters_and_locals() {
     "#]].assert_eq(&program(r#"name="run""#, faulty));
 }
 
+fn faults_of_program_file(text: &str) -> String {
+    faults(&format!(
+        "=== main/main.pjx\n<Project><Programs><Program file=\"run.pgx\" /></Programs></Project>\n=== main/run.pgx\n{text}"
+    ))
+}
+
 #[test]
 fn files_that_are_no_programs() {
-    let file = |text: &str| {
-        faults(&format!(
-            "=== main/main.pjx\n<Project><Programs><Program file=\"run.pgx\" /></Programs></Project>\n=== main/run.pgx\n{text}"
-        ))
-    };
     expect![[r#"
         main/run.pgx:1 `Database` WrongRoot { expected: Program, found: "Database" }
         main/run.pgx:1 `Programs` MissingElement { parent: "Programs", element: "Program" }
         main/main.pjx:1 `run.pgx` FileUnreadable { path: "run.pgx", reason: "it is empty; copy it again" }
     "#]]
-    .assert_eq(&(file("<Database />") + &file("<Programs />") + &file("")));
+    .assert_eq(
+        &(faults_of_program_file("<Database />")
+            + &faults_of_program_file("<Programs />")
+            + &faults_of_program_file("")),
+    );
 }

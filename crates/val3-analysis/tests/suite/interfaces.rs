@@ -193,20 +193,21 @@ fn unknown_paths_are_reported() {
     .assert_eq(&faulty.map(|path| loads(path, "nA=1")).concat());
 }
 
+fn faults_with_library(autoload: &str, line: &str) -> String {
+    faults(&format!(
+        "library part \"Disk://part\"{autoload}\nnum nA\nstring sA\n{line}\n--- part\npublic num nWeight\n"
+    ))
+}
+
 #[test]
 fn libraries_that_are_never_loaded_are_reported() {
-    let listing = |autoload: &str, line: &str| {
-        faults(&format!(
-            "library part \"Disk://part\"{autoload}\nnum nA\nstring sA\n{line}\n--- part\npublic num nWeight\n"
-        ))
-    };
-    assert_eq!(listing("", "nA=part:nWeight"), "");
-    assert_eq!(listing(" autoload=false", "nA=1"), "");
-    assert_eq!(listing(" autoload=false", "part:libLoad(sA)\nnA=part:nWeight"), "");
+    assert_eq!(faults_with_library("", "nA=part:nWeight"), "");
+    assert_eq!(faults_with_library(" autoload=false", "nA=1"), "");
+    assert_eq!(faults_with_library(" autoload=false", "part:libLoad(sA)\nnA=part:nWeight"), "");
     expect![[r#"
         main/main.pjx:11 `part` LibraryNeverLoaded { alias: "part" }
     "#]]
-    .assert_eq(&listing(" autoload=false", "nA=part:nWeight"));
+    .assert_eq(&faults_with_library(" autoload=false", "nA=part:nWeight"));
 }
 
 #[test]
@@ -229,18 +230,21 @@ fn types_of_libraries_are_the_same_by_path() {
     assert_eq!(faults(listing), "");
 }
 
-/// Shows the faults if an application uses `part` in two programs; `pjx` is the library's list, and `files` are in its
-/// folder.
-fn left_out(pjx: &str, files: &[&str]) -> String {
-    let text = |file: &str| match file.to_lowercase().strip_suffix(".pgx") {
+fn library_file(file: &str) -> String {
+    match file.to_lowercase().strip_suffix(".pgx") {
         Some(name) => format!(
             "<Programs><Program name=\"{name}\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>"
         ),
         None => "<Database xmlns:xsi=\"x\"><Datas><Data name=\"nA\" access=\"public\" xsi:type=\"array\" type=\"num\" \
                  size=\"1\" /></Datas></Database>"
             .to_owned(),
-    };
-    let files: String = files.iter().map(|file| format!("=== part/{file}\n{}\n", text(file))).collect();
+    }
+}
+
+/// Shows the faults if an application uses `part` in two programs; `pjx` is the library's list, and `files` are in its
+/// folder.
+fn left_out(pjx: &str, files: &[&str]) -> String {
+    let files: String = files.iter().map(|file| format!("=== part/{file}\n{}\n", library_file(file))).collect();
     faults(&format!(
         "library part \"Disk://part/part.pjx\"\n\nprogram start()\nbegin\ncall part:one()\npart:nA=1\ncall part:two()\n\
          part:libLoad(\"part\")\nend\n\nprogram more()\nbegin\npart:nA=part:nA+1\nend\n\n\

@@ -112,13 +112,14 @@ fn a_type_or_library_listed_twice() {
     .assert_eq(&project(lists));
 }
 
+fn faults_with_add_on_table(table: &str) -> String {
+    faults(&format!("num nA\nnA=1\n=== /app/val3.One.anthro.cfx\n{table}\n=== /app/val3.One.scara.cfx\n<x />"))
+}
+
 #[test]
 fn unreadable_add_on_table() {
-    let listing = |table: &str| {
-        faults(&format!("num nA\nnA=1\n=== /app/val3.One.anthro.cfx\n{table}\n=== /app/val3.One.scara.cfx\n<x />"))
-    };
-    assert_eq!(listing("<Language />"), "");
+    assert_eq!(faults_with_add_on_table("<Language />"), "");
     expect![[r#"
         main/main.pjx:2 `Project` CellFileUnreadable { path: "app/val3.One.anthro.cfx", reason: "the root element is not `Language` (at byte 0)" }
-    "#]].assert_eq(&listing("<Table />"));
+    "#]].assert_eq(&faults_with_add_on_table("<Table />"));
 }

@@ -105,53 +105,55 @@ fn data_without_a_name_a_type_or_a_size() {
     }
 }
 
+fn faults_without(lost: &str) -> String {
+    let fixture = val3_test::Fixture::parse(USE);
+    let files = fixture.files.into_iter().filter(|(path, _)| path != lost);
+    let rooted = files.map(|(path, text)| (camino::Utf8PathBuf::from(val3_test::ROOT).join(path), text));
+    let memory = val3_analysis::system::Memory::new(rooted);
+    crate::show::faults_in(&val3_analysis::load::load(&memory, &[val3_test::ROOT.into()]).unwrap())
+}
+
 #[test]
 fn files_that_are_not_there() {
-    let without = |lost: &str| {
-        let fixture = val3_test::Fixture::parse(USE);
-        let files = fixture.files.into_iter().filter(|(path, _)| path != lost);
-        let rooted = files.map(|(path, text)| (camino::Utf8PathBuf::from(val3_test::ROOT).join(path), text));
-        let memory = val3_analysis::system::Memory::new(rooted);
-        crate::show::faults_in(&val3_analysis::load::load(&memory, &[val3_test::ROOT.into()]).unwrap())
-    };
     expect![[r#"
         main/main.pjx:11 `Disk://part/part.pjx` FileMissing { what: Library, path: "Disk://part/part.pjx" }
     "#]]
-    .assert_eq(&without("usrapp/part/part.pjx"));
+    .assert_eq(&faults_without("usrapp/part/part.pjx"));
     expect![[r#"
         part/part.pjx:8 `part.dtx` FileMissing { what: Data, path: "part.dtx" }
     "#]]
-    .assert_eq(&without("usrapp/part/part.dtx"));
+    .assert_eq(&faults_without("usrapp/part/part.dtx"));
     expect![[r#"
         part/part.pjx:5 `grip.pgx` FileMissing { what: Program, path: "grip.pgx" }
     "#]]
-    .assert_eq(&without("usrapp/part/grip.pgx"));
+    .assert_eq(&faults_without("usrapp/part/grip.pgx"));
     expect![[r#"
         main/main.pjx:14 `Disk://Slot/Slot.pjx` FileMissing { what: Type, path: "Disk://Slot/Slot.pjx" }
     "#]]
-    .assert_eq(&without("usrapp/Slot/Slot.pjx"));
+    .assert_eq(&faults_without("usrapp/Slot/Slot.pjx"));
     expect![[r#"
         Slot/Slot.pjx:6 `Slot.dtx` FileMissing { what: Data, path: "Slot.dtx" }
     "#]]
-    .assert_eq(&without("usrapp/Slot/Slot.dtx"));
+    .assert_eq(&faults_without("usrapp/Slot/Slot.dtx"));
     expect![[r#"
         main/main.pjx:8 `main.dtx` FileMissing { what: Data, path: "main.dtx" }
     "#]]
-    .assert_eq(&without("usrapp/main/main.dtx"));
+    .assert_eq(&faults_without("usrapp/main/main.dtx"));
+}
+
+fn with_header(header: &str) -> String {
+    format!(
+        "num nA\nnum nG[2,2]\ncall grip(nA,nG)\n=== main/grip.pgx\n<Programs><Program {header}\
+         <Code><![CDATA[begin\n  x_g[0,1]=x_n+l_n[1,1]\nend]]></Code></Program></Programs>"
+    )
 }
 
 #[test]
 fn headers_with_a_fault() {
-    let program = |header: &str| {
-        format!(
-            "num nA\nnum nG[2,2]\ncall grip(nA,nG)\n=== main/grip.pgx\n<Programs><Program {header}\
-             <Code><![CDATA[begin\n  x_g[0,1]=x_n+l_n[1,1]\nend]]></Code></Program></Programs>"
-        )
-    };
     let n = r#"<Parameter name="x_n" type="num" xsi:type="element" />"#;
     let g = r#"<Parameter name="x_g" type="num" xsi:type="array" use="reference" dimensions="2" />"#;
     let l = r#"<Locals><Local name="l_n" type="num" xsi:type="array" size="2 2" /></Locals>"#;
-    let sound = program(&format!(r#"name="grip"><Parameters>{n}{g}</Parameters>{l}"#));
+    let sound = with_header(&format!(r#"name="grip"><Parameters>{n}{g}</Parameters>{l}"#));
     assert_eq!(faults(&sound), "");
     for (whole, broken) in [
         (r#"name="grip""#, r#"access="public""#),

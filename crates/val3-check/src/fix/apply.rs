@@ -27,23 +27,33 @@ pub struct FixedFile {
 
 /// Selects fixes that change something and do not touch an earlier fix, so that they can be applied together.
 pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix> {
-    let mut taken: FxHashMap<File, BTreeMap<u32, u32>> = FxHashMap::default();
+    let mut edited = EditedRanges::default();
     let mut chosen = Vec::new();
     for fix in fixes {
-        let is_free = |edit: &FileEdit| {
-            let range = range(edit);
-            let before = taken.get(&edit.file).and_then(|others| others.range(..=range.end).next_back());
-            before.is_none_or(|(_, end)| *end < range.start)
-        };
-        if !fix.edits.is_empty() && fix.edits.iter().all(is_free) {
+        if !fix.edits.is_empty() && !fix.edits.iter().any(|edit| edited.touch(edit)) {
             chosen.push(fix);
-            for edit in &fix.edits {
-                let range = range(edit);
-                taken.entry(edit.file).or_default().insert(range.start, range.end);
-            }
+            fix.edits.iter().for_each(|edit| edited.add(edit));
         }
     }
     chosen
+}
+
+/// Byte ranges of the selected edits in each file: ends by starts.
+#[derive(Default)]
+struct EditedRanges(FxHashMap<File, BTreeMap<u32, u32>>);
+
+impl EditedRanges {
+    fn add(&mut self, edit: &FileEdit) {
+        let range = range(edit);
+        self.0.entry(edit.file).or_default().insert(range.start, range.end);
+    }
+
+    /// Whether one of the ranges overlaps the edit or is adjacent to it.
+    fn touch(&self, edit: &FileEdit) -> bool {
+        let range = range(edit);
+        let before = self.0.get(&edit.file).and_then(|others| others.range(..=range.end).next_back());
+        before.is_some_and(|(_, end)| *end >= range.start)
+    }
 }
 
 fn range(edit: &FileEdit) -> Range<u32> {
@@ -76,11 +86,11 @@ pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
 
 /// Texts of all files that `fixes` edit, in any encoding.
 pub(super) fn new_texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<NewText> {
-    let new = |(file, edits): (File, Vec<&FileEdit>)| {
+    let texts = edits_by_file(fixes).into_iter().map(|(file, edits)| {
         let before = Arc::clone(file.text(db));
         NewText { path: file.path(db).clone(), after: edited(&before, edits).into(), before }
-    };
-    edits_by_file(fixes).into_iter().map(new).collect()
+    });
+    texts.collect()
 }
 
 fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f FileEdit>> {
@@ -120,12 +130,12 @@ mod tests {
         let files = val3_analysis::db::Sources::get(&workspace.db).files(&workspace.db);
         let file = *files.values().find(|file| file.path(&workspace.db).as_str().ends_with(PROGRAM)).unwrap();
         let text = file.text(&workspace.db);
-        let edit = |(old, new): &(&str, &str)| {
+        let edits = changes.iter().map(|(old, new)| {
             let start = u32::try_from(text.find(old).unwrap()).unwrap();
             let range = TextRange::at(start.into(), u32::try_from(old.len()).unwrap().into());
             FileEdit { file, range, text: (*new).to_owned() }
-        };
-        Fix::safe("", changes.iter().map(edit).collect())
+        });
+        Fix::safe("", edits.collect())
     }
 
     /// Statements after fixes, and the number of applied fixes.

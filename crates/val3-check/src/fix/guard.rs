@@ -93,12 +93,11 @@ mod tests {
         let files: Vec<(String, Vec<u8>)> = files.collect();
         let db = load(&Memory::new(files.clone()), &[Utf8PathBuf::from(ROOT)]).unwrap().db;
         let start = *Sources::get(&db).files(&db).values().find(|file| file.path(&db).ends_with("start.pgx")).unwrap();
-        let fix = |old: &str, new: &str| {
+        let fixes = [("nA=1", "nA=10"), ("nA=2", "nB=2"), ("nA=3", "nA=30")].map(|(old, new)| {
             let at = u32::try_from(start.text(&db).find(old).unwrap()).unwrap();
             let range = TextRange::at(at.into(), u32::try_from(old.len()).unwrap().into());
             Fix::safe("", vec![FileEdit { file: start, range, text: new.to_owned() }])
-        };
-        let fixes = [fix("nA=1", "nA=10"), fix("nA=2", "nB=2"), fix("nA=3", "nA=30")];
+        });
         let mut guard = FixGuard::new(MemoryTarget::new(&files));
         assert_eq!(guard.harmless(&db, &fixes), [&fixes[0], &fixes[2]]);
         let [harmless, harmful, _] = &fixes;

@@ -6,7 +6,6 @@ use val3_lang::foreign_names::remedy;
 
 use val3_analysis::db::{Db, File, FileEdit};
 use val3_analysis::items::parse;
-use val3_syntax::view::View;
 use val3_syntax::xml::line_end;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, TextSlice, decode_entities};
 
@@ -130,8 +129,8 @@ impl<'a> Site<'a> {
     /// Arguments of the marked call, in order.
     pub(crate) fn arguments(&self) -> Option<Vec<TextRange>> {
         let parse = parse(self.db, self.file);
-        let is_call = |node: &View<'_>| node.kind() == SyntaxKind::CALL_EXPR && node.range() == self.range;
-        let call = parse.view().path_to(self.range).find(is_call)?;
+        let mut calls = parse.view().path_to(self.range).filter(|node| node.kind() == SyntaxKind::CALL_EXPR);
+        let call = calls.find(|call| call.range() == self.range)?;
         let list = call.children().find(|node| node.kind() == SyntaxKind::ARG_LIST)?;
         Some(list.children().map(|argument| argument.range()).collect())
     }

@@ -324,16 +324,17 @@ fn comments_move_to_lines_of_their_own() {
     );
 }
 
+fn with_second_entry(text: &str) -> String {
+    text.replace(
+        "    <Program file=\"start.pgx\"",
+        "    <Program file=\"start.pgx\"/>\n    <Program file=\"start.pgx\"",
+    )
+}
+
 #[test]
 fn project_entries_are_corrected() {
-    let twice = |text: &str| {
-        text.replace(
-            "    <Program file=\"start.pgx\"",
-            "    <Program file=\"start.pgx\"/>\n    <Program file=\"start.pgx\"",
-        )
-    };
     check_as(
-        twice,
+        with_second_entry,
         "putln(\"a\")",
         expect![[r#"
         V0503 remove the second entry

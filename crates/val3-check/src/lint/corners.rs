@@ -17,8 +17,8 @@ impl ProgramView<'_> {
         }
         let descriptor = self.body.without_parentheses(self.descriptor(call)?);
         let ((name, written), path) = (self.written(descriptor)?, path(self.body, descriptor)?);
-        let is_constant = |field: &str| !is_changed(self.db, self.project, &format!("{path}.{field}"));
-        if !self.is_closed(name) || !["blend", "leave", "reach"].into_iter().all(is_constant) {
+        let mut fields = ["blend", "leave", "reach"].into_iter().map(|field| format!("{path}.{field}"));
+        if !self.is_closed(name) || fields.any(|field| is_changed(self.db, self.project, &field)) {
             return None;
         }
         let unit = length_unit(self.db, self.project.manifest(self.db)).millimetres();

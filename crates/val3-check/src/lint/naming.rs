@@ -46,9 +46,9 @@ fn bare<'n>(options: &Options, name: &'n str) -> &'n str {
     let scopes = [&options.local_prefix, &options.parameter_prefix];
     let scope = scopes.into_iter().filter(|scope| !scope.is_empty());
     let name = scope.filter_map(|scope| name.strip_prefix(scope.as_str())).next().unwrap_or(name);
-    let is_word = |rest: &&str| rest.starts_with(|first: char| first.is_ascii_uppercase());
     let rest = options.prefixes.values().filter_map(|letters| name.strip_prefix(letters.as_str()));
-    rest.filter(is_word).min_by_key(|rest| rest.len()).unwrap_or(name)
+    let words = rest.filter(|rest| rest.starts_with(|first: char| first.is_ascii_uppercase()));
+    words.min_by_key(|word| word.len()).unwrap_or(name)
 }
 
 fn capitalised(name: &str) -> String {

@@ -181,11 +181,11 @@ impl PathCheck<'_, '_> {
     fn positions_of(&self, target: &KnownPose, tool: &IsometryMatrix3<f64>) -> Vec<Joints> {
         let flange = target.pose * tool.inverse();
         let requested = without_same(target.configuration);
-        let is_allowed = |joints: &Joints| {
+        let mut found: Vec<Joints> = self.arm.solutions(&flange, &[0.0; 6]).collect();
+        found.retain(|joints| {
             let configuration = self.arm.configuration(joints);
             requested.allows(configuration, configuration)
-        };
-        let mut found: Vec<Joints> = self.arm.solutions(&flange, &[0.0; 6]).filter(is_allowed).collect();
+        });
         for axis in (0..self.arm.axes()).filter(|axis| !self.arm.is_stroke(*axis)) {
             let turned = found.iter().flat_map(|joints| [-360.0, 360.0].map(|turn| turned(joints, axis, turn)));
             let turned: Vec<Joints> = turned.filter(|joints| self.arm.is_in_range(joints)).collect();

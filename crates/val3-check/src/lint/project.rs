@@ -34,11 +34,12 @@ impl<'db> ProjectView<'db> {
 
 /// Whether another project declares the project as a library or user type.
 pub(crate) fn is_library(db: &dyn Db, project: Project) -> bool {
-    let declares = |user: &Project| {
-        let paths = manifest(db, user.manifest(db)).projects();
-        paths.into_iter().any(|path| find_project(db, *user, path) == Some(project))
-    };
-    Sources::get(db).projects(db).values().any(declares)
+    Sources::get(db).projects(db).values().any(|user| declares(db, *user, project))
+}
+
+fn declares(db: &dyn Db, user: Project, library: Project) -> bool {
+    let paths = manifest(db, user.manifest(db)).projects();
+    paths.into_iter().any(|path| find_project(db, user, path) == Some(library))
 }
 
 /// A `.dtx` without syntax faults.

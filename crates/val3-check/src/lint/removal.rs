@@ -59,15 +59,16 @@ fn after_attributes(list: XmlElement<'_>, text: &str) -> TextRange {
     TextRange::new(tag.start() + TextSize::of(attributes), list.view().range().end())
 }
 
+const BLANKS: [char; 2] = [' ', '\t'];
+
 /// Extends the range by the preceding blanks, and by the preceding line end if the range has its own lines. Ranges of
 /// neighbours touch, so they are removed one after the other, and the last one removes the list.
 fn with_blanks(text: &str, range: TextRange) -> TextRange {
     let (before, behind) = (text.get(..range.start().into()), text.get(range.end().into()..));
     let (Some(before), Some(behind)) = (before, behind) else { return range };
-    let is_blank = |c: char| matches!(c, ' ' | '\t');
-    let start = before.trim_end_matches(is_blank);
+    let start = before.trim_end_matches(BLANKS);
     let line = start.strip_suffix("\r\n").or_else(|| start.strip_suffix(['\n', '\r']));
-    let ends_line = behind.trim_start_matches(is_blank).starts_with(['\r', '\n']);
+    let ends_line = behind.trim_start_matches(BLANKS).starts_with(['\r', '\n']);
     match line {
         Some(_) if !ends_line => range,
         line => TextRange::new(TextSize::of(line.unwrap_or(start)), range.end()),
@@ -80,10 +81,8 @@ mod tests {
     use val3_syntax::TextRange;
 
     fn removed(text: &str) -> String {
-        let range = |from: usize, to: usize| {
-            TextRange::new(u32::try_from(from).unwrap().into(), u32::try_from(to).unwrap().into())
-        };
-        let found = with_blanks(text, range(text.find("<x").unwrap(), text.find("/>").unwrap() + 2));
+        let [from, to] = [text.find("<x").unwrap(), text.find("/>").unwrap() + 2].map(|at| u32::try_from(at).unwrap());
+        let found = with_blanks(text, TextRange::new(from.into(), to.into()));
         text[..found.start().into()].to_owned() + &text[found.end().into()..]
     }
 

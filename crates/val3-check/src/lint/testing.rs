@@ -53,23 +53,26 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     let db = &workspace.db;
     let mut shown = String::new();
     for diagnostic in found {
-        let at = |place: FileRange| {
-            let text = place.file.text(db);
-            let (start, end) = (usize::from(place.range.start()), usize::from(place.range.end()));
-            let line = 1 + text[..start].matches('\n').count();
-            let name = place.file.path(db).file_name().unwrap_or("").to_owned();
-            format!("{name}:{line} `{}`", text[start..end].lines().next().unwrap_or(""))
-        };
-        shown += &format!("{} {}\n", at(diagnostic.place), diagnostic.message);
+        shown += &format!("{} {}\n", location(db, diagnostic.place), diagnostic.message);
         let parts = [("|", &diagnostic.label), ("?", &diagnostic.help)];
         shown
             .extend(parts.iter().filter(|(_, part)| !part.is_empty()).map(|(sign, part)| format!("  {sign} {part}\n")));
-        shown.extend(diagnostic.related.iter().map(|note| format!("  > {} {}\n", at(note.place), note.message)));
+        let related = diagnostic.related.iter();
+        shown.extend(related.map(|note| format!("  > {} {}\n", location(db, note.place), note.message)));
         shown.extend(
             diagnostic.fix.iter().map(|fix| format!("  ! {}{}\n", fix.title, if fix.safe { "" } else { " (unsafe)" })),
         );
     }
     shown
+}
+
+/// Formats the file name, the line number and the first line of the text: ``start.pgx:3 `nA` ``.
+fn location(db: &dyn Db, place: FileRange) -> String {
+    let text = place.file.text(db);
+    let (start, end) = (usize::from(place.range.start()), usize::from(place.range.end()));
+    let line = 1 + text[..start].matches('\n').count();
+    let name = place.file.path(db).file_name().unwrap_or("");
+    format!("{name}:{line} `{}`", text[start..end].lines().next().unwrap_or(""))
 }
 
 /// Settings that turn on a single rule, even if it is off by default.

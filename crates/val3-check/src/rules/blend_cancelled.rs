@@ -47,11 +47,11 @@ rule! {
 
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for step in program.arm_calls() {
-        let is_tool = |id| program.inference.ty(id).base.builtin() == Some(BaseType::Tool);
         let (MotionRole::Arrive, ArmActivity::Moving, Some(last)) = (step.role, step.arm.phase, step.arm.last) else {
             continue;
         };
-        if step.call.args.iter().copied().any(is_tool) && program.is_blended(last) {
+        let mut types = step.call.args.iter().map(|id| program.inference.ty(*id).base.builtin());
+        if types.any(|ty| ty == Some(BaseType::Tool)) && program.is_blended(last) {
             let descriptor = program.descriptor(last).unwrap_or(last);
             found
                 .report(&RULE, program.range(step.call.id), word(step.call.instruction.name))
@@ -100,25 +100,26 @@ mod tests {
         .assert_eq(&check(&RULE, &program("l_m=mA\nl_m.blend=joint\nmovel(pA,tA,l_m)\nclose(tA)")));
     }
 
+    fn with_descriptor(attributes: &str) -> String {
+        format!(
+            "movel(pA,flange,mX)\nopen(tA)\n\n=== main/main.dtx\n<?xml version=\"1.0\" \
+             encoding=\"utf-8\"?>\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+             xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
+             <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\">\n      \
+             <Value key=\"0\" {attributes} />\n    </Data>\n    \
+             <Data name=\"pA\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\" />\n    \
+             <Data name=\"tA\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n  \
+             </Datas>\n</Database>\n"
+        )
+    }
+
     #[test]
     fn the_default_blend_is_not_reported() {
-        let data = |attributes: &str| {
-            format!(
-                "movel(pA,flange,mX)\nopen(tA)\n\n=== main/main.dtx\n<?xml version=\"1.0\" \
-                 encoding=\"utf-8\"?>\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-                 xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
-                 <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\">\n      \
-                 <Value key=\"0\" {attributes} />\n    </Data>\n    \
-                 <Data name=\"pA\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\" />\n    \
-                 <Data name=\"tA\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n  \
-                 </Datas>\n</Database>\n"
-            )
-        };
         for chosen in ["leave=\"120\"", "blend=\"cartesian\"", "reach=\"5\""] {
-            assert_ne!(check(&RULE, &data(chosen)), "", "{chosen}");
+            assert_ne!(check(&RULE, &with_descriptor(chosen)), "", "{chosen}");
         }
         for default in ["vel=\"50\"", "blend=\"joint\" leave=\"50\" reach=\"50\"", "blend=\"off\" leave=\"9\""] {
-            assert_eq!(check(&RULE, &data(default)), "", "{default}");
+            assert_eq!(check(&RULE, &with_descriptor(default)), "", "{default}");
         }
         assert_eq!(check(&RULE, &program("l_m=mA\nl_m.vel=50\nmovel(pA,tA,l_m)\nclose(tA)")), "");
         assert_eq!(check(&RULE, &program("movel(pA,tA,l_m)\nclose(tA)")), "");

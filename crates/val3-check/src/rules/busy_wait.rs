@@ -81,16 +81,13 @@ enum Negation {
 }
 
 fn negation(program: &ProgramView<'_>, condition: ExprId) -> Negation {
-    let flipped = |left, right, from, to: &str| {
-        let operator = program.operator(left, right, from);
-        operator.map_or(Negation::Around, |range| Negation::Flipped(program.write(range, to)))
+    let (operator, opposite) = match program.body.expr(condition) {
+        Expr::Unary(UnaryOp::Not, operand) => return Negation::Of(*operand),
+        Expr::Binary(BinaryOp::Equal, left, right) => (program.operator(*left, *right, "=="), "!="),
+        Expr::Binary(BinaryOp::NotEqual, left, right) => (program.operator(*left, *right, "!="), "=="),
+        _ => return Negation::Around,
     };
-    match program.body.expr(condition) {
-        Expr::Unary(UnaryOp::Not, operand) => Negation::Of(*operand),
-        Expr::Binary(BinaryOp::Equal, left, right) => flipped(*left, *right, "==", "!="),
-        Expr::Binary(BinaryOp::NotEqual, left, right) => flipped(*left, *right, "!=", "=="),
-        _ => Negation::Around,
-    }
+    operator.map_or(Negation::Around, |range| Negation::Flipped(program.write(range, opposite)))
 }
 
 fn word() -> Wording {

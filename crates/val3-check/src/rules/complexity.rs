@@ -54,16 +54,18 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 }
 
 fn decisions(program: &ProgramView<'_>, kind: &PointKind) -> usize {
-    let combined = |condition: &ExprId| {
-        let parts = program.body.within(*condition);
-        parts.filter(|id| matches!(program.body.expr(*id), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..))).count()
-    };
     match kind {
-        PointKind::Test { condition, .. } => 1 + condition.iter().map(combined).sum::<usize>(),
+        PointKind::Test { condition, .. } => 1 + condition.map_or(0, |condition| combinations(program, condition)),
         PointKind::ForTest { .. } => 1,
         PointKind::Switch { values, .. } => values.len(),
         _ => 0,
     }
+}
+
+/// Number of `and` and `or` in a condition.
+fn combinations(program: &ProgramView<'_>, condition: ExprId) -> usize {
+    let parts = program.body.within(condition);
+    parts.filter(|id| matches!(program.body.expr(*id), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..))).count()
 }
 
 fn word(program: &str, complexity: usize, limit: usize) -> Wording {
@@ -85,6 +87,11 @@ mod tests {
         format!("bool b\n{}", "if b and b\nput(1)\nendIf\n".repeat(count))
     }
 
+    fn switch_with_cases(count: usize) -> String {
+        let values: Vec<String> = (0..count).map(|value| value.to_string()).collect();
+        format!("num n\nswitch n\ncase {}\nput(1)\nbreak\nendSwitch", values.join(","))
+    }
+
     #[test]
     fn decisions_are_counted() {
         assert_eq!(check(&RULE, &format!("{}do\nuntil b", ifs(9))), "");
@@ -94,11 +101,7 @@ mod tests {
               ? move parts of it into programs of their own
         "#]]
         .assert_eq(&check(&RULE, &format!("{}do\nuntil b", ifs(10))));
-        let cases = |count: usize| {
-            let values: Vec<String> = (0..count).map(|value| value.to_string()).collect();
-            format!("num n\nswitch n\ncase {}\nput(1)\nbreak\nendSwitch", values.join(","))
-        };
-        assert_eq!(check(&RULE, &cases(19)), "");
-        assert_ne!(check(&RULE, &cases(20)), "");
+        assert_eq!(check(&RULE, &switch_with_cases(19)), "");
+        assert_ne!(check(&RULE, &switch_with_cases(20)), "");
     }
 }

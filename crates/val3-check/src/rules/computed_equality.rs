@@ -69,13 +69,12 @@ fn counted_by(program: &ProgramView<'_>, variable: ExprId) -> Option<ExprId> {
 
 /// Whether the number is rounded. A number that is written in the code is exact.
 fn is_inexact(program: &ProgramView<'_>, id: ExprId) -> bool {
-    let is_inexact = |id: &ExprId| is_inexact(program, *id);
     match program.body.expr(id) {
         _ if program.body.number(id).is_some() => false,
-        Expr::Paren(inner) | Expr::Unary(UnaryOp::Negate, inner) => is_inexact(inner),
+        Expr::Paren(inner) | Expr::Unary(UnaryOp::Negate, inner) => is_inexact(program, *inner),
         Expr::Binary(BinaryOp::Divide, _, divisor) => !halves(program, *divisor),
         Expr::Binary(BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply, left, right) => {
-            [left, right].into_iter().any(|side| is_inexact(side) || is_fraction(program, *side))
+            [left, right].into_iter().any(|side| is_inexact(program, *side) || is_fraction(program, *side))
         }
         Expr::Call(callee, _) => matches!(program.body.expr(*callee), Expr::Name(name) if is_rounded(name)),
         _ => false,

@@ -115,21 +115,22 @@ mod tests {
         .assert_eq(&check(&RULE, &program(&format!("{SET}movej(appro(pA,{{0,0,1,0,0,0}}),tA,mA)\nmovel(pB,tA,mA)"))));
     }
 
+    fn data_with_elbow(elbow: &str) -> String {
+        format!(
+            "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
+             xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+             xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
+             <Data name=\"pX\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"2\">\n      \
+             <Value key=\"0\" elbow=\"epositive\" wrist=\"wpositive\" fatherId=\"world[0]\" />\n      \
+             <Value key=\"1\" elbow=\"{elbow}\" wrist=\"wpositive\" fatherId=\"world[0]\" />\n    </Data>\n    \
+             <Data name=\"tX\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n    \
+             <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\" />\n  \
+             </Datas>\n</Database>\n"
+        )
+    }
+
     #[test]
     fn a_configuration_set_in_the_data_is_reported() {
-        let data = |elbow: &str| {
-            format!(
-                "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
-                 xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-                 xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
-                 <Data name=\"pX\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"2\">\n      \
-                 <Value key=\"0\" elbow=\"epositive\" wrist=\"wpositive\" fatherId=\"world[0]\" />\n      \
-                 <Value key=\"1\" elbow=\"{elbow}\" wrist=\"wpositive\" fatherId=\"world[0]\" />\n    </Data>\n    \
-                 <Data name=\"tX\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n    \
-                 <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\" />\n  \
-                 </Datas>\n</Database>\n"
-            )
-        };
         let code = "movej(pX[0],tX,mX)\nmovel(pX[1],tX,mX)\n";
         expect![[r#"
             start.pgx:6 `pX[1]` `movel` cannot change the configuration from `epositive` to `enegative`
@@ -137,9 +138,9 @@ mod tests {
               ? reach the point with a joint move, or teach both points in one configuration
               > start.pgx:5 `pX[0]` the arm starts here with `epositive`
         "#]]
-        .assert_eq(&check(&RULE, &format!("{code}\n{}", data("enegative"))));
-        assert_eq!(check(&RULE, &format!("{code}\n{}", data("epositive"))), "");
-        assert_eq!(check(&RULE, &format!("pX[1]=pX[0]\n{code}\n{}", data("enegative"))), "");
+        .assert_eq(&check(&RULE, &format!("{code}\n{}", data_with_elbow("enegative"))));
+        assert_eq!(check(&RULE, &format!("{code}\n{}", data_with_elbow("epositive"))), "");
+        assert_eq!(check(&RULE, &format!("pX[1]=pX[0]\n{code}\n{}", data_with_elbow("enegative"))), "");
     }
 
     #[test]

@@ -50,16 +50,19 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 /// Intended literal conditions: a switch `true`, and `false` before comments, which disables nothing.
 fn idle_conditions(program: &ProgramView<'_>) -> FxHashSet<ExprId> {
-    let is_idle = |id: &ExprId, block: &[Stmt]| match program.body.expr(program.body.without_parentheses(*id)) {
-        Expr::Bool(true) => true,
-        Expr::Bool(false) => block.is_empty(),
-        _ => false,
-    };
     let arms = program.stmts().iter().flat_map(|stmt| match &stmt.kind {
         StmtKind::If { arms, .. } => arms.as_slice(),
         _ => &[],
     });
-    arms.filter_map(|(condition, block)| condition.filter(|id| is_idle(id, block))).collect()
+    arms.filter_map(|(condition, block)| condition.filter(|id| is_idle(program, *id, block))).collect()
+}
+
+fn is_idle(program: &ProgramView<'_>, condition: ExprId, block: &[Stmt]) -> bool {
+    match program.body.expr(program.body.without_parentheses(condition)) {
+        Expr::Bool(true) => true,
+        Expr::Bool(false) => block.is_empty(),
+        _ => false,
+    }
 }
 
 fn word(value: bool) -> Wording {
@@ -93,10 +96,12 @@ mod tests {
         .assert_eq(&check(&RULE, "if 1==2\nelseIf !(2>3)\nendIf\nwhile 1<2\nendWhile"));
     }
 
+    fn listing(line: &str) -> String {
+        format!("num n\nif n==1\nput(n)\nelseIf (false)\n// put(1)\nendIf\nif false\n{line}\nendIf")
+    }
+
     #[test]
     fn conditions_around_comments_alone_are_not_reported() {
-        let listing =
-            |line: &str| format!("num n\nif n==1\nput(n)\nelseIf (false)\n// put(1)\nendIf\nif false\n{line}\nendIf");
         assert_eq!(check(&RULE, &listing("// put(2)\n\n  // put(3)")), "");
         expect![[r#"
             start.pgx:10 `false` this condition is always false

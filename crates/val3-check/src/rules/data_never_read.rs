@@ -4,7 +4,7 @@ use val3_analysis::items::declarations::Declared;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{DataFile, Findings, unused_data};
+use crate::lint::{DataFile, Findings, ProjectView, unused_data};
 use crate::rule::rule;
 
 rule! {
@@ -43,14 +43,16 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if !unused_data::has_known_uses(view) {
         return;
     }
-    let is_idle = |name: &str| {
-        let base = view.items.data.get(name).and_then(|item| item.base.builtin());
-        unused_data::uses(view, name).is_some_and(|uses| uses.written && !uses.may_read())
-            && !base.is_some_and(BaseType::is_linkable)
-    };
-    for Declared { name, range, .. } in unused_data::declared(data, is_idle) {
+    for Declared { name, range, .. } in unused_data::declared(data, |name| is_only_written(view, name)) {
         found.report(&RULE, range, word(&name));
     }
+}
+
+/// Whether programs write the data and none may read them. Writing an output has an effect.
+fn is_only_written(view: &ProjectView<'_>, name: &str) -> bool {
+    let base = view.items.data.get(name).and_then(|item| item.base.builtin());
+    unused_data::uses(view, name).is_some_and(|uses| uses.written && !uses.may_read())
+        && !base.is_some_and(BaseType::is_linkable)
 }
 
 fn word(name: &str) -> Wording {

@@ -131,26 +131,27 @@ mod tests {
         }
     }
 
+    fn old_point(father: &str) -> String {
+        format!(
+            "movel(pX,flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
+             xmlns=\"DataNameSpace\">\n  <mdescSection>\n    <mdesc name=\"mX\" public=\"false\" />\n  \
+             </mdescSection>\n  <pointSection>\n    <point name=\"pX\" public=\"false\">\n      \
+             <pFather alias=\"\" name=\"{father}\" fatherIndex=\"0\" />\n      <valuePoint index=\"0\">\n        \
+             <tpValue x=\"1\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      </valuePoint>\n    \
+             </point>\n  </pointSection>\n</dataList>\n"
+        )
+    }
+
     #[test]
     fn fathers_of_the_old_dialect_are_read() {
-        let data = |father: &str| {
-            format!(
-                "movel(pX,flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
-                 xmlns=\"DataNameSpace\">\n  <mdescSection>\n    <mdesc name=\"mX\" public=\"false\" />\n  \
-                 </mdescSection>\n  <pointSection>\n    <point name=\"pX\" public=\"false\">\n      \
-                 <pFather alias=\"\" name=\"{father}\" fatherIndex=\"0\" />\n      <valuePoint index=\"0\">\n        \
-                 <tpValue x=\"1\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      </valuePoint>\n    \
-                 </point>\n  </pointSection>\n</dataList>\n"
-            )
-        };
         expect![[r#"
             start.pgx:5 `pX` the point `pX` that `movel` uses has no father in its data file (run-time error 162)
               | no reference
               ? name its father in the data file (`fatherId`), or `link` it before it is used
               > main.dtx:7 `pX` its data names no father
         "#]]
-        .assert_eq(&check(&RULE, &data("")));
-        assert_eq!(check(&RULE, &data("world")), "");
+        .assert_eq(&check(&RULE, &old_point("")));
+        assert_eq!(check(&RULE, &old_point("world")), "");
     }
 
     #[test]

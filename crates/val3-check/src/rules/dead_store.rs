@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use val3_analysis::db::FileRange;
 
 use val3_analysis::body::{Expr, ExprId};
-use val3_analysis::effects::{Access, AccessKind, RootVariable};
+use val3_analysis::effects::{AccessKind, RootVariable};
 use val3_analysis::flow::{FlowNodeId, PointKind};
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
@@ -77,8 +77,8 @@ fn overwritten(program: &ProgramView<'_>, from: FlowNodeId, variable: Locals) ->
     let mut open: VecDeque<FlowNodeId> = flow.point(from)?.next.iter().copied().collect();
     while let Some(id) = open.pop_front() {
         let (Some(point), Some(seen)) = (flow.point(id), seen.get_mut(id.index())) else { continue };
-        let is_write = |(bit, access): &(Locals, &Access)| *bit == variable && access.kind == AccessKind::Write;
-        if program.local_use().at(id).iter().any(is_write) {
+        let mut accesses = program.local_use().at(id).iter().filter(|(bit, _)| *bit == variable);
+        if accesses.any(|(_, access)| access.kind == AccessKind::Write) {
             return Some(point.range).filter(|_| id != from);
         }
         if !std::mem::replace(seen, true) {
@@ -91,8 +91,8 @@ fn overwritten(program: &ProgramView<'_>, from: FlowNodeId, variable: Locals) ->
 /// Whether the value is computed without side effects. Initial values of literals and results of instructions with
 /// other effects are not reported.
 fn is_computed(program: &ProgramView<'_>, value: ExprId) -> bool {
-    let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
-    program.body.within(value).any(is_variable) && program.is_pure(value)
+    let mut parts = program.body.within(value).map(|id| program.body.expr(id));
+    parts.any(|part| matches!(part, Expr::Name(_) | Expr::Path { .. } | Expr::Call(..))) && program.is_pure(value)
 }
 
 /// Variables that are used somewhere. Other variables are reported as unused.

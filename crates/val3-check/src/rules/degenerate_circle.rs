@@ -43,8 +43,8 @@ rule! {
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for name in [MOVEC, ALTER_MOVEC, SET_FRAME] {
         for call in program.calls_of(name) {
-            let is_point = |id: &ExprId| program.inference.ty(*id).base.builtin() == Some(BaseType::Point);
-            let points: Vec<ExprId> = call.args.iter().copied().filter(is_point).collect();
+            let mut points = call.args.to_vec();
+            points.retain(|id| program.inference.ty(*id).base.builtin() == Some(BaseType::Point));
             let Some((first, second)) = equal_pair(program, &points) else { continue };
             let (wording, level) = if name == SET_FRAME {
                 (word_frame(program.text(second)), Severity::Warning)

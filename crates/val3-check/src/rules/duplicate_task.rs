@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::body::{Body, Expr, Stmt, StmtKind};
 use val3_analysis::flow::PointKind;
 use val3_lang::instructions;
 use val3_syntax::TextRange;
@@ -128,12 +128,15 @@ fn creates(body: &Body, block: &[Stmt]) -> bool {
 /// Whether the statement may give other tasks their turn, may kill a task, or has unknown effects.
 fn may_wait(body: &Body, stmt: &Stmt) -> bool {
     let inside = body.exprs().filter(|(_, _, range)| stmt.range.contains_range(*range));
-    let waits = |callee: ExprId| match body.expr(callee) {
-        Expr::Name(name) => instructions::find(name).is_none_or(|instruction| instruction.blocking),
-        _ => true,
-    };
-    let calls = inside.filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None });
-    !is_creation_only(body, stmt) && calls.into_iter().any(waits)
+    let mut callees = inside
+        .filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(body.expr(*callee)) } else { None });
+    !is_creation_only(body, stmt) && callees.any(may_block)
+}
+
+/// Whether the callee is an instruction that may wait, or a program.
+fn may_block(callee: &Expr) -> bool {
+    let Expr::Name(name) = callee else { return true };
+    instructions::find(name).is_none_or(|instruction| instruction.blocking)
 }
 
 /// Whether the call is inside a task creation, so that it does not run on this line.
@@ -209,11 +212,12 @@ mod tests {
         assert_eq!(program("if nA==0\ntaskCreate \"a\",10,p()\nelse\ntaskCreate \"a\",20,p()\nendIf"), "");
     }
 
+    fn start_and_work(code: &str, work: &str) -> String {
+        check(&RULE, &format!("program start()\nbegin\n{code}\nend\nprogram work()\nbegin\n{work}\nend"))
+    }
+
     #[test]
     fn tasks_without_end_are_created_once() {
-        let program = |code: &str, work: &str| {
-            check(&RULE, &format!("program start()\nbegin\n{code}\nend\nprogram work()\nbegin\n{work}\nend"))
-        };
         let endless = "while true\ndelay(1)\nendWhile";
         let creation = "taskCreate \"w\",10,work()";
         expect![[r#"
@@ -221,11 +225,17 @@ mod tests {
               | run-time error 31
               ? use a different name for each task
         "#]]
-        .assert_eq(&program(&format!("while true\n{creation}\ndelay(1)\nendWhile"), endless));
-        assert_eq!(program(&format!("while true\n{creation}\ndelay(9)\nendWhile"), "delay(1)"), "");
-        assert_eq!(program(&format!("while true\n{creation}\ndelay(9)\ntaskKill(\"w\")\nendWhile"), endless), "");
+        .assert_eq(&start_and_work(&format!("while true\n{creation}\ndelay(1)\nendWhile"), endless));
+        assert_eq!(start_and_work(&format!("while true\n{creation}\ndelay(9)\nendWhile"), "delay(1)"), "");
         assert_eq!(
-            program(&format!("while true\nif taskStatus(\"w\")==-1\n{creation}\nendIf\ndelay(9)\nendWhile"), endless),
+            start_and_work(&format!("while true\n{creation}\ndelay(9)\ntaskKill(\"w\")\nendWhile"), endless),
+            ""
+        );
+        assert_eq!(
+            start_and_work(
+                &format!("while true\nif taskStatus(\"w\")==-1\n{creation}\nendIf\ndelay(9)\nendWhile"),
+                endless
+            ),
             ""
         );
     }

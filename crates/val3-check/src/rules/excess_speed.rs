@@ -83,13 +83,14 @@ mod tests {
         assert_eq!(check(&RULE, "mdesc m\nm.vel=120\nm.accel=1000\nm={1000,100,1000,9999,9999,off,,}"), "");
     }
 
+    fn speed_on_arm(name: &str) -> String {
+        format!("mdesc m\nm.vel=1000\n=== /configs/arm.cfx\n<arm><String name=\"arm\" value=\"{name}\"/></arm>\n")
+    }
+
     /// The maximum speeds of these arms are assumptions of the model.
     #[test]
     fn arms_without_public_maximum_speeds_report_nothing() {
-        let arm = |name: &str| {
-            format!("mdesc m\nm.vel=1000\n=== /configs/arm.cfx\n<arm><String name=\"arm\" value=\"{name}\"/></arm>\n")
-        };
-        assert_eq!(check(&RULE, &arm("ts60-S1-D20-L200")), "");
-        assert!(check(&RULE, &arm("tx60-S1")).contains("TX60"));
+        assert_eq!(check(&RULE, &speed_on_arm("ts60-S1-D20-L200")), "");
+        assert!(check(&RULE, &speed_on_arm("tx60-S1")).contains("TX60"));
     }
 }

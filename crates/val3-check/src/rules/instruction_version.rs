@@ -125,14 +125,15 @@ mod tests {
         assert_eq!(check(&RULE, "version s6.8\ncls()"), "");
     }
 
+    fn cell(declared: &str, version: &str) -> String {
+        format!(
+            "version {declared}\nnum nDone\nopcuaExport(nDone,false)\nnoProgram()\n=== /configs/val3version.xml\n\
+             <Versions><Version name=\"val3\" compatibility=\"7\">{version}</Version></Versions>"
+        )
+    }
+
     #[test]
     fn the_version_of_the_controller_of_the_cell_is_decisive() {
-        let cell = |declared: &str, version: &str| {
-            format!(
-                "version {declared}\nnum nDone\nopcuaExport(nDone,false)\nnoProgram()\n=== /configs/val3version.xml\n\
-                 <Versions><Version name=\"val3\" compatibility=\"7\">{version}</Version></Versions>"
-            )
-        };
         expect![[r#"
             start.pgx:5 `opcuaExport` `opcuaExport` exists from s8 on, and the controller of the cell has s7.8.3
               | not in s7.8.3

@@ -61,14 +61,12 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 /// Instructions that a statement calls, in evaluation order as far as the search needs it.
 fn calls<'p>(program: &'p ProgramView<'_>, stmt: &Stmt) -> Vec<(&'p str, ExprId)> {
     let parts = stmt.kind.exprs().into_iter().flat_map(|id| program.body.within(id));
-    let called = |id: ExprId| match program.body.expr(id) {
-        Expr::Call(callee, _) => match program.body.expr(*callee) {
-            Expr::Name(name) => Some((name.as_str(), id)),
-            _ => None,
-        },
-        _ => None,
-    };
-    parts.filter_map(called).collect()
+    let calls = parts.filter_map(|id| {
+        let Expr::Call(callee, _) = program.body.expr(id) else { return None };
+        let Expr::Name(name) = program.body.expr(*callee) else { return None };
+        Some((name.as_str(), id))
+    });
+    calls.collect()
 }
 
 fn is_blocking(name: &str) -> bool {

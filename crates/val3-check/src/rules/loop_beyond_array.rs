@@ -134,9 +134,9 @@ fn element_beyond(program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Opt
 
 /// Whether a part of the expression may not be evaluated.
 fn branches(program: &ProgramView<'_>, id: ExprId) -> bool {
-    let is_branch = |part| matches!(program.body.expr(part), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..));
     // The element may be an argument that only marks where a part of the array starts.
-    program.body.within(id).any(is_branch)
+    let mut parts = program.body.within(id).map(|part| program.body.expr(part));
+    parts.any(|part| matches!(part, Expr::Binary(BinaryOp::And | BinaryOp::Or, ..)))
 }
 
 fn is_array(program: &ProgramView<'_>, array: ExprId) -> bool {

@@ -64,21 +64,23 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 /// Whether, before each flow node, the program may still restart the arm later, or call a program that may.
 fn freed_later(program: &ProgramView<'_>) -> Facts<bool> {
-    let frees = |id: FlowNodeId, point: &FlowNode| {
-        let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
-        matches!(point.kind, PointKind::Call(_))
-            || roles.any(|role| matches!(role, MotionRole::Restart | MotionRole::Reset))
-    };
     backward(
         program.flow(),
         false,
-        |id, point, behind| *behind || frees(id, point),
+        |id, point, behind| *behind || may_restart(program, id, point),
         |known, more| {
             let news = *more && !*known;
             *known |= news;
             news
         },
     )
+}
+
+/// Whether the flow node restarts the arm, or calls a program that may.
+fn may_restart(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode) -> bool {
+    let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
+    matches!(point.kind, PointKind::Call(_))
+        || roles.any(|role| matches!(role, MotionRole::Restart | MotionRole::Reset))
 }
 
 fn is_freed(program: &ProgramView<'_>, freed: &Facts<bool>, call: ExprId) -> bool {

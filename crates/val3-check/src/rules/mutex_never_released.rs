@@ -1,7 +1,7 @@
 //! V0331: a mutex that is never released.
 
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::{Access, AccessKind, RootVariable};
+use val3_analysis::effects::{AccessKind, RootVariable};
 use val3_lang::instructions::SET_MUTEX;
 
 use crate::diagnostic::Wording;
@@ -43,8 +43,8 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for &mutex in &taken {
         let Some(RootVariable::Data(name)) = program.effects.root(mutex) else { continue };
         let is_private = program.items.data.get(&name).is_some_and(|item| !item.decl.public);
-        let is_it = |access: &&Access| matches!(&access.root, RootVariable::Data(data) if *data == name);
-        let released_here = accesses.iter().filter(is_it).any(|access| match access.kind {
+        let root = RootVariable::Data(name.clone());
+        let released_here = accesses.iter().filter(|access| access.root == root).any(|access| match access.kind {
             AccessKind::Read => false,
             AccessKind::Write | AccessKind::WritePart => true,
             AccessKind::Reference => !taken.contains(&access.id),

@@ -45,8 +45,8 @@ pub(crate) fn word() -> Wording {
 pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
     const SIGN: &str = "==";
     let (target, value) = site.text().split_once(SIGN)?;
-    let is_part = |letter: char| letter.is_ascii_alphanumeric() || "_.:[],\" ".contains(letter);
-    let is_variable = target.chars().all(is_part) && !value.contains(SIGN);
+    let is_path = target.chars().all(|letter| letter.is_ascii_alphanumeric() || "_.:[],\" ".contains(letter));
+    let is_variable = is_path && !value.contains(SIGN);
     let range = TextRange::at(site.range.start() + TextSize::of(target), TextSize::of(SIGN));
     is_variable.then(|| Fix::guess("write `=`", vec![site.replace(range, "=")]))
 }

@@ -87,10 +87,8 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseType)> {
     let (instruction, args) = (call.instruction, call.args);
     let params = call.form.into_iter().flat_map(|form| form.params);
-    let needed = move |(param, arg): (&val3_lang::instruction::InstructionParam, &ExprId)| {
-        needs_reference(instruction, param).then_some((*arg, param.ty?))
-    };
-    params.zip(args).filter_map(needed)
+    let needed = params.zip(args).filter(|(param, _)| needs_reference(instruction, param));
+    needed.filter_map(|(param, arg)| Some((*arg, param.ty?)))
 }
 
 fn after(
@@ -210,20 +208,21 @@ mod tests {
         assert_eq!(check(&RULE, &program("if setFrame(pA,pA,pA,l_f)==0\nl_p=here(tA,l_f)\nendIf")), "");
     }
 
+    fn with_user_type(code: &str) -> String {
+        format!(
+            "type Slot \"Disk://Slot/Slot.pjx\"\ntool tA\nmdesc mA\npoint pA\n\nprogram start()\n  Slot l_s\nbegin\n\
+             {code}\nend\n\n--- Slot\npublic point pIn\n"
+        )
+    }
+
     #[test]
     fn fields_of_user_types_are_checked() {
-        let listing = |code: &str| {
-            format!(
-                "type Slot \"Disk://Slot/Slot.pjx\"\ntool tA\nmdesc mA\npoint pA\n\nprogram start()\n  Slot l_s\nbegin\n\
-                 {code}\nend\n\n--- Slot\npublic point pIn\n"
-            )
-        };
         expect![[r#"
             start.pgx:8 `l_s.pIn` the point `l_s.pIn` has no reference frame when `movej` uses it (run-time error 162)
               | no reference yet
               ? assign a point that has one before, or `link(l_s.pIn,world)`
         "#]]
-        .assert_eq(&check(&RULE, &listing("movej(l_s.pIn,tA,mA)")));
-        assert_eq!(check(&RULE, &listing("l_s.pIn=pA\nmovej(l_s.pIn,tA,mA)")), "");
+        .assert_eq(&check(&RULE, &with_user_type("movej(l_s.pIn,tA,mA)")));
+        assert_eq!(check(&RULE, &with_user_type("l_s.pIn=pA\nmovej(l_s.pIn,tA,mA)")), "");
     }
 }

@@ -127,47 +127,50 @@ mod tests {
 
     #[test]
     fn only_another_form_is_reported() {
-        let listing =
-            |target: &str| format!("version s7.3\ncls()\n=== val3.toml\n[lint]\ntarget-version = \"{target}\"");
-        assert!(check(&RULE, &listing("s6.8")).contains("reads that of s5 and s6"));
-        assert_eq!(check(&RULE, &listing("s8.10")), "");
+        let listing = "version s7.3\ncls()\n=== val3.toml\n[lint]\ntarget-version = ";
+        assert!(check(&RULE, &format!("{listing}\"s6.8\"")).contains("reads that of s5 and s6"));
+        assert_eq!(check(&RULE, &format!("{listing}\"s8.10\"")), "");
         assert_eq!(check(&RULE, "version s7.3\ncls()"), "");
+    }
+
+    fn with_user_type(target: &str) -> String {
+        format!(
+            "version s7.3\ntype Part \"Disk://Part/Part.pjx\"\nPart tPart\ntPart.nWeight=1\n--- Part\npublic num nWeight\n\
+             === val3.toml\n[lint]\ntarget-version = \"{target}\""
+        )
     }
 
     #[test]
     fn user_types_are_reported_for_versions_without_them() {
-        let listing = |target: &str| {
-            format!(
-                "version s7.3\ntype Part \"Disk://Part/Part.pjx\"\nPart tPart\ntPart.nWeight=1\n--- Part\npublic num nWeight\n\
-                 === val3.toml\n[lint]\ntarget-version = \"{target}\""
-            )
-        };
-        let found = check(&RULE, &listing("s6.8"));
+        let found = check(&RULE, &with_user_type("s6.8"));
         assert!(found.contains("user types exist from s7 on, and s6.8 does not have `Part`"), "{found}");
-        assert_eq!(check(&RULE, &listing("s8.10")), "");
+        assert_eq!(check(&RULE, &with_user_type("s8.10")), "");
+    }
+
+    fn with_long_names(from: &str, to: &str) -> String {
+        let names = "num nNumberOfAllPartsA\nnum nNumberOfAllPartsB\nnum nNumberOfAllPartsC\nnum nNumberOfAllPartsD\nnum nShort";
+        format!("version {from}\n{names}\ncls()\n=== val3.toml\n[lint]\ntarget-version = \"{to}\"")
     }
 
     #[test]
     fn names_that_are_too_long_for_the_version_are_one_finding() {
-        let listing = |from: &str, to: &str| {
-            let names = "num nNumberOfAllPartsA\nnum nNumberOfAllPartsB\nnum nNumberOfAllPartsC\nnum nNumberOfAllPartsD\nnum nShort";
-            format!("version {from}\n{names}\ncls()\n=== val3.toml\n[lint]\ntarget-version = \"{to}\"")
-        };
-        let found = check(&RULE, &listing("s8.10", "s7.11"));
+        let found = check(&RULE, &with_long_names("s8.10", "s7.11"));
         let names = "`nNumberOfAllPartsA`, `nNumberOfAllPartsB`, `nNumberOfAllPartsC`, 1 more";
         assert!(found.contains(&format!("names have at most 15 characters in s7.11: {names}")), "{found}");
-        assert_eq!(check(&RULE, &listing("s8.10", "s8.20")), "");
+        assert_eq!(check(&RULE, &with_long_names("s8.10", "s8.20")), "");
+    }
+
+    fn check_sub_folder(target: &str) -> String {
+        let project = "<Project>\n<Parameters version=\"s8.20\"/>\n<Programs><Program file=\"comm/p.pgx\"/></Programs>\n</Project>";
+        let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
+        let settings = format!("=== a/val3.toml\n[lint]\ntarget-version = \"{target}\"");
+        check(&RULE, &format!("=== a/a.pjx\n{project}\n=== a/comm/p.pgx\n{program}\n{settings}"))
     }
 
     #[test]
     fn sub_folders_are_reported_for_versions_without_them() {
-        let found = |target: &str| {
-            let project = "<Project>\n<Parameters version=\"s8.20\"/>\n<Programs><Program file=\"comm/p.pgx\"/></Programs>\n</Project>";
-            let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
-            let settings = format!("=== a/val3.toml\n[lint]\ntarget-version = \"{target}\"");
-            check(&RULE, &format!("=== a/a.pjx\n{project}\n=== a/comm/p.pgx\n{program}\n{settings}"))
-        };
-        assert!(found("s8.13").contains("program files in sub-folders exist from s8.20 on"), "{}", found("s8.13"));
-        assert_eq!(found("s8.30"), "");
+        let found = check_sub_folder("s8.13");
+        assert!(found.contains("program files in sub-folders exist from s8.20 on"), "{found}");
+        assert_eq!(check_sub_folder("s8.30"), "");
     }
 }

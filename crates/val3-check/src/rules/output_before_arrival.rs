@@ -8,7 +8,7 @@ use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{ArmActivity, Findings, ProgramView};
+use crate::lint::{ArmActivity, Call, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -63,19 +63,22 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 /// Output that is set at a flow node.
 fn output(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode) -> Option<ExprId> {
-    let is_output = |id: ExprId| {
-        let ty = program.inference.ty(id).base.builtin();
-        matches!(ty, Some(BaseType::Dio | BaseType::Aio)).then_some(id)
-    };
     match point.kind {
-        PointKind::Assign { target, .. } => is_output(target),
-        _ => program.calls_at(id).iter().find_map(|call| {
-            let form = call.form.filter(|form| form.class == CallClass::Modifier)?;
-            let sets_number = form.params.get(1).is_some_and(|param| param.ty == Some(BaseType::Num));
-            let is_setter = call.instruction.family == Family::Io && sets_number;
-            call.args.first().copied().filter(|_| is_setter).and_then(is_output)
-        }),
+        PointKind::Assign { target, .. } => Some(target).filter(|id| is_output(program, *id)),
+        _ => program.calls_at(id).iter().filter_map(set_variable).find(|id| is_output(program, *id)),
     }
+}
+
+/// First argument of an instruction that sets an input or output.
+fn set_variable(call: &Call<'_>) -> Option<ExprId> {
+    let form = call.form.filter(|form| form.class == CallClass::Modifier)?;
+    let sets_number = form.params.get(1).is_some_and(|param| param.ty == Some(BaseType::Num));
+    let is_setter = call.instruction.family == Family::Io && sets_number;
+    call.args.first().copied().filter(|_| is_setter)
+}
+
+fn is_output(program: &ProgramView<'_>, id: ExprId) -> bool {
+    matches!(program.inference.ty(id).base.builtin(), Some(BaseType::Dio | BaseType::Aio))
 }
 
 fn word(output: &str, target: &str) -> Wording {

@@ -157,21 +157,23 @@ mod tests {
         .assert_eq(&points("movej(pX[0],flange,mX)", &values));
     }
 
+    /// Checks code with a point and two tools.
+    fn point_and_tools(code: &str, point: &str) -> String {
+        let tools = ["z=\"1000\" ry=\"-90\" fatherId=\"flange[0]\"", "z=\"10\" fatherId=\"flange[0]\""];
+        check(&RULE, &listing(code, &(data("tLong", "tool", &tools) + &data("pX", "pointRx", &[point]))))
+    }
+
     #[test]
     fn a_point_is_compared_with_the_tools_of_its_moves() {
-        let tool =
-            data("tLong", "tool", &["z=\"1000\" ry=\"-90\" fatherId=\"flange[0]\"", "z=\"10\" fatherId=\"flange[0]\""]);
-        let found =
-            |code: &str, value: &str| check(&RULE, &listing(code, &(tool.clone() + &data("pX", "pointRx", &[value]))));
         expect![[r#"
             main.dtx:9 `0` the point `pX` is 656.0 mm beyond the reach of the TX2-90 with the tool `tLong[1]`
               | the wrist would be 1506.0 mm from the shoulder, at most 850.0 mm is possible
               ? correct the point or its frames, or name the arm of this cell in `val3.toml` (`arm`)
         "#]]
-        .assert_eq(&found("movej(pX,tLong[1],mX)", FAR));
-        expect![[""]].assert_eq(&found("movej(appro(pX,{0,0,-5,0,0,0}),tLong[0],mX)", NEAR));
+        .assert_eq(&point_and_tools("movej(pX,tLong[1],mX)", FAR));
+        expect![[""]].assert_eq(&point_and_tools("movej(appro(pX,{0,0,-5,0,0,0}),tLong[0],mX)", NEAR));
         // Any tool is possible.
-        assert_eq!(found("call go(pX)\nprogram go(point x_p)\nbegin\nmovej(x_p,flange,mX)\nend", NEAR), "");
+        assert_eq!(point_and_tools("call go(pX)\nprogram go(point x_p)\nbegin\nmovej(x_p,flange,mX)\nend", NEAR), "");
     }
 
     #[test]
@@ -195,19 +197,20 @@ mod tests {
         assert_eq!(check(&RULE, &listing("movej(pY,flange,mX)", &two_arms)), "");
     }
 
+    fn check_reference(code: &str) -> String {
+        let programs = format!(
+            "call go(pX)\nprogram go(point& x_p)\nbegin\ncall on(x_p)\nend\nprogram on(point& x_pNext)\nbegin\n{code}\nend"
+        );
+        points(&programs, &[FAR])
+    }
+
     /// A called program may change a parameter by reference, or only read it.
     #[test]
     fn a_point_by_reference_is_not_reported_if_a_program_changes_it() {
-        let called = |code: &str| {
-            let programs = format!(
-                "call go(pX)\nprogram go(point& x_p)\nbegin\ncall on(x_p)\nend\nprogram on(point& x_pNext)\nbegin\n{code}\nend"
-            );
-            points(&programs, &[FAR])
-        };
-        let reported = called("movej(x_pNext,flange,mX)");
+        let reported = check_reference("movej(x_pNext,flange,mX)");
         assert!(reported.contains("beyond the reach"), "{reported}");
         for code in ["x_pNext=here(flange,world)", "x_pNext.trsf.x=1", "call on(x_pNext)\nx_pNext.trsf={0,0,0,0,0,0}"] {
-            assert_eq!(called(code), "", "{code}");
+            assert_eq!(check_reference(code), "", "{code}");
         }
     }
 

@@ -47,8 +47,10 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
         }
         let mut asked = EarlierConditions::default();
         // Another rule reports constants. A condition with side effects may have another value the next time.
-        let is_followed = |id: &ExprId| program.body.constant(*id).is_none() && program.is_pure(*id);
-        for condition in arms.iter().filter_map(|(condition, _)| *condition).filter(is_followed) {
+        for condition in arms.iter().filter_map(|(condition, _)| *condition) {
+            if program.body.constant(condition).is_some() || !program.is_pure(condition) {
+                continue;
+            }
             if let Some(earlier) = asked.covering(program.body, condition) {
                 let word = word(program.body.is_same(condition, earlier));
                 found.report(&RULE, program.range(condition), word).related(program.range(earlier), "first test");

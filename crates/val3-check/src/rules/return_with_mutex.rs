@@ -99,8 +99,8 @@ fn may_change_elsewhere(program: &ProgramView<'_>, name: &str) -> bool {
 
 /// Whether the program itself releases the mutex somewhere.
 fn is_released(program: &ProgramView<'_>, name: &str) -> bool {
-    let is_it = |root: &RootVariable| matches!(root, RootVariable::Data(data) if data == name);
-    program.effects.all().iter().any(|access| access.kind == AccessKind::Write && is_it(&access.root))
+    let mut writes = program.effects.all().iter().filter(|access| access.kind == AccessKind::Write);
+    writes.any(|access| matches!(&access.root, RootVariable::Data(data) if data == name))
 }
 
 fn word(mutex: &str) -> Wording {

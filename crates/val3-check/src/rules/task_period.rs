@@ -136,19 +136,20 @@ mod tests {
         );
     }
 
+    fn with_short_period(version: &str) -> String {
+        format!("version {version}\nbool bLate\ntaskCreateSync \"w\",0.002,bLate,p()\nprogram p()\nbegin\nend")
+    }
+
     #[test]
     fn periods_below_the_shortest_one_are_errors_up_to_s7() {
-        let listing = |version: &str| {
-            format!("version {version}\nbool bLate\ntaskCreateSync \"w\",0.002,bLate,p()\nprogram p()\nbegin\nend")
-        };
         expect![[r#"
             start.pgx:5 `0.002` the period 2 ms is below 4 ms, the shortest one
               | run-time error 70: invalid parameter
               ? write 0.004, or a multiple of it
               ! write `0.004` (unsafe)
         "#]]
-        .assert_eq(&check(&RULE, &listing("s7.11")));
-        assert_eq!(levels(&RULE, &listing("s7.11")), [Severity::Error]);
-        assert_eq!(levels(&RULE, &listing("s8.15")), [Severity::Info]);
+        .assert_eq(&check(&RULE, &with_short_period("s7.11")));
+        assert_eq!(levels(&RULE, &with_short_period("s7.11")), [Severity::Error]);
+        assert_eq!(levels(&RULE, &with_short_period("s8.15")), [Severity::Info]);
     }
 }

@@ -1,6 +1,5 @@
 //! V0324: more different periods than the controller supports.
 
-use val3_analysis::body::ExprId;
 use val3_analysis::db::FileRange;
 use val3_lang::tasks::{MAX_PERIODS, PERIOD_STEP, period_steps};
 
@@ -69,8 +68,9 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 /// Different periods of the tasks that the application may create, in multiples of 4 ms.
 fn periods(program: &ProgramView<'_>) -> Vec<u32> {
     let application = program.application();
-    let is_run = |name: &smol_str::SmolStr| application.run_by.contains_key(name);
-    let created = application.tasks.iter().filter(|task| task.created_by.as_ref().is_some_and(is_run));
+    let created = application.tasks.iter();
+    let created =
+        created.filter(|task| task.created_by.as_ref().is_some_and(|name| application.run_by.contains_key(name)));
     let mut periods: Vec<u32> = Vec::new();
     for period in created.filter_map(|task| task.start.period) {
         if !periods.contains(&period) {
@@ -85,8 +85,8 @@ fn asked_for(program: &ProgramView<'_>, period: u32) -> Option<FileRange> {
     let tasks = &program.application().tasks;
     let creator = tasks.iter().find(|task| task.start.period == Some(period))?.created_by.as_deref()?;
     let creator = program.other(creator)?;
-    let is_it = |pace: &ExprId| creator.body.number(*pace).and_then(period_steps) == Some(period);
-    let pace = creator.task_creations().filter(|task| task.is_synchronous()).map(|task| task.pace).find(is_it)?;
+    let mut paces = creator.task_creations().filter(|task| task.is_synchronous()).map(|task| task.pace);
+    let pace = paces.find(|pace| creator.body.number(*pace).and_then(period_steps) == Some(period))?;
     Some(creator.span(pace))
 }
 

@@ -101,29 +101,29 @@ struct FieldWrites {
 fn parts(program: &ProgramView<'_>) -> Vec<FieldWrites> {
     let in_parts =
         summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
-    let mut found: Vec<FieldWrites> = in_parts
-        .filter_map(|(name, _)| {
-            let is_part = |access: &&Access| {
-                access.kind == AccessKind::WritePart && access.root == RootVariable::Data(name.clone())
-            };
-            let mut writes = program.effects.all().iter().filter(is_part).map(|access| access.id);
-            Some(FieldWrites { data: name.clone(), first: writes.next()?, second: writes.next()? })
-        })
-        .collect();
+    let mut found: Vec<FieldWrites> = in_parts.filter_map(|(name, _)| field_writes(program, name)).collect();
     found.sort_by_key(|parts| program.range(parts.second).start());
     found
+}
+
+fn field_writes(program: &ProgramView<'_>, name: &SmolStr) -> Option<FieldWrites> {
+    let writes = program.effects.all().iter().filter(|access| access.kind == AccessKind::WritePart);
+    let mut writes = writes.filter(|access| is_of_data(access, name)).map(|access| access.id);
+    Some(FieldWrites { data: name.clone(), first: writes.next()?, second: writes.next()? })
+}
+
+fn is_of_data(access: &Access, name: &SmolStr) -> bool {
+    matches!(&access.root, RootVariable::Data(data) if data == name)
 }
 
 /// Location at which the program `reader` reads all of `data`.
 fn read_by(program: &ProgramView<'_>, reader: &str, data: &SmolStr) -> Option<FileRange> {
     let reader = program.other(reader)?;
-    let is_whole = |access: &&Access| {
-        access.kind == AccessKind::Read
-            && access.root == RootVariable::Data(data.clone())
-            && !matches!(reader.body.expr(access.id), Expr::Field { .. })
-    };
-    let read = reader.effects.all().iter().find(is_whole)?.id;
-    Some(reader.span(read))
+    let reads =
+        reader.effects.all().iter().filter(|access| access.kind == AccessKind::Read && is_of_data(access, data));
+    let mut reads = reads.map(|access| access.id);
+    let whole = reads.find(|read| !matches!(reader.body.expr(*read), Expr::Field { .. }))?;
+    Some(reader.span(whole))
 }
 
 fn word(data: &str, reader: &str) -> Wording {

@@ -41,15 +41,18 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
 }
 
+fn is_word_letter(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_'
+}
+
 /// Position of `wanted` as a separate word, in upper or lower case.
 fn find_word(text: &str, wanted: &str) -> Option<usize> {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let mut from = 0;
     loop {
         let rest = text.get(from..)?;
-        let start = from + rest.find(is_part)?;
+        let start = from + rest.find(is_word_letter)?;
         let word = text.get(start..)?;
-        let end = start + word.find(|c| !is_part(c)).unwrap_or(word.len());
+        let end = start + word.find(|letter| !is_word_letter(letter)).unwrap_or(word.len());
         if text.get(start..end).is_some_and(|word| word.eq_ignore_ascii_case(wanted)) {
             return Some(start);
         }

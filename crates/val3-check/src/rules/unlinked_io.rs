@@ -42,16 +42,13 @@ rule! {
 }
 
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
-    let is_linkable = |ty: &str| BaseType::from_file_name(ty).is_some_and(|(ty, _)| ty.is_linkable());
-    if !program.header.locals.iter().any(|local| is_linkable(&local.type_name)) {
+    let mut types = program.header.locals.iter().filter_map(|local| BaseType::from_file_name(&local.type_name));
+    if !types.any(|(ty, _)| ty.is_linkable()) {
         return;
     }
     let arguments = Arguments::of(program);
     let local_use = program.local_use();
-    let step = |id: FlowNodeId, _: &FlowNode, before: &Locals| {
-        let links = |(bit, access): &(Locals, &Access)| if arguments.may_link(access) { *bit } else { 0 };
-        local_use.at(id).iter().map(links).fold(*before, |linked, bit| linked | bit)
-    };
+    let step = |id: FlowNodeId, _: &FlowNode, before: &Locals| before | arguments.linked(local_use.at(id));
     let facts = forward(program.flow(), 0, step, |known: &mut Locals, more| {
         let before = *known;
         *known |= more;
@@ -95,6 +92,12 @@ impl Arguments {
     /// Whether the variable is passed to a program or instruction that may link it.
     fn may_link(&self, access: &Access) -> bool {
         access.kind == AccessKind::Reference && !self.needed.contains(&access.id)
+    }
+
+    /// Variables that may be linked.
+    fn linked(&self, accesses: &[(Locals, &Access)]) -> Locals {
+        let linked = accesses.iter().filter(|(_, access)| self.may_link(access));
+        linked.fold(0, |all, (bit, _)| all | bit)
     }
 
     /// Whether the input or output itself is read or written.

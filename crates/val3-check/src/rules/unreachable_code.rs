@@ -43,11 +43,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let endless: FxHashSet<ExprId> =
         program.stmts().iter().copied().filter_map(|stmt| program.endless_condition(stmt)).collect();
     // A block with another constant condition is reported at the condition.
-    let is_endless = |point: &FlowNode| match point.kind {
-        PointKind::Test { condition: Some(condition), .. } => endless.contains(&condition),
-        _ => false,
-    };
-    let reached = flow.reachable(|point, branch| !is_endless(point) || program.is_taken(point, branch));
+    let reached = flow.reachable(|point, branch| !is_test_of(point, &endless) || program.is_taken(point, branch));
     let mut is_stretch = false;
     for (id, point) in flow.points().skip(2).filter(|(_, point)| point.kind != PointKind::Empty) {
         let is_dead = !reached.get(id.index()).copied().unwrap_or(true);
@@ -59,6 +55,11 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
         }
         is_stretch = is_dead;
     }
+}
+
+/// Whether the flow node tests one of the conditions.
+fn is_test_of(point: &FlowNode, conditions: &FxHashSet<ExprId>) -> bool {
+    matches!(point.kind, PointKind::Test { condition: Some(condition), .. } if conditions.contains(&condition))
 }
 
 /// Last `return` or endless loop before a position that is never reached.

@@ -61,8 +61,8 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
             let is_unset = access.kind == AccessKind::Read && (written | told | returned) & bit == 0;
             let RootVariable::Local(name) = &access.root else { continue };
             let local = program.header.locals.iter().find(|local| is_unset && local.name == *name);
-            let is_set = || variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
-            let local = local.filter(|_| is_set() || !is_meant_to_be_empty(name));
+            let is_ever_set = variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
+            let local = local.filter(|_| is_ever_set || !is_meant_to_be_empty(name));
             if let Some(ty) = local.and_then(|local| followed(&local.type_name)) {
                 told |= bit;
                 let reported = found.report(&RULE, program.range(access.id), word(name, ty));
@@ -158,17 +158,18 @@ mod tests {
         assert_ne!(check(&RULE, &program("l_tr=l_tr*trA")), "");
     }
 
+    fn with_empty_locals(code: &str) -> String {
+        format!(
+            "joint jA\ntrsf trA\n\nprogram start()\n  trsf l_trEmpty\n  joint l_jZERO\n  trsf l_trShift\nbegin\n{code}\nend"
+        )
+    }
+
     #[test]
     fn locals_that_stay_empty_are_not_reported() {
-        let program = |code: &str| {
-            format!(
-                "joint jA\ntrsf trA\n\nprogram start()\n  trsf l_trEmpty\n  joint l_jZERO\n  trsf l_trShift\nbegin\n{code}\nend"
-            )
-        };
-        assert_eq!(check(&RULE, &program("trA=trA*l_trEmpty\nif jA==l_jZERO\ncls()\nendIf")), "");
+        assert_eq!(check(&RULE, &with_empty_locals("trA=trA*l_trEmpty\nif jA==l_jZERO\ncls()\nendIf")), "");
         // An unset variable without such a name is reported, and so is a variable that is set after its use.
-        assert_ne!(check(&RULE, &program("trA=trA*l_trShift")), "");
-        assert_ne!(check(&RULE, &program("trA=trA*l_trEmpty\nl_trEmpty.x=1")), "");
+        assert_ne!(check(&RULE, &with_empty_locals("trA=trA*l_trShift")), "");
+        assert_ne!(check(&RULE, &with_empty_locals("trA=trA*l_trEmpty\nl_trEmpty.x=1")), "");
     }
 
     #[test]

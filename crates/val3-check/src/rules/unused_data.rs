@@ -4,7 +4,7 @@ use val3_analysis::application::is_library_item;
 use val3_analysis::items::declarations::Declared;
 
 use crate::diagnostic::Wording;
-use crate::lint::{DataFile, Findings, removal, unused_data};
+use crate::lint::{DataFile, Findings, ProjectView, removal, unused_data};
 use crate::rule::rule;
 
 rule! {
@@ -47,17 +47,18 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if !unused_data::has_known_uses(&data.view) {
         return;
     }
-    let is_unused = |name: &str| {
-        unused_data::uses(&data.view, name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
-            && !is_library_item(data.view.db, name)
-            && name != OF_TEMPLATE
-    };
-    for Declared { name, range, element } in unused_data::declared(data, is_unused) {
+    for Declared { name, range, element } in unused_data::declared(data, |name| is_unused(&data.view, name)) {
         let is_taught = unused_data::is_taught(data, &name, element);
         let removal = || removal::of_element(data.view.db, data.file, element);
         let edits = (!is_taught).then(removal);
         found.report(&RULE, range, word(&name, is_taught)).fix(format!("remove `{name}`"), false, edits);
     }
+}
+
+fn is_unused(view: &ProjectView<'_>, name: &str) -> bool {
+    unused_data::uses(view, name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
+        && !is_library_item(view.db, name)
+        && name != OF_TEMPLATE
 }
 
 /// Motion descriptor in the vendor's project template.
@@ -94,17 +95,18 @@ mod tests {
         assert_eq!(check(&RULE, listing), "");
     }
 
+    fn check_argument(argument: &str) -> String {
+        check(&RULE, &format!("num nA\nnum nB1\nnum nX\nprogram start()\nbegin\n  getData({argument},nX)\nend"))
+    }
+
     #[test]
     fn data_named_in_a_string_are_not_reported() {
-        let text = |argument: &str| {
-            check(&RULE, &format!("num nA\nnum nB1\nnum nX\nprogram start()\nbegin\n  getData({argument},nX)\nend"))
-        };
         assert_eq!(
-            text("\"nA[\"+toString(\"\",nX)+\"]\"").lines().next(),
+            check_argument("\"nA[\"+toString(\"\",nX)+\"]\"").lines().next(),
             Some("main.dtx:5 `nB1` no program uses `nB1`")
         );
-        assert!(!text("\"nB\"+toString(\"\",nX)").contains("nB1"));
-        assert_eq!(text("toString(\"\",nX)"), "");
+        assert!(!check_argument("\"nB\"+toString(\"\",nX)").contains("nB1"));
+        assert_eq!(check_argument("toString(\"\",nX)"), "");
     }
 
     #[test]
@@ -130,19 +132,21 @@ mod tests {
                            <Program file=\"start.pgx\"/></Programs><Database><Data file=\"main.dtx\"/></Database>\
                            </Project>\n";
 
+    /// Whether `nA` and `nB1` are reported if an unlisted program has this code.
+    fn are_reported(code: &str) -> [bool; 2] {
+        let program =
+            format!("<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
+        let data = "num nA\nnum nB1\nprogram start()\nbegin\nend\n";
+        let found = check(&RULE, &format!("{data}=== main/q.pgx\n{program}\n{PROJECT}"));
+        ["nA", "nB1"].map(|name| found.contains(&format!("`{name}` no program uses")))
+    }
+
     #[test]
     fn unlisted_programs_count_as_uses() {
-        let beside = |code: &str| {
-            let program = format!(
-                "<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>"
-            );
-            check(&RULE, &format!("num nA\nnum nB1\nprogram start()\nbegin\nend\n=== main/q.pgx\n{program}\n{PROJECT}"))
-        };
-        let names = |code: &str| ["nA", "nB1"].map(|name| beside(code).contains(&format!("`{name}` no program uses")));
-        assert_eq!(names("  cls()"), [true, true]);
-        assert_eq!(names("  nA=1"), [false, true]);
-        assert_eq!(names("  if (nB1"), [true, false]);
-        assert!(!names("  getData(\"nB\"+toString(\"\",nX),nX)")[1]);
+        assert_eq!(are_reported("  cls()"), [true, true]);
+        assert_eq!(are_reported("  nA=1"), [false, true]);
+        assert_eq!(are_reported("  if (nB1"), [true, false]);
+        assert!(!are_reported("  getData(\"nB\"+toString(\"\",nX),nX)")[1]);
     }
 
     #[test]

@@ -89,22 +89,23 @@ mod tests {
         assert_eq!(check(&RULE, "version s7.0\ncls()"), "");
     }
 
+    fn check_program_file(version: &str, file: &str) -> String {
+        let programs = format!("<Programs><Program file=\"{file}\"/></Programs>");
+        let project = format!("<Project>\n<Parameters version=\"{version}\"/>\n{programs}\n</Project>");
+        let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
+        check(&RULE, &format!("=== a/a.pjx\n{project}\n=== a/{file}\n{program}"))
+    }
+
     #[test]
     fn sub_folders_of_an_old_version_are_reported() {
-        let project = |version: &str, file: &str| {
-            let programs = format!("<Programs><Program file=\"{file}\"/></Programs>");
-            let project = format!("<Project>\n<Parameters version=\"{version}\"/>\n{programs}\n</Project>");
-            let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
-            check(&RULE, &format!("=== a/a.pjx\n{project}\n=== a/{file}\n{program}"))
-        };
         expect![[r#"
             a.pjx:3 `comm/p.pgx` program files in sub-folders exist from s8.20 on, and the project declares s8.13
               | in a sub-folder
               ? put the program in the folder of the project file
               > a.pjx:2 `s8.13` declared here
         "#]]
-        .assert_eq(&project("s8.13", "comm/p.pgx"));
-        assert_eq!(project("s8.20.2", "comm/p.pgx"), "");
-        assert_eq!(project("s8.13", "p.pgx"), "");
+        .assert_eq(&check_program_file("s8.13", "comm/p.pgx"));
+        assert_eq!(check_program_file("s8.20.2", "comm/p.pgx"), "");
+        assert_eq!(check_program_file("s8.13", "p.pgx"), "");
     }
 }

@@ -54,12 +54,14 @@ fn place(db: &dyn Db, file: File, at: TextSize) -> Option<SilencedCode> {
     let is_line = line.start() > begin.start()
         && code.range().contains(line.start())
         && !text.get(Range::from(line))?.starts_with("//");
-    let below = || {
-        let rest = text.get(begin.end().into()..)?;
-        let next = begin.end() + TextSize::of(rest.split_inclusive('\n').next()?);
-        Some(TextRange::at(next, TextSize::from(1)))
-    };
-    Some(SilencedCode { file, range: if is_line { line } else { below()? }, is_line })
+    Some(SilencedCode { file, range: if is_line { line } else { start_of_next_line(text, begin.end())? }, is_line })
+}
+
+/// First byte of the line after `at`.
+fn start_of_next_line(text: &str, at: TextSize) -> Option<TextRange> {
+    let rest = text.get(at.into()..)?;
+    let next = at + TextSize::of(rest.split_inclusive('\n').next()?);
+    Some(TextRange::at(next, TextSize::from(1)))
 }
 
 /// Range of the line that contains `at`, without blanks at its ends; `None` for a blank line.

@@ -54,10 +54,7 @@ pub(crate) fn unused(
     if found.is_empty() || !text_faults(db, file).errors.is_empty() || !settings.is_enabled(&unused_suppression::RULE) {
         return Vec::new();
     }
-    let is_idle = |word: &SuppressedRule| {
-        let looked_for = rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.is_enabled(rule));
-        looked_for && !used.contains(&FileRange { file, range: word.range })
-    };
+    let is_idle = |word: &SuppressedRule| !used.contains(&word_place(file, word)) && can_silence(word, settings);
     let mut idle = Vec::new();
     for suppression in found
         .iter()
@@ -67,13 +64,22 @@ pub(crate) fn unused(
         for (place, word) in suppression.rules.iter().enumerate().filter(|(_, word)| is_idle(word)) {
             let edit = if whole { comment_line(file.text(db), suppression.comment) } else { entry(suppression, place) };
             let wording = unused_suppression::word(&word.name, suppression.scope == SuppressionExtent::Program);
-            let place = FileRange { file, range: word.range };
+            let place = word_place(file, word);
             let mut finding = finding(db, project, &unused_suppression::RULE, place, wording);
             finding.fix = Some(removal(file, edit));
             idle.push(finding);
         }
     }
     idle
+}
+
+fn word_place(file: File, word: &SuppressedRule) -> FileRange {
+    FileRange { file, range: word.range }
+}
+
+/// Whether the named rule exists, runs, and can be silenced.
+fn can_silence(word: &SuppressedRule, settings: &Settings) -> bool {
+    rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.is_enabled(rule))
 }
 
 /// The comment with its whole line.

@@ -36,7 +36,7 @@ fn topic(entry: &GlossaryPage) -> Topic {
 /// Names of fields in code, or the first name if the page is about a file attribute.
 fn field_title(names: &[String]) -> String {
     let all = || BaseType::DECLARABLE.into_iter().flat_map(|ty| [None, Some(Arm::Scara)].map(|arm| fields(ty, arm)));
-    let is_field = |name: &&String| all().flatten().any(|field| field.name == **name);
-    let fields: Vec<&str> = names.iter().filter(is_field).map(String::as_str).collect();
+    let names_of_fields = names.iter().filter(|name| all().flatten().any(|field| field.name == **name));
+    let fields: Vec<&str> = names_of_fields.map(String::as_str).collect();
     if fields.is_empty() { names.first().cloned().unwrap_or_default() } else { fields.join(", ") }
 }

@@ -54,20 +54,22 @@ fn stem(word: &str) -> &str {
 fn hit<'a>(topic: &'a Topic, words: &[String]) -> Option<Hit<'a>> {
     let sentences = sentences(&topic.page);
     let texts: Vec<String> = sentences.iter().map(|sentence| sentence.to_lowercase()).collect();
-    let (title, summary) =
-        (format!("{} {}", topic.names.join(" "), topic.title).to_lowercase(), topic.summary.to_lowercase());
-    let weigh = |word: &String| {
-        let in_text = texts.iter().filter(|text| contains(text, word)).count().min(MOST);
-        let is_name = topic.names.iter().any(|name| stem(&name.to_lowercase()) == word);
-        let in_title = usize::from(contains(&title, word)) + usize::from(is_name);
-        in_title * NAME + usize::from(contains(&summary, word)) * SUMMARY + in_text * TEXT
-    };
-    let weights: Vec<usize> = words.iter().map(weigh).collect();
+    let weights: Vec<usize> = words.iter().map(|word| weight(word, topic, &texts)).collect();
     let found = weights.iter().filter(|weight| **weight > 0).count();
     let count = |text: &String| words.iter().filter(|word| contains(text, word)).count();
     let best = texts.iter().enumerate().rev().max_by_key(|(_, text)| count(text)).map(|(place, _)| place);
     let excerpt = best.and_then(|place| sentences.get(place)).cloned().unwrap_or_default();
     (found > 0).then(|| Hit { topic, excerpt, rank: (found, weights.iter().sum()) })
+}
+
+/// Weight of a word in a topic, from its places in names, title, summary and sentences (`texts`, in lower case).
+fn weight(word: &str, topic: &Topic, texts: &[String]) -> usize {
+    let title = format!("{} {}", topic.names.join(" "), topic.title).to_lowercase();
+    let is_name = topic.names.iter().any(|name| stem(&name.to_lowercase()) == word);
+    let in_title = usize::from(contains(&title, word)) + usize::from(is_name);
+    let in_summary = usize::from(contains(&topic.summary.to_lowercase(), word));
+    let in_text = texts.iter().filter(|text| contains(text, word)).count().min(MOST);
+    in_title * NAME + in_summary * SUMMARY + in_text * TEXT
 }
 
 /// Whether a word of the text begins with `word`.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use val3_lang::enumerations;
 use val3_lang::glossary::GlossaryPage;
-use val3_lang::instruction::Instruction;
+use val3_lang::instruction::Overload;
 use val3_lang::instructions;
 use val3_lang::operators::{BinaryOp, UnaryOp, assignment, binary, unary};
 use val3_lang::types::{Arm, BaseType, DefaultValue, Field, NumberUnit, ValueAttribute, attributes, fields};
@@ -129,11 +129,14 @@ fn instructions_of(ty: BaseType) -> Vec<String> {
     if matches!(ty, BaseType::Bool | BaseType::Num | BaseType::String) {
         return Vec::new();
     }
-    let uses = |row: &&&Instruction| {
-        row.overloads.iter().any(|form| form.result == Some(ty) || form.params.iter().any(|param| param.ty == Some(ty)))
-    };
-    let names: Vec<String> = instructions::all().iter().filter(uses).map(|row| format!("`{}`", row.name)).collect();
+    let users = instructions::all().iter().filter(|row| row.overloads.iter().any(|form| uses_type(form, ty)));
+    let names: Vec<String> = users.map(|row| format!("`{}`", row.name)).collect();
     if names.is_empty() { Vec::new() } else { vec![format!("{}.", names.join(", "))] }
+}
+
+/// Whether the instruction accepts or returns a value of the type.
+fn uses_type(form: &Overload, ty: BaseType) -> bool {
+    form.result == Some(ty) || form.params.iter().any(|param| param.ty == Some(ty))
 }
 
 /// Formats a section of a page; empty without lines.

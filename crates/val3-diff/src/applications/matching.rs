@@ -19,8 +19,8 @@ pub(crate) fn matched<'a, 't>(old: &'a [Application<'t>], new: &'a [Application<
         old.iter().map(|application| (path(application), application)).collect();
     let mut found: Vec<Matched<'a, 't>> =
         new.iter().map(|new| Matched { old: by_path.get(&path(new)).copied(), new: Some(new) }).collect();
-    let is_free = |old: &&Application<'_>| !new.iter().any(|new| path(new) == path(old));
-    let mut free: Vec<&'a Application<'t>> = old.iter().filter(is_free).collect();
+    let free = old.iter().filter(|old| !new.iter().any(|new| path(new) == path(old)));
+    let mut free: Vec<&'a Application<'t>> = free.collect();
     let alone: Vec<usize> =
         (0..found.len()).filter(|index| found.get(*index).is_some_and(|pair| pair.old.is_none())).collect();
     for index in alone.iter().copied() {
@@ -48,15 +48,17 @@ fn same_name(one: &Application<'_>, other: &Application<'_>) -> bool {
 mod tests {
     use super::*;
 
-    fn pairs(old: &[&str], new: &[&str]) -> Vec<String> {
-        let application = |path: &&str| Application {
-            path: (*path).into(),
+    fn application(path: &str) -> Application<'static> {
+        Application {
+            path: path.into(),
             name: camino::Utf8Path::new(path).file_stem().unwrap().to_owned(),
             manifest: Some(b""),
             ..Application::default()
-        };
-        let (old, new): (Vec<_>, Vec<_>) =
-            (old.iter().map(application).collect(), new.iter().map(application).collect());
+        }
+    }
+
+    fn pairs(old: &[&str], new: &[&str]) -> Vec<String> {
+        let [old, new] = [old, new].map(|paths| paths.iter().map(|path| application(path)).collect::<Vec<_>>());
         let path = |side: Option<&Application<'_>>| side.map_or("-".to_owned(), |found| found.path.to_string());
         matched(&old, &new).iter().map(|pair| format!("{} {}", path(pair.old), path(pair.new))).collect()
     }

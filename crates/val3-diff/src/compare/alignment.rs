@@ -1,5 +1,7 @@
 //! Alignment of sequences: corresponding, removed and inserted elements.
 
+use std::ops::Range;
+
 use rustc_hash::FxHashMap;
 
 /// A step of the alignment, by element index.
@@ -22,32 +24,41 @@ pub(super) enum AlignmentStep {
 /// order. Between two anchors, equal elements at both ends are paired first, then the rest in order. An alignment with
 /// the fewest edits would need quadratic time for sequences without common elements.
 pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<AlignmentStep> {
-    let mut steps = Vec::with_capacity(old.len().max(new.len()));
+    let mut alignment = Alignment { old, new, steps: Vec::with_capacity(old.len().max(new.len())) };
     let (mut old_start, mut new_start) = (0, 0);
     for (old_end, new_end) in increasing(&unique(old, new)) {
-        between(old, new, (old_start, old_end), (new_start, new_end), &mut steps);
-        steps.push(AlignmentStep::Pair { old: old_end, new: new_end });
+        alignment.add_between(old_start..old_end, new_start..new_end);
+        alignment.steps.push(AlignmentStep::Pair { old: old_end, new: new_end });
         (old_start, new_start) = (old_end + 1, new_end + 1);
     }
-    between(old, new, (old_start, old.len()), (new_start, new.len()), &mut steps);
-    steps
+    alignment.add_between(old_start..old.len(), new_start..new.len());
+    alignment.steps
+}
+
+/// Two sequences, and the steps found so far.
+struct Alignment<'s> {
+    old: &'s [u32],
+    new: &'s [u32],
+    steps: Vec<AlignmentStep>,
 }
 
 /// Returns the elements that occur once in each sequence, in old order.
 fn unique(old: &[u32], new: &[u32]) -> Vec<(usize, usize)> {
-    let once = |sequence: &[u32]| -> FxHashMap<u32, Option<usize>> {
-        let mut indexes = FxHashMap::default();
-        for (index, element) in sequence.iter().enumerate() {
-            indexes.entry(*element).and_modify(|index| *index = None).or_insert(Some(index));
-        }
-        indexes
-    };
-    let (old_indexes, new_indexes) = (once(old), once(new));
+    let (old_indexes, new_indexes) = (unique_indexes(old), unique_indexes(new));
     let in_both = old.iter().filter_map(|element| {
         let index = |indexes: &FxHashMap<u32, Option<usize>>| indexes.get(element).copied().flatten();
         index(&old_indexes).zip(index(&new_indexes))
     });
     in_both.collect()
+}
+
+/// Returns the index of each element; `None` for an element that occurs several times.
+fn unique_indexes(sequence: &[u32]) -> FxHashMap<u32, Option<usize>> {
+    let mut indexes = FxHashMap::default();
+    for (index, element) in sequence.iter().enumerate() {
+        indexes.entry(*element).and_modify(|index| *index = None).or_insert(Some(index));
+    }
+    indexes
 }
 
 /// Returns the longest subsequence of the pairs with increasing new indexes.
@@ -74,34 +85,30 @@ fn increasing(pairs: &[(usize, usize)]) -> Vec<(usize, usize)> {
     longest
 }
 
-/// Aligns the elements between two anchors. A range is a start and an end.
-fn between(
-    old: &[u32],
-    new: &[u32],
-    (mut old_start, old_end): (usize, usize),
-    (mut new_start, new_end): (usize, usize),
-    steps: &mut Vec<AlignmentStep>,
-) {
-    let is_equal = |old_index: usize, new_index: usize| old.get(old_index) == new.get(new_index);
-    while old_start < old_end && new_start < new_end && is_equal(old_start, new_start) {
-        steps.push(AlignmentStep::Pair { old: old_start, new: new_start });
-        (old_start, new_start) = (old_start + 1, new_start + 1);
+impl Alignment<'_> {
+    /// Adds the steps for the elements between two anchors.
+    fn add_between(&mut self, old: Range<usize>, new: Range<usize>) {
+        let equal = self.equal_pairs(old.clone().zip(new.clone()));
+        self.add_pairs(old.start, new.start, equal);
+        let (old, new) = (old.start + equal..old.end, new.start + equal..new.end);
+        let equal = self.equal_pairs(old.clone().rev().zip(new.clone().rev()));
+        let (old_end, new_end) = (old.end - equal, new.end - equal);
+        let (old_rest, new_rest) = (old_end - old.start, new_end - new.start);
+        let changed = old_rest.min(new_rest);
+        self.add_pairs(old.start, new.start, changed);
+        self.steps.extend((old.start + changed..old_end).map(AlignmentStep::Removed));
+        self.steps.extend((new.start + changed..new_end).map(AlignmentStep::Inserted));
+        self.add_pairs(old_end, new_end, equal);
     }
-    let mut equal = 0;
-    while old_start + equal < old_end
-        && new_start + equal < new_end
-        && is_equal(old_end - equal - 1, new_end - equal - 1)
-    {
-        equal += 1;
+
+    /// Returns the number of equal elements at the start of a sequence of index pairs.
+    fn equal_pairs(&self, indexes: impl Iterator<Item = (usize, usize)>) -> usize {
+        indexes.take_while(|(old, new)| self.old.get(*old) == self.new.get(*new)).count()
     }
-    let (old_rest, new_rest) = (old_end - equal - old_start, new_end - equal - new_start);
-    let changed = old_rest.min(new_rest);
-    steps.extend((0..changed).map(|offset| AlignmentStep::Pair { old: old_start + offset, new: new_start + offset }));
-    steps.extend((changed..old_rest).map(|offset| AlignmentStep::Removed(old_start + offset)));
-    steps.extend((changed..new_rest).map(|offset| AlignmentStep::Inserted(new_start + offset)));
-    steps.extend(
-        (0..equal).map(|offset| AlignmentStep::Pair { old: old_end - equal + offset, new: new_end - equal + offset }),
-    );
+
+    fn add_pairs(&mut self, old: usize, new: usize, count: usize) {
+        self.steps.extend((0..count).map(|offset| AlignmentStep::Pair { old: old + offset, new: new + offset }));
+    }
 }
 
 #[cfg(test)]
@@ -113,12 +120,12 @@ mod tests {
 
     fn shown(old: &str, new: &str) -> String {
         let ids = |text: &str| text.chars().map(u32::from).collect::<Vec<_>>();
-        let step = |step: AlignmentStep| match step {
+        let steps = align(&ids(old), &ids(new)).into_iter().map(|step| match step {
             AlignmentStep::Pair { old, new } => format!("{old}{new}"),
             AlignmentStep::Removed(old) => format!("-{old}"),
             AlignmentStep::Inserted(new) => format!("+{new}"),
-        };
-        align(&ids(old), &ids(new)).into_iter().map(step).collect::<Vec<_>>().join(" ")
+        });
+        steps.collect::<Vec<_>>().join(" ")
     }
 
     #[test]

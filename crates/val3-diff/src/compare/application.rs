@@ -104,10 +104,7 @@ fn read_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems:
     let old_files = pair.old.map(Application::data_files).unwrap_or_default();
     let new_files = pair.new.map(Application::data_files).unwrap_or_default();
     unlisted_data(pair, compared, problems);
-    let bytes = |files: &[(&str, &SourceFile<'_>)]| -> Vec<_> {
-        files.iter().map(|(key, file)| (key.to_string(), file.bytes.to_vec())).collect()
-    };
-    if bytes(&old_files) == bytes(&new_files) {
+    if have_same_bytes(&old_files, &new_files) {
         return DataSides::default();
     }
     let (sides, broken) = DataSides::read(&old_files, &new_files);
@@ -117,6 +114,10 @@ fn read_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems:
     sides
 }
 
+fn have_same_bytes(old: &[(&str, &SourceFile<'_>)], new: &[(&str, &SourceFile<'_>)]) -> bool {
+    old.iter().map(|(key, file)| (key, file.bytes)).eq(new.iter().map(|(key, file)| (key, file.bytes)))
+}
+
 fn compare_data(
     pair: &Matched<'_, '_>,
     sides: &DataSides,
@@ -124,10 +125,8 @@ fn compare_data(
     compared: &mut ApplicationChange,
     problems: &mut Vec<Problem>,
 ) -> Vec<InterfaceChange> {
-    let unit = |side: Option<&Application<'_>>| {
-        side.and_then(|application| application.project.as_ref()).map_or(1.0, |project| project.unit().millimetres())
-    };
-    let found = data::compare([&sides.old, &sides.new], [unit(pair.old), unit(pair.new)], &renamed.data);
+    let units = [pair.old, pair.new].map(length_unit_mm);
+    let found = data::compare([&sides.old, &sides.new], units, &renamed.data);
     for (side, message) in found.problems {
         problems.push(Problem { path: compared.path.clone(), side, message });
     }
@@ -135,18 +134,26 @@ fn compare_data(
     found.interface
 }
 
+/// Returns the length unit in mm; 1 without a project file.
+fn length_unit_mm(application: Option<&Application<'_>>) -> f64 {
+    let project = application.and_then(|application| application.project.as_ref());
+    project.map_or(1.0, |project| project.unit().millimetres())
+}
+
 /// Compares data files that neither project file lists as text, because the controller does not load them.
 fn unlisted_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) {
-    let unlisted = |side: Option<&Application<'_>>, file: Option<&SourceFile<'_>>| {
-        let has_list = side.is_none_or(|application| application.project.is_some());
-        has_list && file.is_none_or(|file| !file.listed)
-    };
     let files = [pair.old, pair.new].map(|side| side.map(|application| &application.data));
     for [old, new] in versions(files[0], files[1]) {
-        if unlisted(pair.old, old) && unlisted(pair.new, new) {
+        if is_unlisted(pair.old, old) && is_unlisted(pair.new, new) {
             let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
             let sides = [old, new].map(|file| Some(text::Version { bytes: file?.bytes, is_readable: true }));
             compared.texts.extend(text::compare(&path, sides, "a data file", problems));
         }
     }
+}
+
+/// Whether the project file does not list the file. A missing application or file counts as unlisted.
+fn is_unlisted(application: Option<&Application<'_>>, file: Option<&SourceFile<'_>>) -> bool {
+    let has_list = application.is_none_or(|application| application.project.is_some());
+    has_list && file.is_none_or(|file| !file.listed)
 }

@@ -25,34 +25,56 @@ pub(super) fn add_data(files: [&[(&str, &SourceFile<'_>)]; 2], compared: &mut Ap
     let [old, new] = files;
     let names = compared.data.iter().flat_map(|data| [Some(&data.name), data.renamed_from.as_ref()]).flatten();
     let names: Vec<String> = names.map(|name| format!("[{name}]")).collect();
-    // The second word is the data: `Datas Data[nA] size`, `numSection num[nA] public`.
-    let is_known = |entry: &str| {
-        let item = entry.split(' ').nth(1).unwrap_or_default();
-        names.iter().any(|name| item.ends_with(name.as_str()))
-    };
     for (key, file) in new {
         if let Some((_, before)) = old.iter().find(|(other, _)| other == key) {
-            add(file.path.as_str(), [before.bytes, file.bytes], is_known, compared);
+            add(file.path.as_str(), [before.bytes, file.bytes], |entry| is_of_data(entry, &names), compared);
         }
     }
+}
+
+/// Whether the second word of the entry is one of the data: `Datas Data[nA] size`, `numSection num[nA] public`.
+fn is_of_data(entry: &str, names: &[String]) -> bool {
+    let item = entry.split(' ').nth(1).unwrap_or_default();
+    names.iter().any(|name| item.ends_with(name.as_str()))
 }
 
 /// Adds differences in the project file outside its parameters and the listed items.
 pub(super) fn add_project([old, new]: [&Application<'_>; 2], compared: &mut ApplicationChange) {
     let Some(bytes) = old.manifest.zip(new.manifest) else { return };
-    let is_other_list = |program: &ProgramChange| {
-        program.change != Change::Changed || program.listed.is_some() || program.renamed_from.is_some()
-    };
-    let is_of_programs = compared.programs.iter().any(is_other_list);
-    let is_of_references = !compared.project.is_empty() || !compared.libraries.is_empty() || !compared.types.is_empty();
-    // Further texts are programs or data that one of the versions does not list.
-    let is_of_texts = !compared.texts.is_empty();
-    let is_known = |entry: &str| match entry.split(' ').next().unwrap_or_default().to_lowercase().as_str() {
-        "parameters" => is_of_references,
-        "programs" | "programsection" => is_of_programs || is_of_texts,
-        "database" | "datasection" | "libraries" | "aliassection" | "types" => is_of_references || is_of_texts,
-        _ => false,
-    };
+    let listed = ListedChanges::of(compared);
     let path = compared.path.clone();
-    add(&path, [bytes.0, bytes.1], is_known, compared);
+    add(&path, [bytes.0, bytes.1], |entry| listed.explain(entry), compared);
+}
+
+/// Kinds of listed changes that change lists of the project file.
+struct ListedChanges {
+    programs: bool,
+    references: bool,
+    /// Further texts are programs or data that one of the versions does not list.
+    texts: bool,
+}
+
+impl ListedChanges {
+    fn of(compared: &ApplicationChange) -> Self {
+        Self {
+            programs: compared.programs.iter().any(changes_list),
+            references: !compared.project.is_empty() || !compared.libraries.is_empty() || !compared.types.is_empty(),
+            texts: !compared.texts.is_empty(),
+        }
+    }
+
+    /// Whether a listed change is the reason for a difference in this entry of the project file.
+    fn explain(&self, entry: &str) -> bool {
+        match entry.split(' ').next().unwrap_or_default().to_lowercase().as_str() {
+            "parameters" => self.references,
+            "programs" | "programsection" => self.programs || self.texts,
+            "database" | "datasection" | "libraries" | "aliassection" | "types" => self.references || self.texts,
+            _ => false,
+        }
+    }
+}
+
+/// Whether the change of a program changes the project file's list of programs.
+fn changes_list(program: &ProgramChange) -> bool {
+    program.change != Change::Changed || program.listed.is_some() || program.renamed_from.is_some()
 }

@@ -28,11 +28,7 @@ pub(super) struct DataComparison {
 pub(super) fn compare([original, new]: [&[DataVersion]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
     let old: Vec<DataVersion> = original.iter().map(|data| data.renamed(renames)).collect();
     let old = old.as_slice();
-    let by_name = |list: &'_ [DataVersion]| -> BTreeMap<String, usize> {
-        // If a name is declared twice, the first declaration is used, as in the analysis.
-        list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
-    };
-    let (old_names, new_names) = (by_name(old), by_name(new));
+    let (old_names, new_names) = (indexes_by_name(old), indexes_by_name(new));
     let [old_unit, new_unit] = units;
     let mut places = Places::new(TreePositions::new(old, old_unit), TreePositions::new(new, new_unit));
     let mut names: Vec<&String> =
@@ -55,6 +51,11 @@ pub(super) fn compare([original, new]: [&[DataVersion]; 2], units: [f64; 2], ren
     found
 }
 
+/// Returns the index of each name. If a name is declared twice, the first declaration is used, as in the analysis.
+fn indexes_by_name(list: &[DataVersion]) -> BTreeMap<String, usize> {
+    list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
+}
+
 /// Formats the interface of data for their users, for example `num nA[]`.
 fn interface_of(data: &DataVersion) -> String {
     let brackets = val3_analysis::ty::brackets(data.decl.container);
@@ -69,7 +70,6 @@ fn compare_one(
 ) -> Option<DataChange> {
     let shown = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
-    let is_public = |data: Option<&DataVersion>| data.is_some_and(|data| data.decl.public);
     let mut compared = DataChange {
         name: shown.decl.name.to_string(),
         renamed_from,
@@ -81,7 +81,10 @@ fn compare_one(
         access: None,
         types: None,
         sizes: None,
-        public: ValuePair { old: is_public(old), new: is_public(new) },
+        public: ValuePair {
+            old: old.is_some_and(|data| data.decl.public),
+            new: new.is_some_and(|data| data.decl.public),
+        },
         renumbering: None,
         values: Vec::new(),
     };

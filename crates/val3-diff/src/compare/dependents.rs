@@ -43,8 +43,8 @@ fn paths(data: &[DataVersion]) -> impl Iterator<Item = &SmolStr> {
 /// Returns the data paths of frames and tools that have moved, as displayed.
 fn moved(changes: &[DataChange]) -> FxHashSet<String> {
     let values = changes.iter().flat_map(|change| &change.values).filter(|value| value.movement.is_some());
-    let is_father = |name: &str| [BaseType::Frame, BaseType::Tool].iter().any(|ty| ty.name() == name);
-    values.filter(|value| is_father(&value.type_name)).map(|value| value.path.clone()).collect()
+    let fathers = [BaseType::Frame, BaseType::Tool].map(BaseType::name);
+    values.filter(|value| fathers.contains(&value.type_name.as_str())).map(|value| value.path.clone()).collect()
 }
 
 /// Returns the nearest father that has moved. The search ends at a loop of fathers.

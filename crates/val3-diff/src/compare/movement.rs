@@ -28,15 +28,19 @@ pub(super) fn of(path: &SmolStr, old: &FileValue, new: &FileValue, places: &mut 
 /// Returns the maximum changes of linear and of rotary axes; `None` if the values are no joint positions.
 pub(super) fn of_axes(old: &FileValue, new: &FileValue, places: &Places<'_>) -> Option<Displacement> {
     let (old, new) = (old.axes()?, new.axes()?);
-    let greatest = |wanted: AxisKind, [old_unit, new_unit]: [f64; 2]| {
-        let axes = old.iter().zip(&new).filter(|((kind, _), _)| *kind == wanted);
-        rounded(axes.map(|((_, old), (_, new))| (old * old_unit - new * new_unit).abs()).fold(0.0, f64::max))
-    };
-    let units = [places.old.unit(), places.new.unit()];
+    let axes = || old.iter().zip(&new).map(|((kind, old), (_, new))| (*kind, *old, *new));
+    let linear = axes().filter(|(kind, ..)| *kind == AxisKind::Linear);
+    let rotary = axes().filter(|(kind, ..)| *kind == AxisKind::Rotary);
+    let [old_unit, new_unit] = [places.old.unit(), places.new.unit()];
     Some(Displacement {
-        distance_mm: greatest(AxisKind::Linear, units),
-        angle_deg: greatest(AxisKind::Rotary, [1.0; 2]),
+        distance_mm: greatest(linear.map(|(_, old, new)| old * old_unit - new * new_unit)),
+        angle_deg: greatest(rotary.map(|(_, old, new)| old - new)),
     })
+}
+
+/// Returns the greatest absolute difference, rounded; 0 without differences.
+fn greatest(differences: impl Iterator<Item = f64>) -> f64 {
+    rounded(differences.map(f64::abs).fold(0.0, f64::max))
 }
 
 /// Returns the displacement in `world`, or on the flange for a tool, from the position at an old path to the position

@@ -134,12 +134,9 @@ impl<'a> TreePositions<'a> {
 
     /// Returns a message for each detected loop of fathers.
     pub(super) fn loops(self) -> impl Iterator<Item = String> + 'a {
-        let message = |names| {
-            format!(
-                "the fathers {names} form a loop, so movements in `world` are unknown; link one of them to another frame"
-            )
-        };
-        self.loops.into_iter().map(message)
+        const HELP: &str = "link one of them to another frame";
+        let loops = self.loops.into_iter();
+        loops.map(|names| format!("the fathers {names} form a loop, so movements in `world` are unknown; {HELP}"))
     }
 }
 

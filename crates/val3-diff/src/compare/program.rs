@@ -8,7 +8,7 @@ use super::text;
 use crate::applications::SourceFile;
 use crate::exclusions::BlankComparison;
 use crate::model::{Change, CodeChange, CodeKind, LineKind, ProgramChange, ValuePair, VariableChange};
-use crate::read::code::{CodeLine, ProgramCode, Renames};
+use crate::read::code::{ProgramCode, Renames};
 use crate::read::program::{ProgramVersion, access};
 
 /// A program with its file.
@@ -83,18 +83,18 @@ fn code(old: Option<&ProgramVersion>, new: Option<&ProgramVersion>, rules: Rules
 
 /// Returns the renames without names of parameters and local variables.
 fn names_of(old: &ProgramVersion, new: &ProgramVersion, renames: &Renames) -> Renames {
-    let is_global = |(before, after): &(&String, &String)| !old.has_local(before) && !new.has_local(after);
-    renames.iter().filter(is_global).map(|(before, after)| (before.clone(), after.clone())).collect()
+    let global = renames.iter().filter(|(before, after)| !old.has_local(before) && !new.has_local(after));
+    global.map(|(before, after)| (before.clone(), after.clone())).collect()
 }
 
 /// Returns the lines of the code, without blank lines if layout is ignored.
 fn lines_of(code: &ProgramCode, layout: BlankComparison, renames: &Renames) -> Vec<text::VersionLine> {
-    let line = |(number, line): (usize, &CodeLine)| text::VersionLine {
+    let lines = (1..).zip(code.lines());
+    let lines = lines.map(|(number, line)| text::VersionLine {
         number,
         text: line.text.clone(),
         key: line.key(layout, renames),
-    };
-    let lines = (1..).zip(code.lines()).map(line);
+    });
     lines.filter(|line| layout == BlankComparison::Compared || !line.key.is_empty()).collect()
 }
 
@@ -111,17 +111,18 @@ fn kind(old: &ProgramCode, new: &ProgramCode, renames: &Renames) -> CodeKind {
 }
 
 fn locals(old: &ProgramVersion, new: &ProgramVersion) -> Vec<VariableChange> {
-    let named = |program: &ProgramVersion, name: &SmolStr| {
-        program.locals().find(|(known, _)| *known == name).map(|(_, shown)| shown)
-    };
     let names: BTreeSet<&SmolStr> = old.locals().chain(new.locals()).map(|(name, _)| name).collect();
-    let changes = names.into_iter().map(|name| (name, named(old, name), named(new, name)));
-    let differing = changes.filter(|(_, old, new)| old != new);
-    let change = |(name, old, new): (&SmolStr, Option<String>, Option<String>)| VariableChange {
-        name: name.to_string(),
-        change: Change::of(old.is_some(), new.is_some()),
-        old,
-        new,
-    };
-    differing.map(change).collect()
+    let mut changes = Vec::new();
+    for name in names {
+        let [old, new] = [old, new].map(|program| declaration_of(program, name));
+        if old != new {
+            let change = Change::of(old.is_some(), new.is_some());
+            changes.push(VariableChange { name: name.to_string(), change, old, new });
+        }
+    }
+    changes
+}
+
+fn declaration_of(program: &ProgramVersion, local: &SmolStr) -> Option<String> {
+    program.locals().find(|(name, _)| *name == local).map(|(_, declaration)| declaration)
 }

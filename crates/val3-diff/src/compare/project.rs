@@ -20,17 +20,18 @@ pub(super) fn parameters(old: &ProjectVersion, new: &ProjectVersion) -> Vec<Proj
 
 /// Returns library identifiers or user types that differ.
 pub(super) fn references(old: &[(SmolStr, String)], new: &[(SmolStr, String)]) -> Vec<ReferenceChange> {
-    let path = |list: &[(SmolStr, String)], name: &SmolStr| {
-        list.iter().find(|(known, _)| known == name).map(|(_, path)| path.clone())
-    };
     let names: BTreeSet<&SmolStr> = old.iter().chain(new).map(|(name, _)| name).collect();
-    let changes = names.into_iter().map(|name| (name, path(old, name), path(new, name)));
-    let differing = changes.filter(|(_, old, new)| old != new);
-    let change = |(name, old, new): (&SmolStr, Option<String>, Option<String>)| ReferenceChange {
-        name: name.to_string(),
-        change: Change::of(old.is_some(), new.is_some()),
-        old,
-        new,
-    };
-    differing.map(change).collect()
+    let mut changes = Vec::new();
+    for name in names {
+        let [old, new] = [old, new].map(|list| path_of(name, list));
+        if old != new {
+            let change = Change::of(old.is_some(), new.is_some());
+            changes.push(ReferenceChange { name: name.to_string(), change, old, new });
+        }
+    }
+    changes
+}
+
+fn path_of(name: &SmolStr, list: &[(SmolStr, String)]) -> Option<String> {
+    list.iter().find(|(other, _)| other == name).map(|(_, path)| path.clone())
 }

@@ -20,11 +20,12 @@ pub(super) fn find([old, new]: [&[DataVersion]; 2], programs: &[ItemVersions<'_>
         old.iter().map(|data| data.decl.name.as_str()),
         new.iter().map(|data| data.decl.name.as_str()),
     );
-    let names = |side: usize| {
-        let versions = programs.iter().filter_map(move |versions| *versions.get(side)?);
-        versions.map(|program| program.header.name.as_str())
-    };
-    let program_names = UnmatchedNames::of(names(0), names(1));
+    let old_programs = programs.iter().filter_map(|[old, _]| *old);
+    let new_programs = programs.iter().filter_map(|[_, new]| *new);
+    let program_names = UnmatchedNames::of(
+        old_programs.map(|program| program.header.name.as_str()),
+        new_programs.map(|program| program.header.name.as_str()),
+    );
     if data.is_empty() && program_names.is_empty() {
         return renamed;
     }

@@ -41,13 +41,8 @@ pub(super) fn find(old: &DataVersion, new: &DataVersion, places: &mut Places<'_>
     let (old_ids, new_ids) = (ids.of(old)?, ids.of(new)?);
     let steps = align(&old_ids, &new_ids);
     let differing: Vec<usize> = differing_indexes(&old_ids, &new_ids, ids.unwritten()).collect();
-    let is_change = |step: &&AlignmentStep| match step {
-        AlignmentStep::Pair { old, new } => old_ids.get(*old) != new_ids.get(*new),
-        AlignmentStep::Removed(_) | AlignmentStep::Inserted(_) => true,
-    };
-    let has_moved =
-        |step: &AlignmentStep| matches!(step, AlignmentStep::Pair { old, new } if old != new) && !is_change(&step);
-    if !steps.iter().any(has_moved) || steps.iter().filter(is_change).count() >= differing.len() {
+    let (changes, kept): (Vec<_>, Vec<_>) = steps.iter().partition(|step| is_change(**step, &old_ids, &new_ids));
+    if !kept.into_iter().any(is_move) || changes.len() >= differing.len() {
         return None;
     }
     let greatest_distance_mm = greatest_distance(&new.decl.name, &differing, places);
@@ -71,16 +66,34 @@ pub(super) fn find(old: &DataVersion, new: &DataVersion, places: &mut Places<'_>
     })
 }
 
+/// Whether the step removes or inserts an element, or pairs elements with different contents.
+fn is_change(step: AlignmentStep, old_ids: &[u32], new_ids: &[u32]) -> bool {
+    match step {
+        AlignmentStep::Pair { old, new } => old_ids.get(old) != new_ids.get(new),
+        AlignmentStep::Removed(_) | AlignmentStep::Inserted(_) => true,
+    }
+}
+
+fn is_move(step: &AlignmentStep) -> bool {
+    matches!(step, AlignmentStep::Pair { old, new } if old != new)
+}
+
 /// Whether elements may be matched with another index. Frames and tools are excluded, because fathers refer to them by
 /// index. Single numbers do not identify an element, so in arrays of them elements are matched only if the size
 /// differs.
 fn can_be_renumbered(old: &DataVersion, new: &DataVersion) -> bool {
-    let is_array = |data: &DataVersion| data.decl.container != Container::Collection && data.decl.sizes.len() == 1;
-    let is_father = |ty: BaseType| matches!(ty, BaseType::Frame | BaseType::Tool);
-    let has_fathers = |data: &DataVersion| data.values.iter().any(|(_, value)| is_father(value.ty));
     let is_rich = new.base.is_none_or(|(ty, arm)| attributes(ty, arm).len() > 1);
     let has_other_size = old.decl.sizes != new.decl.sizes;
     [old, new].into_iter().all(|data| is_array(data) && !has_fathers(data)) && (is_rich || has_other_size)
+}
+
+fn is_array(data: &DataVersion) -> bool {
+    data.decl.container != Container::Collection && data.decl.sizes.len() == 1
+}
+
+/// Whether the data contain frames or tools, which can be fathers of other data.
+fn has_fathers(data: &DataVersion) -> bool {
+    data.values.iter().any(|(_, value)| matches!(value.ty, BaseType::Frame | BaseType::Tool))
 }
 
 /// Identifiers of the different element contents.
@@ -102,13 +115,13 @@ impl Ids {
             let field = path.part(data.decl.name.len() + key.len() + 2..);
             sizes.entry(key).or_default().push(format!("{field} {size}"));
         }
-        let element = |index: usize| {
-            let key = index.to_string();
+        let mut ids = Vec::with_capacity(length);
+        for key in (0..length).map(|index| index.to_string()) {
             let mut texts = contents.get(&key).map_or_else(Vec::new, <[String]>::to_vec);
             texts.extend(sizes.remove(key.as_str()).unwrap_or_default());
-            self.id(texts)
-        };
-        Some((0..length).map(element).collect())
+            ids.push(self.id(texts));
+        }
+        Some(ids)
     }
 
     fn id(&mut self, texts: Vec<String>) -> u32 {
@@ -128,18 +141,20 @@ fn differing_indexes<'i>(old: &'i [u32], new: &'i [u32], unwritten: u32) -> impl
 }
 
 fn greatest_distance(name: &str, indexes: &[usize], places: &mut Places<'_>) -> Option<f64> {
-    let distance = |index: &usize| {
-        let path = format!("{name}[{index}]");
-        Some(movement::in_world(&path, &path, places)?.distance_mm)
-    };
-    indexes.iter().filter_map(distance).reduce(f64::max)
+    let paths = indexes.iter().map(|index| format!("{name}[{index}]"));
+    let displacements = paths.filter_map(|path| movement::in_world(&path, &path, places));
+    displacements.map(|displacement| displacement.distance_mm).reduce(f64::max)
 }
 
 /// Returns the new index of every old index that is in both versions.
 fn pairs(steps: &[AlignmentStep]) -> FxHashMap<usize, usize> {
-    let pair =
-        |step: &AlignmentStep| if let AlignmentStep::Pair { old, new } = step { Some((*old, *new)) } else { None };
-    steps.iter().filter_map(pair).collect()
+    let mut indexes = FxHashMap::default();
+    for step in steps {
+        if let AlignmentStep::Pair { old, new } = *step {
+            indexes.insert(old, new);
+        }
+    }
+    indexes
 }
 
 /// Returns the runs of elements whose index differs.

@@ -14,23 +14,29 @@ use crate::tree::{is_settings, text_of};
 
 /// Returns the files that differ.
 pub(super) fn compare(old: &TreeFiles<'_>, new: &TreeFiles<'_>, problems: &mut Vec<Problem>) -> Vec<SettingsChange> {
-    let of = |files: &TreeFiles<'_>| -> BTreeMap<String, String> {
-        let settings = files.keys().filter(|path| is_settings(path));
-        settings.map(|path| (path_key(path.as_str()), path.to_string())).collect()
-    };
-    let (old_paths, new_paths) = (of(old), of(new));
-    let keys: BTreeSet<&String> = old_paths.keys().chain(new_paths.keys()).collect();
-    let change = |key: &String| {
-        let path = new_paths.get(key).or(old_paths.get(key))?;
-        let bytes = |paths: &BTreeMap<String, String>, files: &TreeFiles<'_>| -> Option<Vec<u8>> {
-            files.get(Utf8Path::new(paths.get(key)?)).map(|bytes| bytes.to_vec())
-        };
-        file(path, bytes(&old_paths, old), bytes(&new_paths, new), problems)
-    };
-    keys.into_iter().filter_map(change).collect()
+    let (old, new) = (settings_by_key(old), settings_by_key(new));
+    let keys: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
+    let changes = keys.into_iter().filter_map(|key| {
+        let (old, new) = (old.get(key), new.get(key));
+        let path = new.or(old)?.path;
+        file(path, old.map(|file| file.bytes), new.map(|file| file.bytes), problems)
+    });
+    changes.collect()
 }
 
-fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut Vec<Problem>) -> Option<SettingsChange> {
+/// A settings file in a tree.
+struct SettingsFile<'t> {
+    path: &'t str,
+    bytes: &'t [u8],
+}
+
+/// Returns the settings files by path in lower case.
+fn settings_by_key<'t>(files: &'t TreeFiles<'_>) -> BTreeMap<String, SettingsFile<'t>> {
+    let settings = files.iter().filter(|(path, _)| is_settings(path));
+    settings.map(|(path, bytes)| (path_key(path.as_str()), SettingsFile { path: path.as_str(), bytes })).collect()
+}
+
+fn file(path: &str, old: Option<&[u8]>, new: Option<&[u8]>, problems: &mut Vec<Problem>) -> Option<SettingsChange> {
     let change = Change::of(old.is_some(), new.is_some());
     let is_io = is_io(Utf8Path::new(path).file_name().unwrap_or(path));
     let mut compared = SettingsChange { path: path.to_owned(), change, is_io, entries: Vec::new(), text: None };
@@ -39,11 +45,11 @@ fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut V
         return None;
     }
     let read = |bytes: &[u8]| text_of(bytes).ok().and_then(|text| read(&text));
-    match (read(&old), read(&new)) {
+    match (read(old), read(new)) {
         (Some(old), Some(new)) => compared.entries = entries(&old, &new),
         (old_read, new_read) => {
-            let old = Version { bytes: &old, is_readable: old_read.is_some() };
-            let new = Version { bytes: &new, is_readable: new_read.is_some() };
+            let old = Version { bytes: old, is_readable: old_read.is_some() };
+            let new = Version { bytes: new, is_readable: new_read.is_some() };
             compared.text = text::compare(path, [Some(old), Some(new)], text::XML, problems);
         }
     }
@@ -55,12 +61,12 @@ pub(super) fn entries(old: &[XmlEntry], new: &[XmlEntry]) -> Vec<EntryChange> {
     let (old_values, new_values): (BTreeMap<_, _>, BTreeMap<_, _>) =
         (old.iter().cloned().collect(), new.iter().cloned().collect());
     let gone = old.iter().filter(|(name, _)| !new_values.contains_key(name));
-    let change = |(name, _): &XmlEntry| EntryChange {
+    let mut seen = BTreeSet::new();
+    let all = new.iter().chain(gone).filter(|(name, _)| seen.insert(name.clone()));
+    let changes = all.map(|(name, _)| EntryChange {
         entry: name.clone(),
         old: old_values.get(name).cloned(),
         new: new_values.get(name).cloned(),
-    };
-    let mut seen = BTreeSet::new();
-    let all = new.iter().chain(gone).filter(|(name, _)| seen.insert(name.clone()));
-    all.map(change).filter(|change| change.old != change.new).collect()
+    });
+    changes.filter(|change| change.old != change.new).collect()
 }

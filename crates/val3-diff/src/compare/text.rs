@@ -21,12 +21,13 @@ pub(crate) struct VersionLine {
 
 /// Returns the lines that differ with context. Line ends are ignored.
 pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {
-    let lines = |text: &str| -> Vec<VersionLine> {
-        let text = line_ends(text);
-        let line = |(number, text): (usize, &str)| VersionLine { number, text: text.to_owned(), key: text.to_owned() };
-        (1..).zip(text.lines()).map(line).collect()
-    };
-    hunks_of(&lines(old), &lines(new))
+    hunks_of(&version_lines(old), &version_lines(new))
+}
+
+fn version_lines(text: &str) -> Vec<VersionLine> {
+    let text = line_ends(text);
+    let lines = (1..).zip(text.lines());
+    lines.map(|(number, text)| VersionLine { number, text: text.to_owned(), key: text.to_owned() }).collect()
 }
 
 /// Returns the lines whose keys differ with context.

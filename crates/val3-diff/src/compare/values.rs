@@ -27,24 +27,23 @@ pub(super) fn compare(
 
 /// Returns the values that differ between elements with the same index or key.
 fn by_index(old: &DataVersion, new: &DataVersion, places: &mut Places<'_>) -> Vec<ValueChange> {
-    let by_path = |data: &DataVersion| -> FxHashMap<SmolStr, usize> {
-        data.values.iter().enumerate().map(|(index, (path, _))| (path.clone(), index)).collect()
-    };
-    let (old_paths, new_paths) = (by_path(old), by_path(new));
-    let gone = old.values.iter().filter(|(path, _)| !new_paths.contains_key(path));
+    let (old_values, new_values) = (values_by_path(old), values_by_path(new));
+    let gone = old.values.iter().filter(|(path, _)| !new_values.contains_key(path));
     let mut changes = elements(old, new);
     for (path, _) in new.values.iter().chain(gone) {
         let key = key(&new.decl.name, path);
         if !is_in_both(old, new, key) {
             continue;
         }
-        let value = |data: &'_ DataVersion, paths: &FxHashMap<SmolStr, usize>| {
-            paths.get(path).and_then(|index| data.values.get(*index)).map(|(_, value)| value.clone())
-        };
-        changes.extend(compare_one(path, value(old, &old_paths), value(new, &new_paths), places));
+        let (old_value, new_value) = (old_values.get(path), new_values.get(path));
+        changes.extend(compare_one(path, old_value.copied().cloned(), new_value.copied().cloned(), places));
     }
     changes.extend(field_sizes(old, new));
     changes
+}
+
+fn values_by_path(data: &DataVersion) -> FxHashMap<&SmolStr, &FileValue> {
+    data.values.iter().map(|(path, value)| (path, value)).collect()
 }
 
 /// Whether the element is in both data, or both files contain it outside of the size.
@@ -112,16 +111,19 @@ fn compare_one(
 
 /// Returns elements that are in only one of the sizes or key sets, and that have a value or key in the file.
 fn elements(old: &DataVersion, new: &DataVersion) -> Vec<ValueChange> {
-    let only = |data: &DataVersion, other: &DataVersion, change: Change| -> Vec<ValueChange> {
-        let contents = Contents::of(data);
-        let is_only_here = |key: &&SmolStr| {
-            let is_outside_of_both = !data.has_element(key) && other.keys.contains(key.as_str());
-            !other.has_element(key) && !is_outside_of_both
-        };
-        let keys = data.keys.iter().filter(is_only_here);
-        keys.map(|key| contents.element(data, key, change)).collect()
-    };
-    [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
+    [elements_only_in(old, new, Change::Removed), elements_only_in(new, old, Change::Added)].concat()
+}
+
+fn elements_only_in(data: &DataVersion, other: &DataVersion, change: Change) -> Vec<ValueChange> {
+    let contents = Contents::of(data);
+    let keys = data.keys.iter().filter(|key| is_only_in(data, other, key));
+    keys.map(|key| contents.element(data, key, change)).collect()
+}
+
+/// Whether the element is missing in `other`. An element outside of both sizes is not missing if `other` has its key.
+fn is_only_in(data: &DataVersion, other: &DataVersion, key: &str) -> bool {
+    let is_outside_of_both = !data.has_element(key) && other.keys.contains(key);
+    !other.has_element(key) && !is_outside_of_both
 }
 
 /// Returns all elements in the file, for data that exist in only one tree.

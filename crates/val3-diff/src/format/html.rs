@@ -67,23 +67,28 @@ fn add_entry(entry: &ReportItem, out: &mut String) {
 
 fn add_table(table: &TextTable, out: &mut String) {
     let last = table.titles.len().saturating_sub(1);
-    let title = |(column, title): (usize, &&str)| match column {
-        0 => format!("<th>{title}</th>"),
-        _ if column == last => format!("<th>{title}</th>"),
-        _ => format!("<th class=\"number\">{title}</th>"),
-    };
-    let titles: String = table.titles.iter().enumerate().map(title).collect();
+    let titles = table.titles.iter().enumerate();
+    let titles: String = titles.map(|(column, title)| title_cell(title, column == 0 || column == last)).collect();
     let _ = writeln!(out, "<table>\n<tr>{titles}</tr>");
     for row in &table.rows {
-        let cell = |(column, text): (usize, &String)| match column {
-            0 => format!("<td><code>{}</code></td>", html(text)),
-            _ if column == last => format!("<td>{}</td>", html(text)),
-            _ => format!("<td class=\"number\">{}</td>", html(text)),
-        };
-        let cells: String = row.cells.iter().enumerate().map(cell).collect();
+        let cells = row.cells.iter().enumerate();
+        let cells: String = cells.map(|(column, text)| cell(text, column, column == last)).collect();
         let _ = writeln!(out, "<tr class=\"{}\">{cells}</tr>", mark(row.mark).0);
     }
     out.push_str("</table>\n");
+}
+
+fn title_cell(title: &str, is_text: bool) -> String {
+    if is_text { format!("<th>{title}</th>") } else { format!("<th class=\"number\">{title}</th>") }
+}
+
+/// Formats a cell. The first column contains names, the last one text, all others numbers.
+fn cell(text: &str, column: usize, is_last: bool) -> String {
+    match column {
+        0 => format!("<td><code>{}</code></td>", html(text)),
+        _ if is_last => format!("<td>{}</td>", html(text)),
+        _ => format!("<td class=\"number\">{}</td>", html(text)),
+    }
 }
 
 fn add_lines(groups: &[Vec<HunkLine>], out: &mut String) {

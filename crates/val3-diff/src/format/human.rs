@@ -91,13 +91,15 @@ fn sign(mark: ReportMark) -> (TextStyle, &'static str) {
     }
 }
 
+/// Returns the width of the widest cell or title.
+fn column_width(table: &TextTable, column: usize) -> usize {
+    let cells = table.rows.iter().filter_map(|row| row.cells.get(column)).map(|cell| printable(cell).width());
+    cells.chain(table.titles.get(column).map(|title| title.width())).max().unwrap_or(0)
+}
+
 fn add_table(table: &TextTable, lines: &mut Vec<StyledLine>) {
     let last = table.titles.len().saturating_sub(1);
-    let width = |column: usize| {
-        let cells = table.rows.iter().filter_map(|row| row.cells.get(column)).map(|cell| printable(cell).width());
-        cells.chain(table.titles.get(column).map(|title| title.width())).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..table.titles.len()).map(width).collect();
+    let widths: Vec<usize> = (0..table.titles.len()).map(|column| column_width(table, column)).collect();
     let titles = table.titles.iter().map(|title| (*title).to_owned()).collect::<Vec<_>>();
     for (mark, cells) in
         std::iter::once((None, &titles)).chain(table.rows.iter().map(|row| (Some(row.mark), &row.cells)))

@@ -45,6 +45,10 @@ enum TokenKind {
     Other,
 }
 
+fn is_blank(token: &TokenView<'_>) -> bool {
+    token.text().trim().is_empty()
+}
+
 impl ProgramCode {
     /// Reads the code in the tree of a `.pgx`.
     pub(crate) fn read(file: View<'_>) -> Self {
@@ -52,10 +56,8 @@ impl ProgramCode {
         let mut tokens = Vec::new();
         collect(code, &mut tokens);
         let is_escaped = !tokens.iter().any(|token| token.kind() == SyntaxKind::CDATA_OPEN);
-        let is_bracket = |kind| matches!(kind, SyntaxKind::CDATA_OPEN | SyntaxKind::CDATA_CLOSE);
-        tokens.retain(|token| !is_bracket(token.kind()));
+        tokens.retain(|token| !matches!(token.kind(), SyntaxKind::CDATA_OPEN | SyntaxKind::CDATA_CLOSE));
         // The first line is the line of `begin`, as on the controller.
-        let is_blank = |token: &TokenView<'_>| token.text().trim().is_empty();
         let end = tokens.iter().rposition(|token| !is_blank(token)).map_or(0, |last| last + 1);
         let mut lines = vec![CodeLine::default()];
         let mut before = None;
@@ -128,12 +130,12 @@ impl CodeLine {
 
     /// Returns the line with a placeholder for each name.
     pub(crate) fn shape(&self) -> String {
-        let text = |token: &CodeToken| match token.kind {
+        let texts = self.tokens.iter().map(|token| match token.kind {
             TokenKind::Name => "\0",
             TokenKind::Keyword(text) => text,
             TokenKind::Comment | TokenKind::Other => self.raw(token),
-        };
-        self.tokens.iter().map(text).collect::<Vec<_>>().join(" ")
+        });
+        texts.collect::<Vec<_>>().join(" ")
     }
 
     /// Returns the names of programs, data and local variables in order.

@@ -76,10 +76,14 @@ fn is_unread(path: &str) -> bool {
 /// Returns the innermost element that contains an entry, if it is a value, for example `Value[0]` for
 /// `Datas Data[nA] Value[0]`. Values of `world` and `flange`, which files of s5 and s6 declare, are excluded.
 fn innermost_value(path: &str) -> Option<&str> {
-    let is_value = |part: &&str| part.to_ascii_lowercase().starts_with("value");
     let is_built_in = ["frame[world]", "tool[flange]"].iter().any(|name| path.contains(name));
     let innermost = path.rsplit(' ').find(|part| is_value(part) && *part != "value" || part.starts_with("Field["));
-    innermost.filter(is_value).filter(|_| !is_built_in)
+    innermost.filter(|part| is_value(part) && !is_built_in)
+}
+
+/// Whether the element is a value: `Value[0]`, `valueFrame[0]`.
+fn is_value(element: &str) -> bool {
+    element.to_ascii_lowercase().starts_with("value")
 }
 
 fn is_of_value(attribute: &str) -> bool {

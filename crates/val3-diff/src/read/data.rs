@@ -125,8 +125,8 @@ fn read_one(element: XmlElement<'_>) -> Option<DataVersion> {
 
 /// Returns the elements of data or a field in the file, with their keys.
 fn elements<'g>(container: XmlElement<'g>) -> impl Iterator<Item = (SmolStr, XmlElement<'g>)> {
-    let is_value = |element: &XmlElement<'_>| element.name().to_ascii_lowercase().starts_with("value");
-    container.elements().filter(is_value).filter_map(|element| {
+    let values = container.elements().filter(|element| element.name().to_ascii_lowercase().starts_with("value"));
+    values.filter_map(|element| {
         let key = element.value("key").or_else(|| element.value("index"))?;
         Some((key_of(&key).into(), element))
     })

@@ -47,10 +47,9 @@ impl ProgramVersion {
 
     /// Formats the interface for callers: `pick(num, string&)`.
     pub(crate) fn interface(&self) -> String {
-        let ty =
-            |param: &ParamDecl| parameter(&ParamDecl { name: SmolStr::default(), ..param.clone() }).replace(' ', "");
-        let params: Vec<String> = self.header.params.iter().map(ty).collect();
-        format!("{}({})", self.header.name, params.join(", "))
+        let unnamed = self.header.params.iter().map(|param| ParamDecl { name: SmolStr::default(), ..param.clone() });
+        let types: Vec<String> = unnamed.map(|param| parameter(&param).replace(' ', "")).collect();
+        format!("{}({})", self.header.name, types.join(", "))
     }
 
     /// Returns `public` or `private`.
@@ -104,9 +103,9 @@ fn description(program: XmlElement<'_>) -> String {
 
 /// Returns the decoded character data directly in an element.
 pub(crate) fn text_in(element: XmlElement<'_>) -> String {
-    let is_text = |kind| matches!(kind, SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF);
     let tokens = element.view().children_with_tokens().filter_map(rowan::NodeOrToken::into_token);
-    tokens.filter(|token| is_text(token.kind())).map(|token| val3_syntax::decode_entities(token.text())).collect()
+    let texts = tokens.filter(|token| matches!(token.kind(), SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF));
+    texts.map(|token| val3_syntax::decode_entities(token.text())).collect()
 }
 
 #[cfg(test)]

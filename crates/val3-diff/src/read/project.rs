@@ -1,7 +1,7 @@
 //! A project file: its lists and parameters.
 
 use smol_str::SmolStr;
-use val3_analysis::items::manifest::{self, Manifest};
+use val3_analysis::items::manifest::{self, LibraryEntry, Manifest};
 use val3_analysis::paths::path_key;
 use val3_analysis::xml;
 use val3_lang::types::LengthUnit;
@@ -47,11 +47,12 @@ impl ProjectVersion {
 
     /// Returns library identifiers with their paths and whether they are loaded with the application.
     pub(crate) fn libraries(&self) -> Vec<(SmolStr, String)> {
-        let shown = |path: &str, autoload: bool| {
-            if autoload { path.to_owned() } else { format!("{path} (not loaded at the start)") }
-        };
         let libraries = self.manifest.libraries.iter();
-        libraries.map(|entry| (entry.alias.clone(), shown(&entry.path, entry.autoload))).collect()
+        let libraries = libraries.map(|LibraryEntry { alias, path, autoload, .. }| {
+            let note = if *autoload { "" } else { " (not loaded at the start)" };
+            (alias.clone(), format!("{path}{note}"))
+        });
+        libraries.collect()
     }
 
     /// Returns user types with their paths.

@@ -46,11 +46,11 @@ impl FileValue {
 
     /// Reads the value of `element`. `container` is the element that declares the data.
     pub(crate) fn read(element: XmlElement<'_>, container: XmlElement<'_>, ty: BaseType, arm: Option<Arm>) -> Self {
-        let part = |attribute: &ValueAttribute| match written(element, container, attribute) {
+        let parts = attributes(ty, arm).iter().map(|attribute| match written(element, container, attribute) {
             Some(text) => part(attribute, &text),
             None => default_part(attribute),
-        };
-        Self { ty, arm, parts: attributes(ty, arm).iter().map(part).collect() }
+        });
+        Self { ty, arm, parts: parts.collect() }
     }
 
     /// Returns each attribute with its content.
@@ -91,15 +91,15 @@ impl FileValue {
     /// Returns the axes of a joint position; `None` for other values or with an unreadable number. Angles are in
     /// degrees, linear axes in the length unit of the application.
     pub(crate) fn axes(&self) -> Option<Vec<(AxisKind, f64)>> {
-        let axis = |(number, part): (usize, &ValuePart)| match part {
-            ValuePart::Number(value) if number == 2 && self.arm == Some(Arm::Scara) => Some((AxisKind::Linear, *value)),
-            ValuePart::Number(value) => Some((AxisKind::Rotary, *value)),
-            ValuePart::Text(_) => None,
-        };
         if self.ty != BaseType::Joint {
             return None;
         }
-        self.parts.iter().enumerate().map(axis).collect()
+        let axes = self.parts.iter().enumerate().map(|(index, part)| {
+            let ValuePart::Number(value) = part else { return None };
+            let is_linear = index == 2 && self.arm == Some(Arm::Scara);
+            Some((if is_linear { AxisKind::Linear } else { AxisKind::Rotary }, *value))
+        });
+        axes.collect()
     }
 
     /// Returns the data path of the value's father; empty if the value has none.
@@ -172,12 +172,17 @@ fn default_part(attribute: &ValueAttribute) -> ValuePart {
 /// Returns the attribute's text: in the value, or in the old dialect in an element of the value or its container.
 fn written<'g>(element: XmlElement<'g>, container: XmlElement<'g>, attribute: &ValueAttribute) -> Option<Cow<'g, str>> {
     let in_parts = || element.elements().find_map(|part| part.value(attribute.old_name()));
-    let old = || match attribute.value {
+    let old_reference = || old_reference(element, container, attribute).map(Cow::Owned);
+    element.value(attribute.name).or_else(in_parts).or_else(old_reference)
+}
+
+/// Returns the father or link in the old dialect.
+fn old_reference(element: XmlElement<'_>, container: XmlElement<'_>, attribute: &ValueAttribute) -> Option<String> {
+    match attribute.value {
         AttributeValue::Father(_) => named(container, |name| name.ends_with("Father"), "fatherIndex"),
         AttributeValue::Link => named(element, |name| name == "io", "ioIndex"),
         _ => None,
-    };
-    element.value(attribute.name).or_else(in_parts).or_else(|| old().map(Cow::Owned))
+    }
 }
 
 /// Returns the reference in an element of the old dialect: `<pFather alias="" name="world" fatherIndex="0" />`.

@@ -150,16 +150,16 @@ fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
 
 /// Formats the first elements of added or removed data: `0: "a", 1: "b" and 3 more`.
 fn elements(change: &DataChange) -> String {
-    let key =
-        |path: &str| path.strip_prefix(&change.name).map(|rest| rest.trim_matches(['[', ']'])).unwrap_or("").to_owned();
-    let shown = |value: &ValueChange| {
-        let key = key(&value.path);
-        let key = if key.is_empty() { "0".to_owned() } else { key };
-        value.value.as_ref().map_or(key.clone(), |value| format!("{key}: {value}"))
-    };
-    let first: Vec<String> = change.values.iter().take(SHOWN).map(shown).collect();
+    let first: Vec<String> = change.values.iter().take(SHOWN).map(|value| element(&change.name, value)).collect();
     match change.values.len().saturating_sub(SHOWN) {
         0 => first.join("; "),
         more => format!("{} and {more} more", first.join("; ")),
     }
+}
+
+/// Formats an element of the data `name`: `1: "b"`, or `1` without a value.
+fn element(name: &str, change: &ValueChange) -> String {
+    let key = change.path.strip_prefix(name).map_or("", |rest| rest.trim_matches(['[', ']']));
+    let key = if key.is_empty() { "0" } else { key };
+    change.value.as_ref().map_or(key.to_owned(), |value| format!("{key}: {value}"))
 }

@@ -11,20 +11,20 @@ pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
     if !programs.is_empty() {
         blocks.push(heading(2, "Programs", ""));
     }
-    let is_small = |change: &&ProgramChange| is_only(change, CodeKind::Layout) || has_only_renames(change);
-    let (small, others): (Vec<&ProgramChange>, Vec<&ProgramChange>) = programs.iter().partition(is_small);
+    let (small, others): (Vec<&ProgramChange>, Vec<&ProgramChange>) =
+        programs.iter().partition(|change| is_only(change, CodeKind::Layout) || has_only_renames(change));
     others.into_iter().for_each(|change| program(change, blocks));
-    let names = |is_wanted: fn(&ProgramChange) -> bool| {
-        let wanted = small.iter().filter(|change| is_wanted(change));
-        wanted.map(|change| change.name.as_str()).collect::<Vec<_>>().join(", ")
-    };
-    let renames = names(has_only_renames);
-    let layouts = names(|change| is_only(change, CodeKind::Layout));
+    let renames = names(small.iter().copied().filter(|change| has_only_renames(change)));
+    let layouts = names(small.iter().copied().filter(|change| is_only(change, CodeKind::Layout)));
     for (names, text) in [(renames, "only renamed names differ"), (layouts, "only the layout of the code differs")] {
         if !names.is_empty() {
             blocks.push(entry(ReportMark::Changed, &names, text));
         }
     }
+}
+
+fn names<'c>(changes: impl Iterator<Item = &'c ProgramChange>) -> String {
+    changes.map(|change| change.name.as_str()).collect::<Vec<_>>().join(", ")
 }
 
 /// Whether only the code differs, with this kind of difference.

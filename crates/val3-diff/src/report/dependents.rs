@@ -35,23 +35,22 @@ fn range(dependents: &[&Dependent]) -> String {
 /// Formats `12.500 mm, 0.500°`, or the range from the smallest to the greatest displacement; empty without
 /// displacements.
 pub(super) fn span(displacements: &[Displacement]) -> String {
-    let numbers = |number: fn(&Displacement) -> f64, shown: fn(f64) -> String| {
-        let is_any = displacements.iter().any(|moved| number(moved) != 0.0);
-        is_any.then(|| range_of(displacements.iter().map(number), shown))
-    };
-    let distances = numbers(|moved| moved.distance_mm, millimetres);
-    let angles = numbers(|moved| moved.angle_deg, degrees);
+    let distances = range_of(displacements.iter().map(|moved| moved.distance_mm), millimetres);
+    let angles = range_of(displacements.iter().map(|moved| moved.angle_deg), degrees);
     distances.into_iter().chain(angles).collect::<Vec<_>>().join(", ")
 }
 
-/// Formats `12.500 mm` or `12.500 to 14.000 mm`.
-fn range_of(numbers: impl Iterator<Item = f64> + Clone, shown: fn(f64) -> String) -> String {
+/// Formats `12.500 mm` or `12.500 to 14.000 mm`; `None` if all numbers are 0.
+fn range_of(numbers: impl Iterator<Item = f64> + Clone, shown: fn(f64) -> String) -> Option<String> {
+    if numbers.clone().all(|number| number == 0.0) {
+        return None;
+    }
     let least = shown(numbers.clone().fold(f64::INFINITY, f64::min));
     let greatest = shown(numbers.fold(0.0, f64::max));
     if least == greatest {
-        return least;
+        return Some(least);
     }
-    format!("{} to {greatest}", least.trim_end_matches(|last: char| !last.is_ascii_digit()))
+    Some(format!("{} to {greatest}", least.trim_end_matches(|last: char| !last.is_ascii_digit())))
 }
 
 #[cfg(test)]
@@ -59,11 +58,11 @@ mod tests {
     use super::*;
 
     fn shown(paths: &[(&str, f64)]) -> Vec<String> {
-        let dependent = |(path, distance_mm): &(&str, f64)| Dependent {
+        let dependents = paths.iter().map(|(path, distance_mm)| Dependent {
             path: (*path).to_owned(),
             type_name: "point".to_owned(),
             in_world: Some(Displacement { distance_mm: *distance_mm, angle_deg: 0.0 }),
-        };
+        });
         let moved = ValueChange {
             path: "fTable".to_owned(),
             change: crate::model::Change::Changed,
@@ -73,15 +72,15 @@ mod tests {
             fields: Vec::new(),
             movement: None,
             axes: None,
-            dependents: paths.iter().map(dependent).collect(),
+            dependents: dependents.collect(),
         };
         let mut blocks = Vec::new();
         add(&moved, &mut blocks);
-        let line = |block: &Block| match block {
+        let lines = blocks.iter().map(|block| match block {
             Block::Entry(entry) => format!("{}: {}", entry.name, entry.text),
             _ => String::new(),
-        };
-        blocks.iter().map(line).collect()
+        });
+        lines.collect()
     }
 
     #[test]

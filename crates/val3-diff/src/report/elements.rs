@@ -45,9 +45,11 @@ pub(super) fn ranges(mut numbers: Vec<usize>) -> Vec<String> {
             _ => found.push((number, number)),
         }
     }
-    let shown =
-        |(first, last): (usize, usize)| if first == last { first.to_string() } else { format!("{first}–{last}") };
-    found.into_iter().map(shown).collect()
+    let ranges = found.into_iter().map(|(first, last)| match first == last {
+        true => first.to_string(),
+        false => format!("{first}–{last}"),
+    });
+    ranges.collect()
 }
 
 #[cfg(test)]

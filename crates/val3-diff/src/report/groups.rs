@@ -21,10 +21,12 @@ pub(super) fn groups<'v>(values: &[&'v ValueChange]) -> Vec<Vec<&'v ValueChange>
             None => groups.push(vec![value]),
         }
     }
-    let split = |group: Vec<&'v ValueChange>| -> Vec<Vec<&'v ValueChange>> {
-        if group.len() < FEWEST { group.into_iter().map(|value| vec![value]).collect() } else { vec![group] }
-    };
-    groups.into_iter().flat_map(split).collect()
+    groups.into_iter().flat_map(split_if_small).collect()
+}
+
+/// Returns the values of a small group one by one.
+fn split_if_small(group: Vec<&ValueChange>) -> Vec<Vec<&ValueChange>> {
+    if group.len() < FEWEST { group.into_iter().map(|value| vec![value]).collect() } else { vec![group] }
 }
 
 /// Returns a description of the change that is equal for all values in a group.

@@ -15,7 +15,6 @@ use crate::read::number::shown;
 /// Adds the positions that differ, the greatest movement first, then the positions that moved with a frame or tool.
 pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
     let mut values = values.to_vec();
-    let is_pose = |value: &ValueChange| value.movement.is_some() || value.axes.is_some();
     values.sort_by(|one, other| is_pose(other).cmp(&is_pose(one)).then_with(|| by_size(extent(other), extent(one))));
     let (moved, others): (Vec<&ValueChange>, Vec<&ValueChange>) =
         values.into_iter().partition(|value| value.movement.is_some());
@@ -68,10 +67,15 @@ fn names(group: &[&ValueChange]) -> String {
     }
 }
 
+/// Whether the change has a displacement, of a pose or of axes.
+pub(super) fn is_pose(value: &ValueChange) -> bool {
+    value.movement.is_some() || value.axes.is_some()
+}
+
 /// Returns the title of the column for the entire movement. Tools move on the flange.
 fn whole_movement(moved: &[&ValueChange]) -> &'static str {
-    let is_tool = |value: &&ValueChange| value.type_name == BaseType::Tool.name();
-    match (moved.iter().any(is_tool), moved.iter().all(is_tool)) {
+    let tools = moved.iter().filter(|value| value.type_name == BaseType::Tool.name()).count();
+    match (tools > 0, tools == moved.len()) {
         (true, true) => "On flange",
         (true, false) => "In world, on flange",
         _ => "In world",

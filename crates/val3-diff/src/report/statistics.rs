@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::block::{Block, ReportMark, ReportRow, TextTable};
 use super::counts::DifferenceCounts;
-use super::points::{by_size, displacement, extent};
+use super::points::{by_size, displacement, extent, is_pose};
 use crate::model::{ApplicationChange, Change, Comparison, Displacement};
 
 /// Statistics for an application, or for the configuration and files outside of applications.
@@ -72,14 +72,12 @@ fn one(application: &ApplicationChange, others: usize) -> DiffStatistics {
 
 fn greatest(application: &ApplicationChange) -> Option<GreatestMovement> {
     let values = || application.data.iter().flat_map(|data| &data.values);
-    let moved = values().filter(|value| value.movement.is_some() || value.axes.is_some());
+    let moved = values().filter(|value| is_pose(value));
     let own = moved.map(|value| (&value.path, extent(value)));
     let along = values().flat_map(|value| &value.dependents).map(|dependent| (&dependent.path, dependent.in_world));
     // The first of equal movements.
-    let greater = |one: (_, Option<Displacement>), other: (_, Option<Displacement>)| {
-        if by_size(other.1, one.1).is_gt() { other } else { one }
-    };
-    let (path, displacement) = own.chain(along).reduce(greater)?;
+    let greatest = own.chain(along).reduce(|one, other| if by_size(other.1, one.1).is_gt() { other } else { one });
+    let (path, displacement) = greatest?;
     Some(GreatestMovement { path: path.clone(), displacement })
 }
 
@@ -110,17 +108,16 @@ pub(super) fn table(comparison: &Comparison) -> Option<Block> {
 }
 
 fn row(statistics: &DiffStatistics, columns: &[&Column]) -> ReportRow {
-    let number = |(_, number): &&Column| match number(&statistics.counts) {
+    let numbers = columns.iter().map(|(_, number)| match number(&statistics.counts) {
         0 => String::new(),
         count => count.to_string(),
-    };
+    });
     let greatest = statistics.greatest.as_ref().map(|greatest| {
         let moved = greatest.displacement.map_or("unknown".to_owned(), displacement);
         format!("{moved}  {}", greatest.path)
     });
     let name =
         statistics.name.as_deref().map_or("(other files)", |name| if name.is_empty() { "(this folder)" } else { name });
-    let cells =
-        std::iter::once(name.to_owned()).chain(columns.iter().map(number)).chain([greatest.unwrap_or_default()]);
+    let cells = std::iter::once(name.to_owned()).chain(numbers).chain([greatest.unwrap_or_default()]);
     ReportRow { mark: ReportMark::from(statistics.change), cells: cells.collect() }
 }

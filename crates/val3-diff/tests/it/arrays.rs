@@ -184,21 +184,22 @@ fn numbers_are_compared_by_index_unless_the_size_differs() {
     );
 }
 
+fn points_in_frame(x: i32, places: &[String]) -> String {
+    points(places).replace("world[0]", "f[0]").replace(
+        "<Datas>",
+        &format!(
+            "<Datas><Data name=\"f\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\">\
+             <Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/></Data>"
+        ),
+    )
+}
+
 #[test]
 fn points_of_a_renumbered_array_still_move_with_their_frame() {
-    let cell = |x: i32, places: &[String]| {
-        points(places).replace("world[0]", "f[0]").replace(
-            "<Datas>",
-            &format!(
-                "<Datas><Data name=\"f\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\">\
-                 <Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/></Data>"
-            ),
-        )
-    };
     let old = row(10);
     check(
-        &cell(0, &old),
-        &cell(5, &old[1..]),
+        &points_in_frame(0, &old),
+        &points_in_frame(5, &old[1..]),
         &expect![[r#"
         main  main/main.pjx
           Points, frames and tools
@@ -216,15 +217,19 @@ fn points_of_a_renumbered_array_still_move_with_their_frame() {
     );
 }
 
+/// Returns 10,000 places that differ; `offset` is added to each `y`.
+fn places(offset: f64) -> Vec<String> {
+    let places =
+        (0..10_000).map(|index| format!("x=\"{}\" y=\"{}\" rz=\"{}\"", 10 * index, 0.1 * 3.0 + offset, index % 90));
+    places.collect()
+}
+
 #[test]
 fn elements_that_moved_by_the_same_amount_share_a_line() {
-    let place =
-        |offset: f64, index: usize| format!("x=\"{}\" y=\"{}\" rz=\"{}\"", 10 * index, 0.1 * 3.0 + offset, index % 90);
-    let all = |offset: f64| (0..10_000).map(|index| place(offset, index)).collect::<Vec<_>>();
-    let mut new = all(1.5);
+    let mut new = places(1.5);
     new[7] = "x=\"75\" rz=\"9\"".to_owned();
     check(
-        &points(&all(0.0)),
+        &points(&places(0.0)),
         &points(&new),
         &expect![[r#"
         main  main/main.pjx

@@ -76,15 +76,15 @@ fn a_broken_program_and_a_broken_project_are_compared_as_text() {
     );
 }
 
+fn tree(has_program: bool) -> FileTree {
+    let program = "<Programs><Program name=\"start\"><Code>begin\nend</Code></Program></Programs>";
+    let project = "<Project><Programs><Program file=\"START.pgx\"/><Program file=\"other.pgx\"/></Programs></Project>";
+    let files = [("a.pjx", project), ("start.pgx", program), ("a.dtx", "<Database/>")];
+    FileTree::new(files.into_iter().filter(move |(path, _)| has_program || *path != "start.pgx"))
+}
+
 #[test]
 fn a_missing_program_is_reported_if_it_was_there() {
-    let files = |has_program: bool| {
-        let program = "<Programs><Program name=\"start\"><Code>begin\nend</Code></Program></Programs>";
-        let project =
-            "<Project><Programs><Program file=\"START.pgx\"/><Program file=\"other.pgx\"/></Programs></Project>";
-        let files = [("a.pjx", project), ("start.pgx", program), ("a.dtx", "<Database/>")];
-        FileTree::new(files.into_iter().filter(move |(path, _)| has_program || *path != "start.pgx"))
-    };
     expect![[r#"
         a  a.pjx
           Programs
@@ -95,7 +95,7 @@ fn a_missing_program_is_reported_if_it_was_there() {
 
         1 application differs: 1 program
     "#]]
-    .assert_eq(&human(&compare(&files(true), &files(false))));
+    .assert_eq(&human(&compare(&tree(true), &tree(false))));
 }
 
 #[test]

@@ -61,15 +61,16 @@ fn collections_differ_by_key() {
     );
 }
 
+fn slot(size: u32, x: u32, weight: &str) -> String {
+    data(&format!(
+        "<Data name=\"tSlot\" access=\"public\" xsi:type=\"array\" type=\"Slot\" size=\"{size}\"><Value key=\"0\">\
+         <Field name=\"pPick\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/>\
+         </Field><Field name=\"nWeight\" xsi:type=\"array\" type=\"num\" size=\"1\">{weight}</Field></Value></Data>"
+    ))
+}
+
 #[test]
 fn fields_of_user_types_are_compared() {
-    let slot = |size: u32, x: u32, weight: &str| {
-        data(&format!(
-            "<Data name=\"tSlot\" access=\"public\" xsi:type=\"array\" type=\"Slot\" size=\"{size}\"><Value key=\"0\">\
-             <Field name=\"pPick\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/>\
-             </Field><Field name=\"nWeight\" xsi:type=\"array\" type=\"num\" size=\"1\">{weight}</Field></Value></Data>"
-        ))
-    };
     check(
         &slot(1, 10, ""),
         &slot(2, 12, "<Value key=\"0\" value=\"5\"/>"),
@@ -87,13 +88,14 @@ fn fields_of_user_types_are_compared() {
     );
 }
 
+fn descriptor(values: &str) -> String {
+    data(&format!(
+        "<Data name=\"mFast\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" {values}/></Data>"
+    ))
+}
+
 #[test]
 fn motion_descriptors_differ_by_field() {
-    let descriptor = |values: &str| {
-        data(&format!(
-            "<Data name=\"mFast\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" {values}/></Data>"
-        ))
-    };
     check(
         &descriptor("tmax=\"250\""),
         &descriptor("vel=\"50\" tmax=\"500.0\" blend=\"cartesian\""),
@@ -107,15 +109,16 @@ fn motion_descriptors_differ_by_field() {
     );
 }
 
+fn two_numbers(value: &str) -> String {
+    data(&format!("<Data name=\"nA\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"2\">{value}</Data>"))
+}
+
 #[test]
 fn defaults_and_numbers_may_be_written_in_several_ways() {
-    let value = |value: &str| {
-        data(&format!("<Data name=\"nA\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"2\">{value}</Data>"))
-    };
-    let old = value("<Value key=\"0\" value=\"0\"/><Value key=\"1\" value=\"1.50\"/>");
+    let old = two_numbers("<Value key=\"0\" value=\"0\"/><Value key=\"1\" value=\"1.50\"/>");
     check(
         &old,
-        &value("<Value key=\"1\" value=\"1.5\"/>"),
+        &two_numbers("<Value key=\"1\" value=\"1.5\"/>"),
         &expect![[r#"
             no differences in 1 application
         "#]],

@@ -39,18 +39,19 @@ fn check(old: &str, new: &str, exclusions: &Exclusions, expected: &Expect) {
     expected.assert_eq(&human(&left_out(old, new, exclusions)));
 }
 
+fn point_and_number(x: &str, rz: &str, father: &str) -> String {
+    data(
+        &(value("pointRx", "pA", &format!("x=\"{x}\" rz=\"{rz}\" fatherId=\"{father}\""))
+            + &value("num", "nA", &format!("value=\"{x}\""))),
+    )
+}
+
 #[test]
 fn positions_within_the_tolerance_are_counted() {
-    let cell = |x: &str, rz: &str, father: &str| {
-        data(
-            &(value("pointRx", "pA", &format!("x=\"{x}\" rz=\"{rz}\" fatherId=\"{father}\""))
-                + &value("num", "nA", &format!("value=\"{x}\""))),
-        )
-    };
-    let old = cell("5", "0", "world[0]");
+    let old = point_and_number("5", "0", "world[0]");
     check(
         &old,
-        &cell("5.000001", "360", "world[0]"),
+        &point_and_number("5.000001", "360", "world[0]"),
         &tolerance("0.01mm,0.01deg"),
         &expect![[r#"
         main  main/main.pjx
@@ -62,7 +63,7 @@ fn positions_within_the_tolerance_are_counted() {
     );
     check(
         &old,
-        &cell("5.02", "0", "world[0]"),
+        &point_and_number("5.02", "0", "world[0]"),
         &tolerance("0.01mm,0.01deg"),
         &expect![[r#"
         main  main/main.pjx
@@ -78,7 +79,7 @@ fn positions_within_the_tolerance_are_counted() {
     // Another father is no small movement, even if the pose is equal.
     check(
         &old,
-        &cell("5", "0", "flange[0]"),
+        &point_and_number("5", "0", "flange[0]"),
         &tolerance("0.01mm,0.01deg"),
         &expect![[r#"
         main  main/main.pjx
@@ -138,18 +139,19 @@ fn a_turn_of_an_axis_is_no_small_movement() {
     );
 }
 
+fn turned_frame(rz: &str) -> String {
+    data(
+        &(value("frame", "fA", &format!("rz=\"{rz}\" fatherId=\"world[0]\""))
+            + &value("pointRx", "pNear", "x=\"1\" fatherId=\"fA[0]\"")
+            + &value("pointRx", "pFar", "x=\"2000\" fatherId=\"fA[0]\"")),
+    )
+}
+
 #[test]
 fn a_frame_that_moves_a_distant_point_counts() {
-    let cell = |rz: &str| {
-        data(
-            &(value("frame", "fA", &format!("rz=\"{rz}\" fatherId=\"world[0]\""))
-                + &value("pointRx", "pNear", "x=\"1\" fatherId=\"fA[0]\"")
-                + &value("pointRx", "pFar", "x=\"2000\" fatherId=\"fA[0]\"")),
-        )
-    };
     check(
-        &cell("0"),
-        &cell("0.005"),
+        &turned_frame("0"),
+        &turned_frame("0.005"),
         &tolerance("0.01mm,0.01deg"),
         &expect![[r#"
         main  main/main.pjx
@@ -163,8 +165,8 @@ fn a_frame_that_moves_a_distant_point_counts() {
     "#]],
     );
     check(
-        &cell("0"),
-        &cell("0.005"),
+        &turned_frame("0"),
+        &turned_frame("0.005"),
         &tolerance("1mm,1deg"),
         &expect![[r#"
         no differences in 1 application; ignored: 3 positions within 1 mm and 1°
@@ -172,11 +174,12 @@ fn a_frame_that_moves_a_distant_point_counts() {
     );
 }
 
+fn point(shoulder: &str, x: &str) -> String {
+    data(&value("pointRx", "pA", &format!("x=\"{x}\" shoulder=\"{shoulder}\" fatherId=\"world[0]\"")))
+}
+
 #[test]
 fn other_fields_count() {
-    let point = |shoulder: &str, x: &str| {
-        data(&value("pointRx", "pA", &format!("x=\"{x}\" shoulder=\"{shoulder}\" fatherId=\"world[0]\"")))
-    };
     check(
         &point("lefty", "0"),
         &point("righty", "0.001"),
@@ -236,16 +239,17 @@ fn ignored_data_are_counted() {
     );
 }
 
+fn slot(count: u32, x: u32) -> String {
+    data(&format!(
+        "<Data name=\"tSlot\" access=\"public\" xsi:type=\"array\" type=\"Slot\" size=\"1\"><Value key=\"0\">\
+         <Field name=\"nCount\" xsi:type=\"array\" type=\"num\" size=\"1\"><Value key=\"0\" value=\"{count}\"/></Field>\
+         <Field name=\"pA\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/>\
+         </Field></Value></Data>"
+    ))
+}
+
 #[test]
 fn fields_of_user_types_can_be_ignored() {
-    let slot = |count: u32, x: u32| {
-        data(&format!(
-            "<Data name=\"tSlot\" access=\"public\" xsi:type=\"array\" type=\"Slot\" size=\"1\"><Value key=\"0\">\
-             <Field name=\"nCount\" xsi:type=\"array\" type=\"num\" size=\"1\"><Value key=\"0\" value=\"{count}\"/></Field>\
-             <Field name=\"pA\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/>\
-             </Field></Value></Data>"
-        ))
-    };
     check(
         &slot(1, 1),
         &slot(2, 2),
@@ -269,25 +273,26 @@ fn fields_of_user_types_can_be_ignored() {
     );
 }
 
+fn frame_with_point(x: &str) -> String {
+    data(
+        &(value("frame", "fA", &format!("x=\"{x}\" fatherId=\"world[0]\""))
+            + &value("pointRx", "pA", "fatherId=\"fA[0]\"")),
+    )
+}
+
 #[test]
 fn an_ignored_frame_still_names_what_moved_with_it() {
-    let cell = |x: &str| {
-        data(
-            &(value("frame", "fA", &format!("x=\"{x}\" fatherId=\"world[0]\""))
-                + &value("pointRx", "pA", "fatherId=\"fA[0]\"")),
-        )
-    };
     check(
-        &cell("0"),
-        &cell("1"),
+        &frame_with_point("0"),
+        &frame_with_point("1"),
         &names(&["fA"]),
         &expect![[r#"
             no differences in 1 application; ignored: 1 value named fA, 1 position that moved along
         "#]],
     );
     check(
-        &cell("0"),
-        &cell("1"),
+        &frame_with_point("0"),
+        &frame_with_point("1"),
         &names(&["p*"]),
         &expect![[r#"
             main  main/main.pjx
@@ -374,19 +379,20 @@ fn layout_can_be_ignored() {
     );
 }
 
+fn visited_cell(x: &str, count: &str, code: &str) -> String {
+    data(
+        &(value("frame", "fA", &format!("x=\"{x}\" fatherId=\"world[0]\""))
+            + &value("pointRx", "pA", "fatherId=\"fA[0]\"")
+            + &value("num", "nA", &format!("value=\"{count}\""))),
+    )
+    .replace("cls()", code)
+        + "\n=== /configs/arm.cfx\n<arm x=\""
+        + count
+        + "\"/>"
+}
+
 fn visit() -> [String; 2] {
-    let cell = |x: &str, count: &str, code: &str| {
-        data(
-            &(value("frame", "fA", &format!("x=\"{x}\" fatherId=\"world[0]\""))
-                + &value("pointRx", "pA", "fatherId=\"fA[0]\"")
-                + &value("num", "nA", &format!("value=\"{count}\""))),
-        )
-        .replace("cls()", code)
-            + "\n=== /configs/arm.cfx\n<arm x=\""
-            + count
-            + "\"/>"
-    };
-    [cell("0", "1", "cls()"), cell("12.5", "2", "put(1)") + "\n=== main/main2.pgx\n<Programs>"]
+    [visited_cell("0", "1", "cls()"), visited_cell("12.5", "2", "put(1)") + "\n=== main/main2.pgx\n<Programs>"]
 }
 
 #[test]

@@ -6,22 +6,23 @@ use val3_diff::report::Detail;
 
 use crate::support::{compared, human};
 
+fn example_data(x: &str, link: &str) -> String {
+    format!(
+        "\n=== main/main.dtx\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+         xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\"><Datas>\
+         <Data name=\"fTable\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\"><Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/></Data>\
+         <Data name=\"pPick\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"2\"><Value key=\"0\" fatherId=\"fTable[0]\"/>\
+         <Value key=\"1\" x=\"5\" fatherId=\"fTable[0]\"/></Data>\
+         <Data name=\"dIn\" access=\"private\" xsi:type=\"array\" type=\"dio\" size=\"1\"><Value key=\"0\" link=\"{link}\"/></Data>\
+         </Datas></Database>"
+    )
+}
+
 fn example() -> Comparison {
-    let data = |x: &str, link: &str| {
-        format!(
-            "\n=== main/main.dtx\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-             xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\"><Datas>\
-             <Data name=\"fTable\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\"><Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\"/></Data>\
-             <Data name=\"pPick\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"2\"><Value key=\"0\" fatherId=\"fTable[0]\"/>\
-             <Value key=\"1\" x=\"5\" fatherId=\"fTable[0]\"/></Data>\
-             <Data name=\"dIn\" access=\"private\" xsi:type=\"array\" type=\"dio\" size=\"1\"><Value key=\"0\" link=\"{link}\"/></Data>\
-             </Datas></Database>"
-        )
-    };
     let code = "cls()\nput(\"<b>|`x`\")\n";
-    let old = code.to_owned() + &data("500", "BasicIO-1\\%I0");
+    let old = code.to_owned() + &example_data("500", "BasicIO-1\\%I0");
     let new = code.replace("<b>", "<i>")
-        + &data("512.5", "BasicIO-1\\%I1")
+        + &example_data("512.5", "BasicIO-1\\%I1")
         + "\n=== /configs/arm.cfx\n<arm/>\n=== main/broken.pgx\n<Programs>";
     let mut comparison = compared(&old, &new);
     comparison.old = "before".to_owned();

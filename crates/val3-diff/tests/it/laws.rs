@@ -7,20 +7,24 @@ use val3_diff::model::{ApplicationChange, Change};
 use val3_diff::report::Detail;
 use val3_diff::{Comparison, FileTree, compare};
 
+fn data_element((name, (ty, public, values)): (String, (u8, bool, Vec<i8>))) -> String {
+    let access = if public { "public" } else { "private" };
+    let (ty, attribute, rest) =
+        [("num", "value", ""), ("pointRx", "x", "fatherId=\"a[0]\""), ("frame", "rz", "fatherId=\"b[0]\"")]
+            [usize::from(ty)];
+    let size = values.len();
+    let value = |(key, value): (usize, &i8)| format!("<Value key=\"{key}\" {attribute}=\"{value}\" {rest}/>");
+    let values: String = values.iter().enumerate().map(value).collect();
+    format!(
+        "<Data name=\"{name}\" access=\"{access}\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">{values}</Data>"
+    )
+}
+
 /// Generates data with a few names, so that both trees have common data.
 fn data() -> impl Strategy<Value = String> {
     let declaration = (0..3_u8, prop::bool::ANY, vec(-5..5_i8, 1..4));
     btree_map("[a-e]", declaration, 0..5).prop_map(|all| {
-        let one = |(name, (ty, public, values)): (String, (u8, bool, Vec<i8>))| {
-            let access = if public { "public" } else { "private" };
-            let (ty, attribute, rest) =
-                [("num", "value", ""), ("pointRx", "x", "fatherId=\"a[0]\""), ("frame", "rz", "fatherId=\"b[0]\"")][usize::from(ty)];
-            let size = values.len();
-            let value = |(key, value): (usize, &i8)| format!("<Value key=\"{key}\" {attribute}=\"{value}\" {rest}/>");
-            let values: String = values.iter().enumerate().map(value).collect();
-            format!("<Data name=\"{name}\" access=\"{access}\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">{values}</Data>")
-        };
-        let all: String = all.into_iter().map(one).collect();
+        let all: String = all.into_iter().map(data_element).collect();
         format!("<Database><Datas>{all}</Datas></Database>")
     })
 }
@@ -41,20 +45,21 @@ fn tree() -> impl Strategy<Value = FileTree> {
     })
 }
 
+fn add_changes(application: &ApplicationChange, add: &mut dyn FnMut(Change)) {
+    add(application.change);
+    application.programs.iter().for_each(|program| add(program.change));
+    application.texts.iter().for_each(|text| add(text.change));
+    for data in &application.data {
+        add(data.change);
+        data.values.iter().for_each(|value| add(value.change));
+    }
+}
+
 /// Returns the number of added, removed and changed items.
 fn counts(comparison: &Comparison) -> [usize; 3] {
     let mut counts = [0; 3];
     let mut add = |change: Change| counts[change as usize] += 1;
-    let each = |application: &ApplicationChange, add: &mut dyn FnMut(Change)| {
-        add(application.change);
-        application.programs.iter().for_each(|program| add(program.change));
-        application.texts.iter().for_each(|text| add(text.change));
-        for data in &application.data {
-            add(data.change);
-            data.values.iter().for_each(|value| add(value.change));
-        }
-    };
-    comparison.applications.iter().for_each(|application| each(application, &mut add));
+    comparison.applications.iter().for_each(|application| add_changes(application, &mut add));
     counts
 }
 

@@ -21,12 +21,13 @@ fn program(code: &str) -> String {
     format!("<Programs><Program name=\"start\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>")
 }
 
+fn tree(files: &[(&str, String)]) -> FileTree {
+    let start = [("a/start.pgx".to_owned(), program(""))];
+    FileTree::new(start.into_iter().chain(files.iter().map(|(name, text)| (format!("a/{name}"), text.clone()))))
+}
+
 /// Returns the report on two versions of the application `a`.
 fn report(old: &[(&str, String)], new: &[(&str, String)]) -> String {
-    let tree = |files: &[(&str, String)]| {
-        let start = [("a/start.pgx".to_owned(), program(""))];
-        FileTree::new(start.into_iter().chain(files.iter().map(|(name, text)| (format!("a/{name}"), text.clone()))))
-    };
     human(&compare(&tree(old), &tree(new)))
 }
 
@@ -95,17 +96,18 @@ fn a_program_that_no_project_lists_is_a_file() {
     .assert_eq(&report(&files("cls()"), &files("delay(1)")));
 }
 
+fn files_with_fields(size: &str) -> [(&'static str, String); 2] {
+    let data = format!(
+        "<Database><Datas><Data name=\"rA\" access=\"private\" xsi:type=\"array\" type=\"Rec\" size=\"1\"><Value \
+         key=\"0\"><Field name=\"nArr\" xsi:type=\"array\" type=\"num\" size=\"{size}\"/><Field name=\"rIn\" \
+         xsi:type=\"array\" type=\"Rec\" size=\"1\"><Value key=\"0\"><Field name=\"pArr\" xsi:type=\"array\" \
+         type=\"pointRx\" size=\"{size} 4\"/></Value></Field></Value></Data></Datas></Database>"
+    );
+    [("a.pjx", project(&["a.dtx"])), ("a.dtx", data)]
+}
+
 #[test]
 fn sizes_of_fields_differ() {
-    let files = |size: &str| {
-        let data = format!(
-            "<Database><Datas><Data name=\"rA\" access=\"private\" xsi:type=\"array\" type=\"Rec\" size=\"1\"><Value \
-             key=\"0\"><Field name=\"nArr\" xsi:type=\"array\" type=\"num\" size=\"{size}\"/><Field name=\"rIn\" \
-             xsi:type=\"array\" type=\"Rec\" size=\"1\"><Value key=\"0\"><Field name=\"pArr\" xsi:type=\"array\" \
-             type=\"pointRx\" size=\"{size} 4\"/></Value></Field></Value></Data></Datas></Database>"
-        );
-        [("a.pjx", project(&["a.dtx"])), ("a.dtx", data)]
-    };
     expect![[r#"
         a  a/a.pjx
           Data
@@ -114,17 +116,18 @@ fn sizes_of_fields_differ() {
 
         1 application differs: 2 values
     "#]]
-    .assert_eq(&report(&files("2"), &files("5")));
+    .assert_eq(&report(&files_with_fields("2"), &files_with_fields("5")));
+}
+
+fn profiles(level: i32) -> FileTree {
+    let profile = format!("<profile><right name=\"manualMode\" level=\"{level}\"/></profile>");
+    let files =
+        ["profiles/default.cfx", "templates/a/b.cfx"].map(|name| (format!("usr/configs/{name}"), profile.clone()));
+    FileTree::new(files)
 }
 
 #[test]
 fn settings_in_any_folder_of_the_configuration_differ() {
-    let tree = |level: i32| {
-        let profile = format!("<profile><right name=\"manualMode\" level=\"{level}\"/></profile>");
-        let files =
-            ["profiles/default.cfx", "templates/a/b.cfx"].map(|name| (format!("usr/configs/{name}"), profile.clone()));
-        FileTree::new(files)
-    };
     expect![[r#"
         configs/profiles/default.cfx  configuration of the controller
             ~ right[manualMode] level  1 → 3
@@ -134,18 +137,19 @@ fn settings_in_any_folder_of_the_configuration_differ() {
 
         the configuration differs: 2 settings
     "#]]
-    .assert_eq(&human(&compare(&tree(1), &tree(3))));
+    .assert_eq(&human(&compare(&profiles(1), &profiles(3))));
+}
+
+fn backup(recipe: &str, gone: &[(&str, &str)]) -> FileTree {
+    let files = [("usr/usrapp/a/a.pjx", project(&[])), ("usr/usrapp/txt/12.txt", recipe.to_owned())];
+    let more = gone.iter().map(|(path, text)| (*path, (*text).to_owned()));
+    FileTree::new(files.into_iter().chain(more))
 }
 
 #[test]
 fn other_files_of_a_backup_differ_by_their_bytes() {
-    let tree = |recipe: &str, gone: &[(&str, &str)]| {
-        let files = [("usr/usrapp/a/a.pjx", project(&[])), ("usr/usrapp/txt/12.txt", recipe.to_owned())];
-        let more = gone.iter().map(|(path, text)| (*path, (*text).to_owned()));
-        FileTree::new(files.into_iter().chain(more))
-    };
-    let old = tree("1 2", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/p.html", "<p/>")]);
-    let new = tree("1 3", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/q.html", "<p/>")]);
+    let old = backup("1 2", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/p.html", "<p/>")]);
+    let new = backup("1 3", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/q.html", "<p/>")]);
     expect![[r#"
         Other files  compared by their bytes
             - a/interface/p.html  the file was removed

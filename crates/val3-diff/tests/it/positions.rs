@@ -76,17 +76,18 @@ fn a_turned_frame_moves_distant_points_further() {
     );
 }
 
+fn tools(z: &str) -> String {
+    data(
+        &[
+            value("tool", "tFlange", &[&format!("z=\"{z}\" fatherId=\"flange[0]\"")]),
+            value("tool", "tGrip", &["z=\"100\" fatherId=\"tFlange[0]\" ioLink=\"valve1\" ioOpen=\"0.2\""]),
+        ]
+        .concat(),
+    )
+}
+
 #[test]
 fn a_moved_tool_moves_the_tools_on_it() {
-    let tools = |z: &str| {
-        data(
-            &[
-                value("tool", "tFlange", &[&format!("z=\"{z}\" fatherId=\"flange[0]\"")]),
-                value("tool", "tGrip", &["z=\"100\" fatherId=\"tFlange[0]\" ioLink=\"valve1\" ioOpen=\"0.2\""]),
-            ]
-            .concat(),
-        )
-    };
     check(
         &tools("10"),
         &tools("11"),
@@ -103,21 +104,22 @@ fn a_moved_tool_moves_the_tools_on_it() {
     );
 }
 
+fn positions(attributes: &str) -> String {
+    data(
+        &[
+            value("frame", "fA", &["x=\"10\" fatherId=\"world[0]\""]),
+            value("pointRx", "pA", &[&format!("{attributes} fatherId=\"world[0]\" shoulder=\"lefty\"")]),
+            value("pointRx", "pB", &[&attributes.replace("x=\"5\"", "x=\"5\" fatherId=\"fA[0]\"")]),
+            value("jointRx", "jA", &["j1=\"10\""]),
+            value("trsf", "trA", &[attributes]),
+        ]
+        .concat(),
+    )
+}
+
 #[test]
 fn another_father_or_configuration_is_named() {
-    let point = |attributes: &str| {
-        data(
-            &[
-                value("frame", "fA", &["x=\"10\" fatherId=\"world[0]\""]),
-                value("pointRx", "pA", &[&format!("{attributes} fatherId=\"world[0]\" shoulder=\"lefty\"")]),
-                value("pointRx", "pB", &[&attributes.replace("x=\"5\"", "x=\"5\" fatherId=\"fA[0]\"")]),
-                value("jointRx", "jA", &["j1=\"10\""]),
-                value("trsf", "trA", &[attributes]),
-            ]
-            .concat(),
-        )
-    };
-    let old = point("x=\"5\"");
+    let old = positions("x=\"5\"");
     let new = old
         .replace("shoulder=\"lefty\"", "shoulder=\"righty\"")
         .replace("x=\"5\" fatherId=\"fA[0]\"", "x=\"15\" fatherId=\"world[0]\"")

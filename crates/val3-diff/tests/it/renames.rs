@@ -180,14 +180,15 @@ fn another_item_in_the_place_of_a_removed_one_is_no_rename() {
     );
 }
 
+fn with_local(local: &str, used: &str) -> String {
+    format!("num nOther\nnum {used} = 1\n{used}=2\nprogram a()\n  num {local}\nbegin\n  {local}=1\n  nOther=1\nend")
+}
+
 #[test]
 fn a_local_variable_hides_a_renamed_name() {
-    let program = |local: &str, used: &str| {
-        format!("num nOther\nnum {used} = 1\n{used}=2\nprogram a()\n  num {local}\nbegin\n  {local}=1\n  nOther=1\nend")
-    };
     check(
-        &program("nA", "nA"),
-        &program("nA", "nB"),
+        &with_local("nA", "nA"),
+        &with_local("nA", "nB"),
         &expect![[r#"
         main  main/main.pjx
           Programs
@@ -199,8 +200,8 @@ fn a_local_variable_hides_a_renamed_name() {
     "#]],
     );
     check(
-        &program("nA", "nA"),
-        &program("nB", "nB"),
+        &with_local("nA", "nA"),
+        &with_local("nB", "nB"),
         &expect![[r#"
         main  main/main.pjx
           Programs
@@ -234,18 +235,19 @@ fn value(ty: &str, name: &str, value: &str) -> String {
     )
 }
 
+fn frame_and_points(frame: &str, point: &str) -> String {
+    data(
+        &(value("frame", frame, "x=\"1\" y=\"2\" fatherId=\"world[0]\"")
+            + &value("pointRx", point, &format!("x=\"1\" y=\"2\" fatherId=\"{frame}[0]\""))
+            + &value("pointRx", "pOther", &format!("x=\"1\" y=\"5\" fatherId=\"{frame}[0]\""))),
+    )
+}
+
 #[test]
 fn data_that_no_program_uses_are_renamed_if_their_content_is_the_same() {
-    let cell = |frame: &str, point: &str| {
-        data(
-            &(value("frame", frame, "x=\"1\" y=\"2\" fatherId=\"world[0]\"")
-                + &value("pointRx", point, &format!("x=\"1\" y=\"2\" fatherId=\"{frame}[0]\""))
-                + &value("pointRx", "pOther", &format!("x=\"1\" y=\"5\" fatherId=\"{frame}[0]\""))),
-        )
-    };
     check(
-        &cell("fOld", "pOld"),
-        &cell("fNew", "pNew"),
+        &frame_and_points("fOld", "pOld"),
+        &frame_and_points("fNew", "pNew"),
         &expect![[r#"
         main  main/main.pjx
           Points, frames and tools
@@ -255,9 +257,10 @@ fn data_that_no_program_uses_are_renamed_if_their_content_is_the_same() {
         1 application differs: 2 positions
     "#]],
     );
-    let moved = cell("fNew", "pNew").replace("x=\"1\" y=\"2\" fatherId=\"world", "x=\"9\" y=\"2\" fatherId=\"world");
+    let moved = frame_and_points("fNew", "pNew")
+        .replace("x=\"1\" y=\"2\" fatherId=\"world", "x=\"9\" y=\"2\" fatherId=\"world");
     check(
-        &cell("fOld", "pOld"),
+        &frame_and_points("fOld", "pOld"),
         &moved,
         &expect![[r#"
         main  main/main.pjx

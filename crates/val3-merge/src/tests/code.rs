@@ -149,14 +149,13 @@ fn contradicting_lines_keep_well_formed_xml() {
     );
 }
 
+fn with_last_parameter(name: &str) -> String {
+    let parameter = format!("<Parameter name=\"{name}\" type=\"num\" xsi:type=\"element\" />");
+    NEW.replace(" />\n    </Parameters>", &format!(" />\n      {parameter}\n    </Parameters>"))
+}
+
 #[test]
 fn the_order_of_parameters_counts() {
-    let end = " />\n    </Parameters>";
-    let with = |name: &str| {
-        let param =
-            format!(" />\n      <Parameter name=\"{name}\" type=\"num\" xsi:type=\"element\" />\n    </Parameters>");
-        NEW.replace(end, &param)
-    };
     let first = NEW.replace(
         "      <Parameter name=\"x_n\"",
         "      <Parameter name=\"x_0\" type=\"num\" xsi:type=\"element\" />\n      <Parameter name=\"x_n\"",
@@ -167,8 +166,8 @@ fn the_order_of_parameters_counts() {
     );
     check(
         NEW,
-        &with("x_a"),
-        &with("x_b"),
+        &with_last_parameter("x_a"),
+        &with_last_parameter("x_b"),
         &expect![[r#"
         <Programs>
           <Program name="pick" access="public">
@@ -200,6 +199,6 @@ fn the_order_of_parameters_counts() {
         ! conflict in `Parameters`: both sides have changed the list, whose order counts
     "#]],
     );
-    let public = with("x_a").replace("access=\"public\"", "access=\"private\"");
-    assert_eq!(merge(MergedKind::Program, NEW, &with("x_a"), &public).text, public);
+    let public = with_last_parameter("x_a").replace("access=\"public\"", "access=\"private\"");
+    assert_eq!(merge(MergedKind::Program, NEW, &with_last_parameter("x_a"), &public).text, public);
 }

@@ -146,6 +146,12 @@ fn two_default_values_are_two_elements() {
     assert_eq!(found, OLD.replace(end, &format!("{}{}{}{end}", value("0", 2), value("0", 3), value("9", 4))));
 }
 
+fn with_second_frame(file: &str, x: &str) -> String {
+    let first = "<Value key=\"0\" fatherId=\"world[0]\" />";
+    let both = format!("{first}\n      <Value key=\"1\" x=\"{x}\" fatherId=\"fA[0]\" />");
+    file.replace("type=\"frame\" size=\"1\"", "type=\"frame\" size=\"2\"").replace(first, &both)
+}
+
 #[test]
 fn references_follow_elements_that_move() {
     let base = r#"<Database>
@@ -158,18 +164,10 @@ fn references_follow_elements_that_move() {
     </Data>
   </Datas>
 </Database>"#;
-    let grown = |x: &str| {
-        base.replace("type=\"frame\" size=\"1\"", "type=\"frame\" size=\"2\"").replace(
-            "<Value key=\"0\" fatherId=\"world[0]\" />",
-            &format!(
-                "<Value key=\"0\" fatherId=\"world[0]\" />\n      <Value key=\"1\" x=\"{x}\" fatherId=\"fA[0]\" />"
-            ),
-        )
-    };
-    let theirs = grown("20").replace("x=\"1\" fatherId=\"fA[0]\"", "x=\"1\" fatherId=\"fA[1]\"");
+    let theirs = with_second_frame(base, "20").replace("x=\"1\" fatherId=\"fA[0]\"", "x=\"1\" fatherId=\"fA[1]\"");
     check(
         base,
-        &grown("10"),
+        &with_second_frame(base, "10"),
         &theirs,
         &expect![[r#"
         <Database>

@@ -45,25 +45,22 @@ fn change() -> impl Strategy<Value = Change> {
 }
 
 /// Returns the model after changes. New values are numbered from `next`.
-fn changed(base: &Model, changes: &[Change], mut next: u32) -> Model {
+fn changed(base: &Model, changes: &[Change], next: u32) -> Model {
+    let mut fresh = next..;
     let mut model = base.clone();
     for change in changes {
         let names: Vec<String> = model.keys().cloned().collect();
         let name = |at: &usize| names.get(at % names.len().max(1)).cloned().unwrap_or_default();
-        let mut fresh = || {
-            next += 1;
-            next
-        };
         match change {
             Change::Set(datum, index) => {
                 if let Some(values) = model.get_mut(&name(datum)) {
                     let index = index % values.len();
-                    values[index] = fresh();
+                    values[index] = fresh.next().unwrap();
                 }
             }
             Change::Append(datum, is_default) => {
                 if let Some(values) = model.get_mut(&name(datum)) {
-                    values.push(if *is_default { 0 } else { fresh() });
+                    values.push(if *is_default { 0 } else { fresh.next().unwrap() });
                 }
             }
             Change::Truncate(datum) => {
@@ -78,7 +75,7 @@ fn changed(base: &Model, changes: &[Change], mut next: u32) -> Model {
             }
             Change::Remove(datum) => _ = model.remove(&name(datum)),
             Change::Add(at) => {
-                let value = fresh();
+                let value = fresh.next().unwrap();
                 model.entry(format!("nNew{at}")).or_insert_with(|| vec![value]);
             }
         }
@@ -195,19 +192,14 @@ fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
     let merged = checked(MergedKind::Data, texts.each_ref().map(String::as_str));
     let expected = expected(base, ours, theirs);
     if merged.is_clean() {
-        let is_shrunk = |side: &Model| {
-            side.iter().any(|(name, values)| base.get(name).is_some_and(|base| base.len() > values.len()))
-        };
         match &expected {
             Some(expected) => assert_eq!(&read(&merged.text), expected, "{}", merged.text),
             // The model never removes elements, but the merge does if no following element has changed.
-            None => assert!(is_shrunk(ours) || is_shrunk(theirs), "{}", merged.text),
+            None => assert!(has_shorter_array(ours, base) || has_shorter_array(theirs, base), "{}", merged.text),
         }
     }
     // The file contains every value that one side has written and no side has removed.
-    let all =
-        |model: &Model| -> BTreeSet<u32> { model.values().flatten().copied().filter(|value| *value != 0).collect() };
-    let [b, o, t] = [base, ours, theirs].map(all);
+    let [b, o, t] = [base, ours, theirs].map(written_values);
     let kept = o.intersection(&t).chain(o.difference(&b)).chain(t.difference(&b));
     for value in kept {
         assert!(merged.text.contains(&format!("value=\"{value}\"")), "{value} is lost\n{}", merged.text);
@@ -215,17 +207,27 @@ fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
     merged.is_clean()
 }
 
+/// Returns the values that differ from the default.
+fn written_values(model: &Model) -> BTreeSet<u32> {
+    model.values().flatten().copied().filter(|value| *value != 0).collect()
+}
+
+/// Whether an array of `base` has fewer elements on the side.
+fn has_shorter_array(side: &Model, base: &Model) -> bool {
+    side.iter().any(|(name, values)| base.get(name).is_some_and(|base| base.len() > values.len()))
+}
+
+/// Generates different values; every third element has the default value.
 fn base() -> impl Strategy<Value = Model> {
     proptest::collection::vec(1..5usize, 1..5).prop_map(|sizes| {
-        let mut next = 0;
-        let mut values = |size: usize| -> Vec<u32> {
-            let mut value = |index: usize| {
-                next += 1;
-                if index % 3 == 2 { 0 } else { 1000 + next }
-            };
-            (0..size).map(&mut value).collect()
-        };
-        sizes.into_iter().enumerate().map(|(at, size)| (format!("nA{at}"), values(size))).collect()
+        let mut model = Model::new();
+        let mut fresh = 1001..;
+        for (at, size) in sizes.into_iter().enumerate() {
+            let numbers = fresh.by_ref().take(size).enumerate();
+            let values = numbers.map(|(index, number)| if index % 3 == 2 { 0 } else { number });
+            model.insert(format!("nA{at}"), values.collect());
+        }
+        model
     })
 }
 

@@ -7,35 +7,39 @@ use val3_merge::MergedKind;
 
 use crate::checked;
 
-fn project(programs: &BTreeSet<u8>, libraries: &BTreeSet<u8>, is_old: bool) -> String {
-    let list = |name: &str, items: Vec<String>| match items.is_empty() {
+fn items(text: &dyn Fn(&u8) -> String, set: &BTreeSet<u8>) -> Vec<String> {
+    set.iter().map(|at| format!("    <{} />\n", text(at))).collect()
+}
+
+fn list(name: &str, items: Vec<String>) -> String {
+    match items.is_empty() {
         true => format!("  <{name} />\n"),
         false => format!("  <{name}>\n{}  </{name}>\n", items.concat()),
-    };
-    let item = |text: &dyn Fn(&u8) -> String, set: &BTreeSet<u8>| {
-        set.iter().map(|at| format!("    <{} />\n", text(at))).collect()
-    };
+    }
+}
+
+fn project(programs: &BTreeSet<u8>, libraries: &BTreeSet<u8>, is_old: bool) -> String {
     match is_old {
         false => format!(
             "<Project>\n{}{}</Project>",
-            list("Programs", item(&|at| format!("Program file=\"p{at}.pgx\""), programs)),
-            list("Libraries", item(&|at| format!("Library alias=\"l{at}\" path=\"Disk://l{at}\""), libraries)),
+            list("Programs", items(&|at| format!("Program file=\"p{at}.pgx\""), programs)),
+            list("Libraries", items(&|at| format!("Library alias=\"l{at}\" path=\"Disk://l{at}\""), libraries)),
         ),
         true => format!(
             "<project>\n{}{}</project>",
-            list("programSection", item(&|at| format!("program file=\"p{at}.pgx\""), programs)),
-            list("aliasSection", item(&|at| format!("alias name=\"l{at}\" interface=\"l{at}\""), libraries)),
+            list("programSection", items(&|at| format!("program file=\"p{at}.pgx\""), programs)),
+            list("aliasSection", items(&|at| format!("alias name=\"l{at}\" interface=\"l{at}\""), libraries)),
         ),
     }
 }
 
 /// Merges sets: the result contains common elements and elements that one side has added.
 fn merged_set(base: &BTreeSet<u8>, ours: &BTreeSet<u8>, theirs: &BTreeSet<u8>) -> BTreeSet<u8> {
-    let is_in = |at: &u8| match [base, ours, theirs].map(|set| set.contains(at)) {
+    let items = (0..20).filter(|at| match [base, ours, theirs].map(|set| set.contains(at)) {
         [true, ours, theirs] => ours && theirs,
         [false, ours, theirs] => ours || theirs,
-    };
-    (0..20).filter(is_in).collect()
+    });
+    items.collect()
 }
 
 fn numbers(text: &str, before: &str) -> BTreeSet<u8> {
@@ -44,11 +48,11 @@ fn numbers(text: &str, before: &str) -> BTreeSet<u8> {
 }
 
 fn program(locals: &BTreeSet<u8>, lines: &[String], is_old: bool) -> String {
-    let item = |at: &u8| match is_old {
+    let locals = locals.iter().map(|at| match is_old {
         false => format!("      <Local name=\"l_{at}\" type=\"num\" xsi:type=\"array\" size=\"1\" />\n"),
         true => format!("      <local name=\"l_{at}\" type=\"num\" size=\"1\" />\n"),
-    };
-    let locals: String = locals.iter().map(item).collect();
+    });
+    let locals: String = locals.collect();
     let code = lines.join("\r\n");
     match is_old {
         false => format!(

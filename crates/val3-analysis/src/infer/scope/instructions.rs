@@ -10,7 +10,6 @@ use val3_lang::types::BaseType;
 
 use super::NameResolver;
 use crate::add_on_programs;
-use crate::db::Project;
 use crate::items::project::items;
 use crate::problem::{NameKind, ProblemKind};
 
@@ -30,8 +29,8 @@ impl<'db> NameResolver<'db> {
             None => self.variable_kind(name),
             Some(library) => {
                 let interface = self.items.libraries.get(library).and_then(|item| item.interface);
-                let is_program = |project: Project| items(self.db, project).programs.contains_key(name);
-                interface.is_some_and(is_program).then_some(NameKind::Program)
+                let interface = interface.map(|project| items(self.db, project));
+                interface.is_some_and(|items| items.programs.contains_key(name)).then_some(NameKind::Program)
             }
         };
         let near = nearest(name, instructions::all().iter().map(|instruction| instruction.name)).map(SmolStr::from);

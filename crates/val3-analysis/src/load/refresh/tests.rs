@@ -1,6 +1,7 @@
 use std::sync::{Arc, Mutex};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_lang::versions::Version;
 use val3_test::{Fixture, ROOT};
 
 use super::*;
@@ -21,6 +22,12 @@ struct Cell {
 }
 
 impl Cell {
+    /// Versions in the projects' configurations.
+    fn versions(&self) -> Vec<Option<Version>> {
+        let db = &self.workspace.db;
+        self.workspace.projects.iter().map(|project| project.config(db).and_then(|it| it.version)).collect()
+    }
+
     fn new() -> Self {
         let fixture = Fixture::parse(CELL);
         let files: Vec<_> =
@@ -179,13 +186,9 @@ fn a_faulty_configuration_keeps_its_former_content() {
     let path = Utf8Path::new(ROOT).join("val3.toml");
     cell.files.push((path, "version = \"s6.4\"\n".to_owned()));
     assert_eq!(cell.refresh("val3.toml"), []);
-    let version = |cell: &Cell| {
-        let db = &cell.workspace.db;
-        cell.workspace.projects.iter().map(|project| project.config(db).and_then(|it| it.version)).collect::<Vec<_>>()
-    };
-    let before = version(&cell);
+    let before = cell.versions();
     assert!(before.iter().all(Option::is_some));
     cell.edit("val3.toml", "s6.4", "nonsense");
     assert_eq!(cell.refresh("val3.toml").len(), 1);
-    assert_eq!(version(&cell), before);
+    assert_eq!(cell.versions(), before);
 }

@@ -33,6 +33,11 @@ impl ProgramPair<'_, '_> {
     fn name(&self, side: usize) -> Option<&str> {
         self.programs.get(side)?.as_ref().map(|program| program.header.name.as_str())
     }
+
+    /// Whether the program `name` exists only on `side` (0 for the old version).
+    fn is_only_in(&self, side: usize, name: &str) -> bool {
+        self.name(side) == Some(name) && self.files.iter().flatten().count() == 1
+    }
 }
 
 /// Reads the programs that differ. Files that are no programs are compared as text.
@@ -47,13 +52,10 @@ pub(super) fn read<'a, 't>(
     let mut pairs = Vec::new();
     for files in moved_together(versions(old, new)) {
         let [old, new] = files;
-        let is_same = |old: &SourceFile<'_>, new: &SourceFile<'_>| old.bytes == new.bytes && old.listed == new.listed;
-        if old.zip(new).is_some_and(|(old, new)| is_same(old, new)) {
+        if old.zip(new).is_some_and(|(old, new)| old.bytes == new.bytes && old.listed == new.listed) {
             continue;
         }
-        let read =
-            |file: Option<&SourceFile<'_>>| file.and_then(|file| ProgramVersion::read(&text_of(file.bytes).ok()?));
-        let programs = files.map(read);
+        let programs = files.map(|file| ProgramVersion::read(&text_of(file?.bytes).ok()?));
         // An unlisted file is not loaded, so it is no program.
         let is_unlisted = has_lists && files.into_iter().flatten().all(|file| !file.listed);
         let is_read = old.is_some() == programs[0].is_some() && new.is_some() == programs[1].is_some();
@@ -62,10 +64,8 @@ pub(super) fn read<'a, 't>(
             continue;
         }
         let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
-        let version = |file: Option<&SourceFile<'t>>, program: &Option<ProgramVersion>| {
-            as_version(file, is_unlisted || program.is_some())
-        };
-        let sides = [version(old, &programs[0]), version(new, &programs[1])];
+        let is_readable = programs.each_ref().map(|program| is_unlisted || program.is_some());
+        let sides = [as_version(old, is_readable[0]), as_version(new, is_readable[1])];
         compared.texts.extend(text::compare(&path, sides, "a program file", problems));
     }
     pairs
@@ -107,10 +107,9 @@ fn has_lists(pair: &Matched<'_, '_>) -> bool {
 /// Joins the old and the new name of a renamed program to one pair.
 fn joined<'a, 't>(mut pairs: Vec<ProgramPair<'a, 't>>, renames: &Renames) -> Vec<ProgramPair<'a, 't>> {
     for (before, after) in renames {
-        let position = |side: usize, name: &str| {
-            pairs.iter().position(|pair| pair.name(side) == Some(name) && pair.files.iter().flatten().count() == 1)
-        };
-        let (Some(old), Some(new)) = (position(0, before), position(1, after)) else { continue };
+        let old = pairs.iter().position(|pair| pair.is_only_in(0, before));
+        let new = pairs.iter().position(|pair| pair.is_only_in(1, after));
+        let (Some(old), Some(new)) = (old, new) else { continue };
         let [file, _] = pairs.get(old).map_or([None, None], |pair| pair.files);
         let program = pairs.get_mut(old).and_then(|pair| pair.programs.first_mut()?.take());
         if let Some(pair) = pairs.get_mut(new) {
@@ -128,21 +127,9 @@ fn as_version<'t>(file: Option<&SourceFile<'t>>, is_readable: bool) -> Option<Ve
 
 /// Matches a file that was moved to another folder of the application, if its file name is unique.
 fn moved_together<'a, 't>(files: Vec<FileVersions<'a, 't>>) -> Vec<FileVersions<'a, 't>> {
-    let name = |file: &SourceFile<'_>| path_key(Utf8Path::new(&file.path).file_name().unwrap_or(""));
-    let alone = |files: &[FileVersions<'a, 't>], at: usize| -> Vec<&'a SourceFile<'t>> {
-        let sides = files.iter().filter(|[old, new]| old.is_some() != new.is_some());
-        sides.filter_map(|sides| sides.get(at).copied().flatten()).collect()
-    };
-    let (old, new) = (alone(&files, 0), alone(&files, 1));
-    let partner = |file: &SourceFile<'_>, others: &[&'a SourceFile<'t>], own: &[&'a SourceFile<'t>]| {
-        let same = |list: &[&'a SourceFile<'t>]| -> Vec<&'a SourceFile<'t>> {
-            list.iter().copied().filter(|other| name(other) == name(file)).collect()
-        };
-        match (same(others).as_slice(), same(own).len()) {
-            ([other], 1) => Some(*other),
-            _ => None,
-        }
-    };
+    let unmatched = files.iter().filter(|[old, new]| old.is_some() != new.is_some());
+    let old: Vec<&SourceFile<'_>> = unmatched.clone().filter_map(|[old, _]| *old).collect();
+    let new: Vec<&SourceFile<'_>> = unmatched.filter_map(|[_, new]| *new).collect();
     files
         .iter()
         .filter_map(|[first, second]| match (*first, *second) {
@@ -151,4 +138,23 @@ fn moved_together<'a, 't>(files: Vec<FileVersions<'a, 't>>) -> Vec<FileVersions<
             both => Some([both.0, both.1]),
         })
         .collect()
+}
+
+/// Returns the file among `others` with the same file name, if the name is unique in `others` and in `own`, the files
+/// on the side of `file`.
+fn partner<'a, 't>(
+    file: &SourceFile<'_>,
+    others: &[&'a SourceFile<'t>],
+    own: &[&SourceFile<'_>],
+) -> Option<&'a SourceFile<'t>> {
+    let name = file_name(file);
+    let mut others = others.iter().copied().filter(|other| file_name(other) == name);
+    let other = others.next()?;
+    let is_unique = others.next().is_none() && own.iter().filter(|own| file_name(own) == name).count() == 1;
+    is_unique.then_some(other)
+}
+
+/// Returns the file name in lower case.
+fn file_name(file: &SourceFile<'_>) -> String {
+    path_key(Utf8Path::new(&file.path).file_name().unwrap_or(""))
 }

@@ -38,6 +38,12 @@ struct DataFile<'a, 't> {
     data: Option<Vec<DataVersion>>,
 }
 
+impl<'t> DataFile<'_, 't> {
+    fn version(&self) -> Version<'t> {
+        Version { bytes: self.file.bytes, is_readable: self.data.is_some() }
+    }
+}
+
 impl DataSides {
     /// Reads the data files in use. If a file is broken in one version, both versions are omitted, so that its data are
     /// not reported as added or removed.
@@ -48,15 +54,13 @@ impl DataSides {
         let mut sides = [old, new].map(|files| -> Vec<DataFile<'_, 't>> {
             files.iter().map(|(key, file)| DataFile { key, file, data: read(file.bytes) }).collect()
         });
-        let is_broken = |file: &&DataFile<'_, '_>| file.data.is_none();
-        let keys: BTreeSet<&str> = sides.iter().flatten().filter(is_broken).map(|file| file.key).collect();
+        let broken_files = sides.iter().flatten().filter(|file| file.data.is_none());
+        let keys: BTreeSet<&str> = broken_files.map(|file| file.key).collect();
         let mut broken = Vec::new();
         for key in keys {
             let [old, new] = sides.each_ref().map(|side| side.iter().find(|file| file.key == key));
             let path = new.or(old).map(|found| found.file.path.to_string()).unwrap_or_default();
-            let version =
-                |found: &DataFile<'_, 't>| Version { bytes: found.file.bytes, is_readable: found.data.is_some() };
-            broken.push((path, [old.map(version), new.map(version)]));
+            broken.push((path, [old.map(DataFile::version), new.map(DataFile::version)]));
             sides.iter_mut().for_each(|side| side.retain(|file| file.key != key));
         }
         let [old, new] = sides.map(|side| side.into_iter().filter_map(|file| file.data).flatten().collect());

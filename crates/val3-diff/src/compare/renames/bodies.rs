@@ -46,11 +46,11 @@ pub(super) fn find(
     let open = removed.into_iter().filter(|old| !renamed.programs.contains_key(old.header.name.as_str()));
     let free = added.into_iter().filter(|new| !taken.contains(new.header.name.as_str()));
     let (old, new) = (by_body(open, renamed.names()), by_body(free, Renames::new()));
-    let pair = |(body, names): (&String, &Vec<String>)| match (names.as_slice(), new.get(body)?.as_slice()) {
+    let pairs = old.iter().filter_map(|(body, names)| match (names.as_slice(), new.get(body)?.as_slice()) {
         ([before], [after]) => Some((before.clone(), after.clone())),
         _ => None,
-    };
-    renamed.programs.extend(old.iter().filter_map(pair));
+    });
+    renamed.programs.extend(pairs);
 }
 
 /// Returns program names by parameters, variables and statements. Programs without statements are omitted.

@@ -27,17 +27,11 @@ pub(super) fn find(
         }
     }
     loop {
-        let is_open = |data: &&DataVersion| {
-            names.removed.contains(data.decl.name.as_str()) && !renamed.contains_key(data.decl.name.as_str())
-        };
-        let taken: BTreeSet<&str> = renamed.values().map(String::as_str).collect();
-        let is_new = |data: &&DataVersion| {
-            let name = data.decl.name.as_str();
-            names.added.contains(name) && !taken.contains(name)
-        };
-        let none = Renames::new();
-        let (old, new) =
-            (by_content(old.iter().filter(is_open), renamed), by_content(new.iter().filter(is_new), &none));
+        let old_names = names.removed.iter().copied().filter(|name| !renamed.contains_key(*name)).collect();
+        let new_names: BTreeSet<&str> = renamed.values().map(String::as_str).collect();
+        let new_names = &names.added - &new_names;
+        let old = by_content(named(old, &old_names), renamed);
+        let new = by_content(named(new, &new_names), &Renames::new());
         let pairs = old.iter().filter_map(|(content, names)| match (names.as_slice(), new.get(content)?.as_slice()) {
             ([before], [after]) => Some(((*before).to_owned(), (*after).to_owned())),
             _ => None,
@@ -48,6 +42,10 @@ pub(super) fn find(
         }
         renamed.extend(pairs);
     }
+}
+
+fn named<'d>(all: &'d [DataVersion], names: &BTreeSet<&str>) -> impl Iterator<Item = &'d DataVersion> {
+    all.iter().filter(|data| names.contains(data.decl.name.as_str()))
 }
 
 fn is_same_kind(old: &DataVersion, new: &DataVersion) -> bool {
