@@ -35,24 +35,15 @@ impl ConfigFile {
     /// Reports the first error if the text is no valid TOML, has an unknown key, or has a value that its key does not
     /// accept.
     pub fn parse(path: &Utf8Path, text: &str) -> Result<Self, ConfigError> {
-        let error = |range: Range<usize>, message: String, help: String| ConfigError {
-            path: path.to_owned(),
-            text: text.to_owned(),
-            range,
-            message,
-            help,
-        };
-        let of_toml = |cause: toml::de::Error| {
-            error(cause.span().unwrap_or_default(), cause.message().trim().to_owned(), String::new())
-        };
-        let table = DeTable::parse(text)
-            .map_err(|cause| error(cause.span().unwrap_or_default(), no_toml(cause.message()), String::new()))?;
-        if let Some(SettingError { range, message, help }) = first_error(table.get_ref(), &schema()) {
-            return Err(error(range, message, help));
+        let error = |error: SettingError| error.in_file(path, text);
+        let no_toml = |cause: toml::de::Error| error(toml_error(&cause, "this is not TOML: "));
+        let table = DeTable::parse(text).map_err(no_toml)?;
+        if let Some(first) = first_error(table.get_ref(), &schema()) {
+            return Err(error(first));
         }
         let mut key_ranges = BTreeMap::new();
         collect_key_ranges(table.get_ref(), "", &mut key_ranges);
-        let config = Config::deserialize(Deserializer::from(table)).map_err(of_toml)?;
+        let config = Config::deserialize(Deserializer::from(table)).map_err(|cause| error(toml_error(&cause, "")))?;
         let file = Self { path: path.to_owned(), text: text.to_owned(), config, key_ranges };
         match file.config.run.default.fault() {
             Some((key, reason)) => {
@@ -94,8 +85,10 @@ impl ConfigFile {
     }
 }
 
-fn no_toml(reason: &str) -> String {
-    format!("this is not TOML: {}", reason.trim())
+/// Converts an error of the TOML parser. Its message follows `before`.
+fn toml_error(cause: &toml::de::Error, before: &str) -> SettingError {
+    let message = format!("{before}{}", cause.message().trim());
+    SettingError { range: cause.span().unwrap_or_default(), message, help: String::new() }
 }
 
 fn collect_key_ranges(table: &DeTable<'_>, path: &str, ranges: &mut BTreeMap<String, Range<usize>>) {

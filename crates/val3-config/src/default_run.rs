@@ -56,10 +56,6 @@ impl DefaultRun {
 /// Returns the reason why a run cannot write a file at `path`. The check of the extension prevents a cell from
 /// replacing other kinds of files.
 fn unwritable(path: &Utf8Path, extension: &str) -> Option<String> {
-    let is_visible = |part: Utf8Component<'_>| match part {
-        Utf8Component::Normal(name) => !name.starts_with('.') && !name.contains([':', '\\']),
-        _ => false,
-    };
     if !path.components().all(is_visible) {
         return Some(format!(
             "writes `{path}`: name a file below the folder of this file, without `..` and hidden folders"
@@ -69,6 +65,14 @@ fn unwritable(path: &Utf8Path, extension: &str) -> Option<String> {
         return Some(format!("writes `{path}`: name a file that ends with `.{extension}`"));
     }
     None
+}
+
+/// Whether the part of a path is a name that neither hides the file nor leaves the folder on Windows.
+fn is_visible(part: Utf8Component<'_>) -> bool {
+    match part {
+        Utf8Component::Normal(name) => !name.starts_with('.') && !name.contains([':', '\\']),
+        _ => false,
+    }
 }
 
 #[cfg(test)]

@@ -72,11 +72,14 @@ mod tests {
     #[track_caller]
     fn listed(text: &str, expected: Expect) {
         let file = ConfigFile::parse(Utf8Path::new("val3.toml"), text).unwrap();
-        let line = |setting: &Setting| match setting.line {
-            Some(line) => format!("{} = {} (line {line})\n", setting.key, setting.value),
-            None => format!("{} = {}", setting.key, setting.value).trim_end().to_owned() + "\n",
-        };
-        expected.assert_eq(&settings(Some(&file)).iter().map(line).collect::<String>());
+        expected.assert_eq(&settings(Some(&file)).iter().map(shown).collect::<String>());
+    }
+
+    fn shown(Setting { key, value, line }: &Setting) -> String {
+        match line {
+            Some(line) => format!("{key} = {value} (line {line})\n"),
+            None => format!("{key} = {value}").trim_end().to_owned() + "\n",
+        }
     }
 
     #[test]

@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
+use camino::Utf8Path;
 use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use val3_lang::suggest::{nearest, question};
 
+use crate::ConfigError;
 use crate::schema::{choices, keys, property, takes};
 
 /// An invalid setting.
@@ -15,6 +17,14 @@ pub(crate) struct SettingError {
     pub(crate) range: Range<usize>,
     pub(crate) message: String,
     pub(crate) help: String,
+}
+
+impl SettingError {
+    /// Adds the file and its text.
+    pub(crate) fn in_file(self, path: &Utf8Path, text: &str) -> ConfigError {
+        let Self { range, message, help } = self;
+        ConfigError { path: path.to_owned(), text: text.to_owned(), range, message, help }
+    }
 }
 
 /// Returns the first error of `table` in file order.

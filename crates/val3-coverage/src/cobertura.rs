@@ -74,12 +74,13 @@ fn class(file: &str, program: &ProgramCoverage, xml: &mut Xml<'_>) -> io::Result
     element
         .write_inner_content(|xml| {
             xml.create_element("methods").write_empty()?;
-            let lines = |xml: &mut Xml<'_>| {
-                program.lines.iter().try_for_each(|(number, hits)| line(program, (*number, *hits), xml))
-            };
-            xml.create_element("lines").write_inner_content(lines).map(drop)
+            xml.create_element("lines").write_inner_content(|xml| lines(program, xml)).map(drop)
         })
         .map(drop)
+}
+
+fn lines(program: &ProgramCoverage, xml: &mut Xml<'_>) -> io::Result<()> {
+    program.lines.iter().try_for_each(|(number, hits)| line(program, (*number, *hits), xml))
 }
 
 fn line(program: &ProgramCoverage, (number, hits): (u32, u64), xml: &mut Xml<'_>) -> io::Result<()> {
@@ -95,16 +96,17 @@ fn line(program: &ProgramCoverage, (number, hits): (u32, u64), xml: &mut Xml<'_>
     let element = element.with_attributes([("branch", "true"), ("condition-coverage", condition.as_str())]);
     element
         .write_inner_content(|xml| {
-            let conditions = |xml: &mut Xml<'_>| {
-                shares.iter().enumerate().try_for_each(|(number, share)| {
-                    let (number, coverage) = (number.to_string(), whole_percent(*share));
-                    let attributes = [("number", number.as_str()), ("type", "jump"), ("coverage", coverage.as_str())];
-                    xml.create_element("condition").with_attributes(attributes).write_empty().map(drop)
-                })
-            };
-            xml.create_element("conditions").write_inner_content(conditions).map(drop)
+            xml.create_element("conditions").write_inner_content(|xml| conditions(&shares, xml)).map(drop)
         })
         .map(drop)
+}
+
+fn conditions(shares: &[Share], xml: &mut Xml<'_>) -> io::Result<()> {
+    shares.iter().enumerate().try_for_each(|(number, share)| {
+        let (number, coverage) = (number.to_string(), whole_percent(*share));
+        let attributes = [("number", number.as_str()), ("type", "jump"), ("coverage", coverage.as_str())];
+        xml.create_element("condition").with_attributes(attributes).write_empty().map(drop)
+    })
 }
 
 /// Formats `50% (1/2)`.

@@ -79,12 +79,7 @@ impl Coverage {
             projects.entry((&program.project_file, &program.project)).or_default().push((file, program));
         }
         let names: Vec<&str> = projects.keys().map(|(_, name)| *name).collect();
-        let is_unique = |name: &str| names.iter().filter(|known| **known == name).count() == 1;
-        let name_of = |file: &str, name: &str| match is_unique(name) {
-            true => name.to_owned(),
-            false => format!("{name} ({})", folder(file)),
-        };
-        let named: Vec<String> = projects.keys().map(|(file, name)| name_of(file, name)).collect();
+        let named: Vec<String> = projects.keys().map(|(file, name)| unique_name(file, name, &names)).collect();
         named
             .into_iter()
             .zip(projects.into_values())
@@ -102,6 +97,14 @@ impl Coverage {
     #[must_use]
     pub fn branch_share(&self) -> Share {
         self.programs.values().map(ProgramCoverage::branch_share).sum()
+    }
+}
+
+/// Returns the name of a project, with the folder of its file if several of the `names` are equal.
+fn unique_name(file: &str, name: &str, names: &[&str]) -> String {
+    match names.iter().filter(|known| **known == name).count() {
+        1 => name.to_owned(),
+        _ => format!("{name} ({})", folder(file)),
     }
 }
 

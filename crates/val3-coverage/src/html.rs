@@ -6,6 +6,7 @@ mod program;
 use std::collections::BTreeSet;
 
 use crate::coverage::Coverage;
+use crate::program::ProgramCoverage;
 use crate::share::Share;
 
 const STYLE: &str = include_str!("html/style.css");
@@ -33,14 +34,16 @@ pub fn pages(coverage: &Coverage) -> Vec<HtmlReport> {
 /// Returns file names for the programs' pages, which are unique in any letter case.
 fn names(coverage: &Coverage) -> Vec<String> {
     let mut taken = BTreeSet::from(["index.html".to_owned()]);
+    coverage.programs().map(|(_, program)| name(program, &mut taken)).collect()
+}
+
+/// Returns the file name of a program's page, and adds it to the names in use.
+fn name(program: &ProgramCoverage, taken: &mut BTreeSet<String>) -> String {
     let plain = |text: &str| text.replace(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_', "-");
-    let name = |(_, program): (&str, &crate::ProgramCoverage)| {
-        let stem = format!("{}.{}", plain(&program.project), plain(&program.program));
-        let numbered = (2..).map(|number| format!("{stem}.{number}.html"));
-        let mut candidates = std::iter::once(format!("{stem}.html")).chain(numbered);
-        candidates.find(|name| taken.insert(name.to_lowercase())).unwrap_or_default()
-    };
-    coverage.programs().map(name).collect()
+    let stem = format!("{}.{}", plain(&program.project), plain(&program.program));
+    let numbered = (2..).map(|number| format!("{stem}.{number}.html"));
+    let mut candidates = std::iter::once(format!("{stem}.html")).chain(numbered);
+    candidates.find(|name| taken.insert(name.to_lowercase())).unwrap_or_default()
 }
 
 fn document(title: &str, body: &str) -> String {

@@ -153,15 +153,11 @@ mod tests {
             program(&[(1, 2), (2, 2), (3, 1)], &[(1, [0, 2])]),
             program(&[(7, 0)], &[(7, [0, 0]), (9, [1, 1])]),
         ];
-        let sum = |order: [usize; 3]| {
-            order.into_iter().fold(ProgramCoverage::default(), |mut sum, part| {
-                sum.add(parts[part].clone());
-                sum
-            })
-        };
         let expected = program(&[(1, 3), (2, 2), (3, 1), (7, 0)], &[(1, [1, 2]), (7, [0, 0]), (9, [1, 1])]);
         for order in [[0, 1, 2], [2, 1, 0], [1, 0, 2]] {
-            assert_eq!(sum(order), expected);
+            let mut sum = ProgramCoverage::default();
+            order.into_iter().for_each(|part| sum.add(parts[part].clone()));
+            assert_eq!(sum, expected);
         }
         assert_eq!(expected.line_share(), Share { hit: 3, total: 4 });
         assert_eq!(expected.branch_share(), Share { hit: 4, total: 6 });

@@ -39,11 +39,10 @@ fn summary(picture: &Picture) -> String {
 
 /// Draws the colours of the paths that occur.
 fn paths(picture: &Picture, canvas: &mut Canvas) {
-    let used = |phase: &MotionPhase| {
-        *phase != MotionPhase::Waiting && picture.samples.iter().any(|sample| sample.phase == *phase)
-    };
+    let moving = PHASES.iter().filter(|(phase, ..)| *phase != MotionPhase::Waiting);
+    let used = moving.filter(|(phase, ..)| picture.samples.iter().any(|sample| sample.phase == *phase));
     let mut x = LEGEND;
-    for (_, colour, name) in PHASES.iter().filter(|(phase, ..)| used(phase)) {
+    for (_, colour, name) in used {
         canvas.line([x, 30.0], [x + 26.0, 30.0], &format!("stroke:{colour};stroke-width:3"));
         x = named(canvas, [x, 34.0], name);
     }

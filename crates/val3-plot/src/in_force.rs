@@ -77,19 +77,6 @@ mod tests {
     use crate::{MoveLimits, MoveMark, Picture};
 
     fn limits(on_blend: OnBlend) -> InForce {
-        let mark = |tool_speed, [started, blended, ended]: [Option<f64>; 3]| MoveMark {
-            limits: Some(MoveLimits {
-                joint_speed: 100.0,
-                acceleration: 100.0,
-                deceleration: 100.0,
-                tool_speed,
-                tool_rotation: 9999.0,
-            }),
-            started,
-            blended,
-            ended,
-            ..MoveMark::default()
-        };
         let moves = vec![
             mark(400.0, [Some(0.0), Some(1.0), Some(1.2)]),
             mark(250.0, [Some(1.2), None, Some(2.0)]),
@@ -97,6 +84,18 @@ mod tests {
             mark(900.0, [None; 3]),
         ];
         InForce::of(&Picture { moves, ..Picture::default() }, on_blend, |limits| limits.tool_speed)
+    }
+
+    /// Returns a move with the times at which it starts, begins its blend and ends.
+    fn mark(tool_speed: f64, [started, blended, ended]: [Option<f64>; 3]) -> MoveMark {
+        let limits = MoveLimits {
+            joint_speed: 100.0,
+            acceleration: 100.0,
+            deceleration: 100.0,
+            tool_speed,
+            tool_rotation: 9999.0,
+        };
+        MoveMark { limits: Some(limits), started, blended, ended, ..MoveMark::default() }
     }
 
     #[test]

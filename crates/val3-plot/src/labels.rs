@@ -64,14 +64,9 @@ impl Labels {
     /// Returns a free place near a point for a text; `None` if no place is free.
     pub(crate) fn place(&mut self, point: [f64; 2], text: &str, reach: LabelDistance) -> Option<LabelPosition> {
         let width = LETTER * text.chars().count() as f64;
-        let near = |count: usize| {
-            let candidate =
-                move |distance: f64| DIRECTIONS.map(|direction| candidate(point, direction, distance, width));
-            DISTANCES.into_iter().take(count).flat_map(candidate)
-        };
-        let beside = near(NEAR).find(|(area, _)| self.is_free(area) && !self.is_on_path(area));
+        let beside = candidates(point, width, NEAR).find(|(area, _)| self.is_free(area) && !self.is_on_path(area));
         let count = if reach == LabelDistance::Far { DISTANCES.len() } else { NEAR };
-        let (area, place) = beside.or_else(|| near(count).find(|(area, _)| self.is_free(area)))?;
+        let (area, place) = beside.or_else(|| candidates(point, width, count).find(|(area, _)| self.is_free(area)))?;
         self.taken.push(area);
         Some(place)
     }
@@ -91,6 +86,12 @@ impl Labels {
 
 fn cell(point: [f64; 2]) -> [i64; 2] {
     point.map(|coordinate| (coordinate / CELL).floor() as i64)
+}
+
+/// Returns the areas and places of a text at the first `count` distances from a point, the preferred one first.
+fn candidates(point: [f64; 2], width: f64, count: usize) -> impl Iterator<Item = (Area, LabelPosition)> {
+    let distances = DISTANCES.into_iter().take(count);
+    distances.flat_map(move |distance| DIRECTIONS.map(|direction| candidate(point, direction, distance, width)))
 }
 
 /// Returns the area and the place of a text in a direction from a point.

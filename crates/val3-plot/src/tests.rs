@@ -7,15 +7,18 @@ use super::*;
 use crate::colours::{PHASES, REFERENCE, colour};
 
 fn axes(count: usize) -> Vec<PictureAxis> {
-    let axis = |index| PictureAxis {
-        is_stroke: count == 4 && index == 2,
+    (0..count).map(|index| axis(count == 4 && index == 2)).collect()
+}
+
+fn axis(is_stroke: bool) -> PictureAxis {
+    PictureAxis {
+        is_stroke,
         min: -180.0,
         max: 180.0,
         nominal_speed: 200.0,
         nominal_acceleration: 1000.0,
         nominal_deceleration: 1000.0,
-    };
-    (0..count).map(axis).collect()
+    }
 }
 
 fn limits() -> impl Iterator<Item = SpeedLimit> {
@@ -23,36 +26,39 @@ fn limits() -> impl Iterator<Item = SpeedLimit> {
 }
 
 fn line() -> Picture {
-    let sample = |index: u32| {
-        let x = f64::from(index) * 10.0;
-        let phase = if index > 5 { MotionPhase::Blend } else { MotionPhase::Nominal };
-        Sample {
-            t: f64::from(index) * 0.004,
-            joints: [x / 10.0; 6],
-            position: [x, 50.0, 300.0],
-            speed: 250.0,
-            rotation: 0.0,
-            phase,
-            limit: None,
-        }
-    };
-    let target = [100.0, 50.0, 300.0];
-    let mark = |line, started| MoveMark {
-        program: "start".to_owned(),
-        line,
-        target,
-        leave: Some([60.0, 50.0, 300.0]),
-        started: Some(started),
-        ..MoveMark::default()
-    };
+    let (target, leave) = ([100.0, 50.0, 300.0], Some([60.0, 50.0, 300.0]));
+    let mark = |line, started| MoveMark { leave, ..mark(line, target, started) };
     Picture {
         title: "cell & <table>".to_owned(),
         arm: "TX2-90".to_owned(),
         axes: axes(6),
-        samples: (0..=10).map(sample).collect(),
+        samples: (0..=10).map(sample_of_line).collect(),
         moves: vec![mark(7, 0.0), mark(9, 0.03)],
         ..Picture::default()
     }
+}
+
+fn sample_of_line(index: u32) -> Sample {
+    let x = f64::from(index) * 10.0;
+    let phase = if index > 5 { MotionPhase::Blend } else { MotionPhase::Nominal };
+    Sample { t: f64::from(index) * 0.004, joints: [x / 10.0; 6], position: [x, 50.0, 300.0], phase, ..sample() }
+}
+
+fn sample() -> Sample {
+    Sample {
+        t: 0.0,
+        joints: [0.0; 6],
+        position: [0.0; 3],
+        speed: 250.0,
+        rotation: 0.0,
+        phase: MotionPhase::Nominal,
+        limit: None,
+    }
+}
+
+/// Returns a move of a line in `start`, which begins at a time in seconds.
+fn mark(line: u32, target: [f64; 3], started: f64) -> MoveMark {
+    MoveMark { program: "start".to_owned(), line, target, started: Some(started), ..MoveMark::default() }
 }
 
 /// Fails unless the text is well-formed XML without invalid numbers.
@@ -89,37 +95,25 @@ fn nothing_moves() {
 
 #[test]
 fn a_line_with_many_targets_has_one_label_a_view() {
-    let mark = |index: u32| MoveMark {
-        program: "start".to_owned(),
-        line: 13,
-        target: [f64::from(index), f64::from(index), f64::from(index)].map(|step| step * 20.0),
-        started: Some(f64::from(index) * 0.01),
-        ..MoveMark::default()
-    };
-    let svg = Picture { moves: (0..4).map(mark).collect(), ..line() }.to_svg();
+    let moves = [0.0, 1.0, 2.0, 3.0].map(|index| mark(13, [index * 20.0; 3], index * 0.01));
+    let svg = Picture { moves: moves.to_vec(), ..line() }.to_svg();
     assert_eq!((svg.matches(">13 (4 moves)<").count(), svg.matches(">13<").count()), (3, 1), "{svg}");
 }
 
 #[test]
 fn an_hour_of_motion_is_a_small_file() {
-    let sample = |index: u32| {
-        let t = f64::from(index) * 0.004;
-        let angle = t / 3.0;
-        let position = [500.0 * libm::cos(angle), 500.0 * libm::sin(angle), 300.0 + 10.0 * libm::sin(t)];
-        Sample {
-            t,
-            joints: [90.0 * libm::sin(angle); 6],
-            position,
-            speed: 166.0,
-            rotation: 0.0,
-            phase: MotionPhase::Nominal,
-            limit: limits().nth(index as usize % 20),
-        }
-    };
-    let picture = Picture { axes: axes(4), samples: (0..900_000).step_by(10).map(sample).collect(), ..line() };
-    let svg = picture.to_svg();
+    let samples = (0..900_000).step_by(10).map(sample_of_circle).collect();
+    let svg = Picture { axes: axes(4), samples, ..line() }.to_svg();
     assert_sound(&svg);
     assert!(svg.len() < 4_000_000, "{}", svg.len());
+}
+
+fn sample_of_circle(index: u32) -> Sample {
+    let t = f64::from(index) * 0.004;
+    let angle = t / 3.0;
+    let position = [500.0 * libm::cos(angle), 500.0 * libm::sin(angle), 300.0 + 10.0 * libm::sin(t)];
+    let limit = limits().nth(index as usize % 20);
+    Sample { t, joints: [90.0 * libm::sin(angle); 6], position, speed: 166.0, limit, ..sample() }
 }
 
 proptest! {
@@ -128,7 +122,7 @@ proptest! {
         points in proptest::collection::vec(([-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], -1e6..1e6_f64, 0..7_usize), 0..40),
         spread in 0.0..1e4_f64,
     ) {
-        let sample = |(index, (point, joint, phase)): (usize, &([f64; 3], f64, usize))| Sample {
+        let samples: Vec<_> = points.iter().enumerate().map(|(index, (point, joint, phase))| Sample {
             t: index as f64 * 0.004,
             joints: [*joint; 6],
             position: point.map(|coordinate| coordinate * spread),
@@ -136,8 +130,7 @@ proptest! {
             rotation: joint.abs(),
             phase: PHASES[*phase].0,
             limit: limits().nth(*phase),
-        };
-        let samples: Vec<_> = points.iter().enumerate().map(sample).collect();
+        }).collect();
         let picture = Picture { samples, axes: axes(6), has_accelerations: true, ..line() };
         assert_sound(&picture.to_svg());
     }
@@ -292,17 +285,19 @@ fn the_limits_of_the_speed_are_a_strip_with_a_legend() {
 
 #[test]
 fn rotation_is_drawn_where_rvel_comes_into_view() {
-    let with = |rvel: f64| {
-        let mut picture = sweep([0.0, 2.0], 40.0, 9999.0);
-        picture.samples.iter_mut().for_each(|sample| sample.rotation = 50.0);
-        picture.moves.iter_mut().flat_map(|mark| &mut mark.limits).for_each(|limits| limits.tool_rotation = rvel);
-        picture.to_svg()
-    };
-    assert!(!with(9999.0).contains("rotation of the tool"));
-    let svg = with(60.0);
+    assert!(!rotation(9999.0).contains("rotation of the tool"));
+    let svg = rotation(60.0);
     assert_sound(&svg);
     assert!(svg.contains(">rotation of the tool (°/s)<") && svg.contains(">rvel 60<"), "{svg}");
-    assert_eq!((bands(&svg), bands(&with(50.0))), (0, 1));
+    assert_eq!((bands(&svg), bands(&rotation(50.0))), (0, 1));
+}
+
+/// Returns the picture of a rotation by 50 degrees/s with the limit `rvel`.
+fn rotation(rvel: f64) -> String {
+    let mut picture = sweep([0.0, 2.0], 40.0, 9999.0);
+    picture.samples.iter_mut().for_each(|sample| sample.rotation = 50.0);
+    picture.moves.iter_mut().flat_map(|mark| &mut mark.limits).for_each(|limits| limits.tool_rotation = rvel);
+    picture.to_svg()
 }
 
 #[test]

@@ -5,12 +5,14 @@ const UNSEEN: f64 = 0.2;
 
 /// Returns the points that have a visible effect.
 pub(crate) fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let excess = |place: usize, from: usize, to: usize| {
-        let found = points.get(place).zip(points.get(from)).zip(points.get(to));
-        found.map_or(0.0, |((point, from), to)| distance(point, from, to) / UNSEEN)
-    };
-    let kept = significant(points.len(), excess);
+    let kept = significant(points.len(), |place, from, to| excess(points, place, from, to));
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
+}
+
+/// Returns the distance of a point to the line between two other points, divided by the invisible distance.
+fn excess(points: &[[f64; 2]], place: usize, from: usize, to: usize) -> f64 {
+    let [Some(point), Some(from), Some(to)] = [place, from, to].map(|index| points.get(index)) else { return 0.0 };
+    distance(point, from, to) / UNSEEN
 }
 
 /// Returns for each point of a line whether it must be kept. `excess` is the distance of a point to the line between

@@ -97,32 +97,39 @@ impl Panel<'_> {
     fn at(&self, point: &[f64; 3]) -> [f64; 2] {
         let [left, top] = self.corner;
         let [width, height] = SIZE;
-        let from_middle = |index: usize| {
-            let [low, high] = self.extents.get(index).copied().unwrap_or_default();
-            (point.get(index).copied().unwrap_or_default() - (low + high) / 2.0) * self.scale
-        };
-        [left + width / 2.0 + from_middle(self.view.right), top + height / 2.0 - from_middle(self.view.up)]
+        let [right, up] = [self.view.right, self.view.up]
+            .map(|index| self.distance_from_middle(index, point.get(index).copied().unwrap_or_default()));
+        [left + width / 2.0 + right, top + height / 2.0 - up]
+    }
+
+    /// Returns the distance of a coordinate from the middle of the extent, in pixels.
+    fn distance_from_middle(&self, index: usize, coordinate: f64) -> f64 {
+        (coordinate - self.middle(index)) * self.scale
+    }
+
+    /// Returns the middle of the extent along an axis of world, in mm.
+    fn middle(&self, index: usize) -> f64 {
+        let [low, high] = self.extents.get(index).copied().unwrap_or_default();
+        (low + high) / 2.0
+    }
+
+    /// Returns the visible coordinates along an axis of world that has `size` pixels, in mm.
+    fn visible(&self, index: usize, size: f64) -> [f64; 2] {
+        let (middle, half) = (self.middle(index), size / 2.0 / self.scale);
+        [middle - half, middle + half]
     }
 
     fn grid(&self, canvas: &mut Canvas) {
         let ([left, top], [width, height]) = (self.corner, SIZE);
         let step = ticks::step(self.scale, 60.0);
-        let middle = |index: usize| {
-            let [low, high] = self.extents.get(index).copied().unwrap_or_default();
-            (low + high) / 2.0
-        };
-        let range = |index, size: f64| {
-            let half = size / 2.0 / self.scale;
-            [middle(index) - half, middle(index) + half]
-        };
         let label = |value| ticks::shown(value, step);
-        for value in ticks::multiples(step, range(self.view.right, width)) {
-            let x = left + width / 2.0 + (value - middle(self.view.right)) * self.scale;
+        for value in ticks::multiples(step, self.visible(self.view.right, width)) {
+            let x = left + width / 2.0 + self.distance_from_middle(self.view.right, value);
             canvas.rule([x, top], [x, top + height], "grid");
             canvas.text([x, top + height - 5.0], "tick centre", &label(value));
         }
-        for value in ticks::multiples(step, range(self.view.up, height)) {
-            let y = top + height / 2.0 - (value - middle(self.view.up)) * self.scale;
+        for value in ticks::multiples(step, self.visible(self.view.up, height)) {
+            let y = top + height / 2.0 - self.distance_from_middle(self.view.up, value);
             canvas.rule([left, y], [left + width, y], "grid");
             if (top + 34.0..top + height - 20.0).contains(&y) {
                 canvas.text([left + 4.0, y - 3.0], "tick", &label(value));

@@ -15,6 +15,12 @@ pub(crate) struct MovePair {
     pub(crate) present: Range<usize>,
 }
 
+impl MovePair {
+    fn new(number: i64, recorded: &Range<usize>, present: &Range<usize>) -> Self {
+        Self { number, recorded: recorded.clone(), present: present.clone() }
+    }
+}
+
 /// Aligns the moves in both traces.
 pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<MovePair> {
     let [old, new] = [recorded, present].map(|stretches| stretches.iter().map(|one| one.number).collect::<Vec<_>>());
@@ -24,23 +30,12 @@ pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<MovePair
         let recorded_ones = recorded.get(old.clone()).unwrap_or_default();
         let present_ones = present.get(new.clone()).unwrap_or_default();
         if tag == DiffTag::Equal {
-            let pair = |(one, other): (&Stretch, &Stretch)| MovePair {
-                number: other.number,
-                recorded: one.rows.clone(),
-                present: other.rows.clone(),
-            };
-            pairs.extend(recorded_ones.iter().zip(present_ones).map(pair));
+            let both = recorded_ones.iter().zip(present_ones);
+            pairs.extend(both.map(|(one, other)| MovePair::new(other.number, &one.rows, &other.rows)));
         } else {
             let (gap, gap_of_present) = (gap(recorded, old.end), gap(present, new.start));
-            let missing = |one: &Stretch| MovePair {
-                number: one.number,
-                recorded: one.rows.clone(),
-                present: gap_of_present.clone(),
-            };
-            let additional =
-                |one: &Stretch| MovePair { number: one.number, recorded: gap.clone(), present: one.rows.clone() };
-            pairs.extend(recorded_ones.iter().map(missing));
-            pairs.extend(present_ones.iter().map(additional));
+            pairs.extend(recorded_ones.iter().map(|one| MovePair::new(one.number, &one.rows, &gap_of_present)));
+            pairs.extend(present_ones.iter().map(|one| MovePair::new(one.number, &gap, &one.rows)));
         }
     }
     pairs

@@ -103,12 +103,13 @@ fn widened<'r>(all: &'r [TraceRow], part: &Range<usize>) -> &'r [TraceRow] {
 
 /// Returns the point with the largest distance to a path.
 fn largest(side: TraceSide, places: &[TraceRow], path: &[TraceRow], tolerances: &Tolerances) -> Option<Deviation> {
-    let deviation = |place: &TraceRow| {
-        let distance = distance(place, path, tolerances)?;
-        let excess = distance.excess(tolerances);
-        Some(Deviation { side, time: place.time, at: place.position(), distance, excess })
-    };
-    places.iter().filter_map(deviation).reduce(Deviation::larger)
+    places.iter().filter_map(|place| deviation(side, place, path, tolerances)).reduce(Deviation::larger)
+}
+
+fn deviation(side: TraceSide, place: &TraceRow, path: &[TraceRow], tolerances: &Tolerances) -> Option<Deviation> {
+    let distance = distance(place, path, tolerances)?;
+    let excess = distance.excess(tolerances);
+    Some(Deviation { side, time: place.time, at: place.position(), distance, excess })
 }
 
 impl Deviation {

@@ -30,18 +30,10 @@ impl PictureObserver {
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
         let arm = controller.arm().model();
-        let axis = |(index, axis): (usize, &ArmAxis)| PictureAxis {
-            is_stroke: arm.is_stroke(index),
-            min: axis.min,
-            max: axis.max,
-            nominal_speed: arm.nominal_speed(index),
-            nominal_acceleration: arm.nominal_acceleration(index),
-            nominal_deceleration: arm.nominal_deceleration(index),
-        };
         let picture = Picture {
             title: controller.name().to_owned(),
             arm: arm.name().to_owned(),
-            axes: arm.limits().iter().enumerate().map(axis).collect(),
+            axes: arm.limits().iter().enumerate().map(|(index, limits)| axis(arm, index, limits)).collect(),
             times_note: arm.times_note(),
             ..Picture::default()
         };
@@ -112,6 +104,17 @@ impl PictureObserver {
     #[must_use]
     pub fn finish(self) -> Picture {
         self.picture
+    }
+}
+
+fn axis(arm: &Arm, index: usize, limits: &ArmAxis) -> PictureAxis {
+    PictureAxis {
+        is_stroke: arm.is_stroke(index),
+        min: limits.min,
+        max: limits.max,
+        nominal_speed: arm.nominal_speed(index),
+        nominal_acceleration: arm.nominal_acceleration(index),
+        nominal_deceleration: arm.nominal_deceleration(index),
     }
 }
 

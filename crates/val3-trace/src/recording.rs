@@ -89,12 +89,10 @@ impl MotionRecording {
     /// Creates a recording whose moves have instructions by move number.
     #[cfg(test)]
     pub(crate) fn with_sources(trace: Trace, source: impl Fn(i64) -> CodeSource) -> Self {
-        let starts = crate::stretch::stretches(&trace.rows).into_iter();
-        let start = |stretch: crate::stretch::Stretch| MoveStart {
-            row: stretch.rows.start,
-            source: Some(source(stretch.number)),
-        };
-        Self { moves: starts.map(start).collect(), trace }
+        let stretches = crate::stretch::stretches(&trace.rows).into_iter();
+        let starts =
+            stretches.map(|stretch| MoveStart { row: stretch.rows.start, source: Some(source(stretch.number)) });
+        Self { moves: starts.collect(), trace }
     }
 
     /// Returns the present position of the arm, for a run in which it has not moved.

@@ -15,13 +15,13 @@ pub(crate) struct Stretch {
 
 /// Returns the stretches sorted by time.
 pub(crate) fn stretches(rows: &[TraceRow]) -> Vec<Stretch> {
-    let mut end = 0;
-    let of_chunk = |chunk: &[TraceRow]| {
-        let start = end;
-        end += chunk.len();
-        Some(Stretch { number: chunk.first()?.number(), rows: start..end })
-    };
-    rows.chunk_by(|row, next| row.number() == next.number()).filter_map(of_chunk).collect()
+    let (mut stretches, mut start) = (Vec::new(), 0);
+    for chunk in rows.chunk_by(|row, next| row.number() == next.number()) {
+        let end = start + chunk.len();
+        stretches.extend(chunk.first().map(|row| Stretch { number: row.number(), rows: start..end }));
+        start = end;
+    }
+    stretches
 }
 
 #[cfg(test)]

@@ -8,18 +8,19 @@ use crate::row::{Trace, TraceRow};
 /// Returns rows along x. Between rows, x increases by 1 mm and axis 1 by 1 degree. Every move has ten rows, the first
 /// move has number 1.
 pub(crate) fn line(count: usize) -> Vec<TraceRow> {
-    let row = |index: usize| {
-        let x = index as f64;
-        TraceRow {
-            time: index as u64 * 4_000_000,
-            id: 1.0 + (x / 10.0).max(0.05),
-            phase: MotionPhase::Nominal,
-            joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0],
-            pose: Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry(),
-            speed: 250.0,
-        }
-    };
     (0..count).map(row).collect()
+}
+
+fn row(index: usize) -> TraceRow {
+    let x = index as f64;
+    TraceRow {
+        time: index as u64 * 4_000_000,
+        id: 1.0 + (x / 10.0).max(0.05),
+        phase: MotionPhase::Nominal,
+        joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0],
+        pose: Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry(),
+        speed: 250.0,
+    }
 }
 
 /// Moves a row in world and turns it about its own axes.

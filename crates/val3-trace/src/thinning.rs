@@ -63,11 +63,6 @@ mod tests {
 
     #[test]
     fn corners_of_path_rotation_joints_and_speed_stay() {
-        let keeps = |change: &dyn Fn(f64, &mut TraceRow)| {
-            let mut rows = line(9);
-            rows.iter_mut().zip(0..).for_each(|(row, place)| change(f64::from(i32::abs(place - 4)), row));
-            trace(&rows).thinned().rows.iter().any(|row| row.time == 16_000_000)
-        };
         assert!(!keeps(&|_, _| {}));
         assert!(keeps(&|way, row| row.pose.translation.vector.z += 0.051 / 4.0 * way));
         assert!(!keeps(&|way, row| row.pose.translation.vector.z += 0.049 / 4.0 * way));
@@ -87,5 +82,12 @@ mod tests {
                 stays
             );
         }
+    }
+
+    /// Whether thinning keeps the fifth of nine rows. `change` edits each row by its distance from the fifth, in rows.
+    fn keeps(change: &dyn Fn(f64, &mut TraceRow)) -> bool {
+        let mut rows = line(9);
+        rows.iter_mut().zip(0..).for_each(|(row, place)| change(f64::from(i32::abs(place - 4)), row));
+        trace(&rows).thinned().rows.iter().any(|row| row.time == 16_000_000)
     }
 }

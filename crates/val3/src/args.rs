@@ -324,11 +324,7 @@ mod tests {
 
     fn check_help(command: &mut clap::Command) {
         let name = command.get_display_name().unwrap_or("val3").to_owned();
-        // clap ends the lines of descriptions with blanks.
-        let text = |help: clap::builder::StyledStr| -> String {
-            help.to_string().lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
-        };
-        let (short, long) = (text(command.render_help()), text(command.render_long_help()));
+        let (short, long) = (plain_text(&command.render_help()), plain_text(&command.render_long_help()));
         insta::assert_snapshot!(format!("{name}_short"), short);
         insta::assert_snapshot!(format!("{name}_long"), long);
         for line in short.lines().chain(long.lines()) {
@@ -336,5 +332,10 @@ mod tests {
         }
         let inner = command.get_subcommands_mut().filter(|inner| !inner.is_hide_set() && inner.get_name() != "help");
         inner.for_each(check_help);
+    }
+
+    /// Text of a help page without the blanks that clap writes at the end of descriptions.
+    fn plain_text(help: &clap::builder::StyledStr) -> String {
+        help.to_string().lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
     }
 }

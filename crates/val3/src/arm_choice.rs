@@ -51,11 +51,13 @@ fn fault(file: &ConfigFile, reason: &str) -> UserError {
 /// Whether the project has points or joints, and a rule that compares them with the arm is on.
 fn is_compared(db: &Database, project: Project, settings: &WorkspaceSettings) -> bool {
     let settings = settings.of(db, project);
-    let has_positions = || {
-        let mut types = items(db, project).data.values().filter_map(|item| item.base.builtin());
-        types.any(|ty| matches!(ty, BaseType::Point | BaseType::Joint))
-    };
-    rules::of_motion().iter().any(|rule| settings.is_enabled(rule)) && has_positions()
+    rules::of_motion().iter().any(|rule| settings.is_enabled(rule)) && has_positions(db, project)
+}
+
+/// Whether the project's data contain points or joints.
+fn has_positions(db: &Database, project: Project) -> bool {
+    let mut types = items(db, project).data.values().filter_map(|item| item.base.builtin());
+    types.any(|ty| matches!(ty, BaseType::Point | BaseType::Joint))
 }
 
 fn notice_about(arm: &ProjectArm) -> Option<String> {

@@ -73,10 +73,8 @@ impl KnownFindings<'_> {
         let mut outcome = BaselineResult::default();
         for (path, (manifests, named_by)) in baselines {
             let file = BaselineFile { known: self, path, named_by, mode };
-            let is_of_file = |diagnostic: &Diagnostic| {
-                !is_unreadable(diagnostic) && diagnostic.application.is_some_and(|it| manifests.contains(&it))
-            };
-            let (own, others) = std::mem::take(diagnostics).into_iter().partition(is_of_file);
+            let all = std::mem::take(diagnostics).into_iter();
+            let (own, others) = all.partition(|diagnostic| is_about(diagnostic, &manifests));
             *diagnostics = others;
             diagnostics.extend(file.apply(own, &mut outcome)?);
         }
@@ -105,6 +103,12 @@ impl KnownFindings<'_> {
         let file = project.configuration(self.db())?.file(self.db());
         file.config.baseline.as_ref().map(|path| (file.folder().join(path), file))
     }
+}
+
+/// Whether the finding belongs to an application with one of these project files. Findings about unreadable files are
+/// never known.
+fn is_about(finding: &Diagnostic, manifests: &FxHashSet<File>) -> bool {
+    !is_unreadable(finding) && finding.application.is_some_and(|manifest| manifests.contains(&manifest))
 }
 
 /// One baseline file.

@@ -1,5 +1,6 @@
 //! `val3 check`: finds faults in applications, libraries and whole cells, and fixes faults that have a fix.
 
+use std::io;
 use std::process::ExitCode;
 
 use codespan_reporting::term::termcolor::WriteColor;
@@ -10,6 +11,7 @@ use val3_check::settings::RuleSelection;
 use crate::args::CheckArgs;
 use crate::color::Color;
 use crate::engine::Session;
+use crate::format::ReportFormat;
 use crate::history::History;
 use crate::opening::{OpenRequest, open};
 use crate::output::{Destination, OutputContent, clear_screen, filtered, to_file, to_stderr, to_stdout, to_stdout_as};
@@ -199,13 +201,21 @@ fn write_unreadable(report: &CheckReport) {
 
 fn write_files(args: &CheckArgs, report: &CheckReport) -> Result<(), UserError> {
     for output in &args.output {
-        let write = |mut out: &mut dyn WriteColor| {
-            format::write(output.format, report, &args.val3check_template, out)?;
-            if output.format.is_for_people() { summary::write(report, &mut out) } else { Ok(()) }
-        };
-        to_file(&output.path, output.format.file_kind(), |out| {
-            filtered(output.format.content(), Destination::FILE, out, write)
+        let format = output.format;
+        to_file(&output.path, format.file_kind(), |out| {
+            filtered(format.content(), Destination::FILE, out, |out| write_with_summary(args, format, report, out))
         })?;
     }
     Ok(())
+}
+
+/// Writes findings, and the summary if the format is for people.
+fn write_with_summary(
+    args: &CheckArgs,
+    format: ReportFormat,
+    report: &CheckReport,
+    mut out: &mut dyn WriteColor,
+) -> io::Result<()> {
+    format::write(format, report, &args.val3check_template, out)?;
+    if format.is_for_people() { summary::write(report, &mut out) } else { Ok(()) }
 }

@@ -67,18 +67,23 @@ fn compared(versions: &ComparedVersions, args: &DiffArgs) -> Comparison {
     let [old, new] = &versions.trees;
     let exclusions = args.exclusions();
     let mut comparison = compare_with(old, new, exclusions.layout);
-    let name = |name: &str| match args.format {
-        DiffFormat::Json => name.to_owned(),
-        DiffFormat::Human | DiffFormat::Markdown | DiffFormat::Html => one_line(name).into_owned(),
-    };
-    comparison.old = name(&versions.names[0]);
-    comparison.new = name(&versions.names[1]);
+    let [old_name, new_name] = &versions.names;
+    comparison.old = written_name(old_name, args.format);
+    comparison.new = written_name(new_name, args.format);
     if !args.only.is_empty() {
         let classes: Vec<ReportClass> = args.only.iter().copied().map(ReportClass::from).collect();
         comparison.keep(&classes);
     }
     comparison.leave_out(&exclusions);
     comparison
+}
+
+/// Name of a version in one line, or unchanged as a JSON string.
+fn written_name(name: &str, format: DiffFormat) -> String {
+    match format {
+        DiffFormat::Json => name.to_owned(),
+        DiffFormat::Human | DiffFormat::Markdown | DiffFormat::Html => one_line(name).into_owned(),
+    }
 }
 
 fn wrong_number(count: usize) -> UserError {

@@ -14,9 +14,10 @@ use val3_analysis::load::{Workspace, loads_alike};
 use val3_analysis::paths::path_key;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::{RuleSelection, WorkspaceSettings};
-use val3_check::{CheckUnit, Checked, check_unit, finish};
+use val3_check::{CheckStatistics, CheckUnit, Checked, check_unit, finish};
 
 use crate::baseline::{BaselineResult, KnownFindings, Mode};
+use crate::loose::LooseFiles;
 use crate::opening::{EditedTexts, OpenRequest, OpenedWorkspace, open, open_workspace, system};
 use crate::paths::Paths;
 use crate::progress::DelayedProgress;
@@ -214,38 +215,53 @@ fn check_units(
     scope: &ReportFilter,
     progress: &DelayedProgress,
 ) -> Checked {
-    let is_large = units.len() > BATCH;
-    let check = |db: &mut Database, unit: &CheckUnit| {
-        let mut found = check_unit(db, *unit, settings);
-        progress.advance();
-        let is_covered = scope.covers(db, unit.project(), unit.file(db));
+    let check = UnitCheck { settings, scope, progress, is_large: units.len() > BATCH };
+    let projects: Vec<&[CheckUnit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
+    let mut checked: Vec<Vec<Checked>> = Vec::with_capacity(projects.len());
+    let mut batches = batches(&projects).peekable();
+    while let Some(batch) = batches.next() {
+        let found = batch.par_iter().map_with(workspace.db.clone(), |db, units| check.project(db, units));
+        threads.install(|| checked.par_extend(found));
+        if batches.peek().is_some() && check.is_large {
+            workspace.db.trigger_lru_eviction();
+        }
+    }
+    checked.into_iter().flatten().sum()
+}
+
+/// Settings for the check of each unit.
+struct UnitCheck<'a> {
+    settings: &'a WorkspaceSettings,
+    scope: &'a ReportFilter,
+    progress: &'a DelayedProgress,
+    /// Whether the trees of a project are dropped after its check.
+    is_large: bool,
+}
+
+impl UnitCheck<'_> {
+    /// Checks the units of one project.
+    fn project(&self, db: &mut Database, units: &[CheckUnit]) -> Vec<Checked> {
+        let found = units.par_iter().map_with(db.clone(), |db, unit| self.unit(db, *unit)).collect();
+        if self.is_large {
+            db.trees().forget(units.iter().map(|unit| unit.file(db)));
+        }
+        found
+    }
+
+    /// Checks a unit, and omits findings outside of the scope.
+    fn unit(&self, db: &Database, unit: CheckUnit) -> Checked {
+        let mut found = check_unit(db, unit, self.settings);
+        self.progress.advance();
+        let is_covered = self.scope.covers(db, unit.project(), unit.file(db));
         found.findings.retain(|finding| {
             // A file that cannot be read is reported in its project.
-            is_covered && is_unreadable(finding) || scope.covers(db, unit.project(), finding.place.file)
+            is_covered && is_unreadable(finding) || self.scope.covers(db, unit.project(), finding.place.file)
         });
         if !is_covered {
             found.silenced = 0;
         }
         found
-    };
-    let check_project = |db: &mut Database, units: &[CheckUnit]| -> Vec<Checked> {
-        let found = units.par_iter().map_with(db.clone(), check).collect();
-        if is_large {
-            db.trees().forget(units.iter().map(|unit| unit.file(db)));
-        }
-        found
-    };
-    let projects: Vec<&[CheckUnit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
-    let mut checked: Vec<Vec<Checked>> = Vec::with_capacity(projects.len());
-    let mut batches = batches(&projects).peekable();
-    while let Some(batch) = batches.next() {
-        let found = batch.par_iter().map_with(workspace.db.clone(), |db, units| check_project(db, units));
-        threads.install(|| checked.par_extend(found));
-        if batches.peek().is_some() && is_large {
-            workspace.db.trigger_lru_eviction();
-        }
     }
-    checked.into_iter().flatten().sum()
 }
 
 /// Each project's units, in batches of about [`BATCH`] units.
@@ -261,16 +277,8 @@ fn batches<'a, 'u>(projects: &'a [&'u [CheckUnit]]) -> impl Iterator<Item = &'a 
 
 fn statistics(opened: &OpenedWorkspace, started: Instant) -> ReportStatistics {
     let OpenedWorkspace { threads, workspace, loose, .. } = opened;
-    let count = |db: &mut Database, project: &Project| {
-        let counted = val3_check::statistics(db, *project);
-        match loose.stands_in(db, *project) {
-            true => val3_check::CheckStatistics { applications: 0, files: 1, ..counted },
-            false => counted,
-        }
-    };
-    let db = workspace.db.clone();
-    let projects = &workspace.projects;
-    let counted: val3_check::CheckStatistics = threads.install(|| projects.par_iter().map_with(db, count).sum());
+    let counts = workspace.projects.par_iter().map_with(workspace.db.clone(), |db, project| count(db, *project, loose));
+    let counted: CheckStatistics = threads.install(|| counts.sum());
     ReportStatistics {
         applications: counted.applications,
         files: counted.files,
@@ -278,4 +286,10 @@ fn statistics(opened: &OpenedWorkspace, started: Instant) -> ReportStatistics {
         code_lines: counted.code_lines,
         seconds: started.elapsed().as_secs_f64(),
     }
+}
+
+/// Statistics of one project. A stand-in for a loose file counts as this file only.
+fn count(db: &Database, project: Project, loose: &LooseFiles) -> CheckStatistics {
+    let counted = val3_check::statistics(db, project);
+    if loose.stands_in(db, project) { CheckStatistics { applications: 0, files: 1, ..counted } } else { counted }
 }

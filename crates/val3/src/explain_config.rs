@@ -8,7 +8,7 @@ use val3_analysis::items::project::items;
 use val3_check::rule::Rule;
 use val3_check::rules;
 use val3_check::settings::Settings;
-use val3_config::ConfigFile;
+use val3_config::{ConfigFile, Setting};
 
 use crate::opening::{OpenRequest, OpenedWorkspace};
 use crate::report::FindingSeverity;
@@ -80,27 +80,24 @@ impl ConfigurationGroup<'_> {
     }
 
     fn settings(&self, file: &str) -> Vec<SettingRow> {
-        let named = self.request.baseline.as_ref();
-        let row = |setting: val3_config::Setting| match named.filter(|_| setting.key == "baseline") {
-            Some(path) => [setting.key, format!("\"{path}\""), COMMAND_LINE.to_owned()],
-            None => {
-                let by = setting.line.map_or(DEFAULT.to_owned(), |line| format!("{file}:{line}"));
-                let value = if setting.value.is_empty() { "-".to_owned() } else { setting.value };
-                [setting.key, value, by]
-            }
-        };
-        val3_config::settings(self.file()).into_iter().map(row).collect()
+        val3_config::settings(self.file()).into_iter().map(|setting| self.setting_row(setting, file)).collect()
+    }
+
+    fn setting_row(&self, Setting { key, value, line }: Setting, file: &str) -> SettingRow {
+        if let Some(path) = self.request.baseline.as_ref().filter(|_| key == "baseline") {
+            return [key, format!("\"{path}\""), COMMAND_LINE.to_owned()];
+        }
+        let by = line.map_or(DEFAULT.to_owned(), |line| format!("{file}:{line}"));
+        let value = if value.is_empty() { "-".to_owned() } else { value };
+        [key, value, by]
     }
 
     /// Rules whose level differs from the default.
     fn levels(&self, file: &str) -> Vec<SettingRow> {
         let Some(project) = self.projects.first() else { return Vec::new() };
         let settings = self.opened.settings.of(self.db(), *project);
-        let row = |rule: &&'static Rule| {
-            let by = self.level_source(settings, rule, file)?;
-            Some([format!("{} {}", rule.code, rule.name), level(settings, rule), by])
-        };
-        rules::all().iter().filter_map(row).collect()
+        let sources = rules::all().iter().filter_map(|rule| Some((rule, self.level_source(settings, rule, file)?)));
+        sources.map(|(rule, by)| [format!("{} {}", rule.code, rule.name), level(settings, rule), by]).collect()
     }
 
     /// Source of a rule's level; `None` for its default.

@@ -20,11 +20,11 @@ pub(crate) fn add<S: System>(system: &mut OverlayFs<S>, asked: &[Utf8PathBuf]) -
     let archives: BTreeSet<&Utf8Path> = asked.iter().filter_map(|path| archive_around(path)).collect();
     for archive in archives {
         let mut nested = Vec::new();
-        let wanted = |path: &Utf8Path| {
+        let files = unpack(archive, |path| {
             nested.extend(is_archive_name(path).then(|| path.to_owned()));
             is_of_cell(path)
-        };
-        let files = unpack(archive, wanted).map_err(|fault| LoadError::Path {
+        });
+        let files = files.map_err(|fault| LoadError::Path {
             path: archive.to_owned(),
             reason: format!("the archive cannot be read: {fault}"),
         })?;

@@ -18,16 +18,17 @@ use crate::user_error::UserError;
 /// The folder or a page cannot be written.
 pub(crate) fn run(args: &ManArgs) -> Result<(), UserError> {
     let folder = args.folder.as_path();
-    let refused = |reason: Unwritable| {
-        UserError::new(format!("cannot write manual pages to `{folder}`: {reason}"))
-            .with_help("name a folder that you may write to")
-    };
-    fs::create_dir_all(folder).map_err(|error| refused(error.into()))?;
+    fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error.into()))?;
     let mut command = Args::command().disable_help_subcommand(true);
     command.build();
-    let count = write(folder, &command).map_err(refused)?;
+    let count = write(folder, &command).map_err(|reason| unwritable(folder, &reason))?;
     to_stderr(|out| writeln!(out, "wrote {count} manual pages to {folder}"));
     Ok(())
+}
+
+fn unwritable(folder: &Utf8Path, reason: &Unwritable) -> UserError {
+    UserError::new(format!("cannot write manual pages to `{folder}`: {reason}"))
+        .with_help("name a folder that you may write to")
 }
 
 /// Writes the pages for a command and its subcommands. Returns the number of pages.

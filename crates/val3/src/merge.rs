@@ -80,10 +80,12 @@ fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, U
 
 /// File kind according to the name, or to the root element if a temporary file has another name.
 fn kind(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> MergedKind {
-    let by_content = || {
-        let heads =
-            versions.iter().map(|bytes| String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes)));
-        heads.into_iter().find_map(|head| ROOTS.iter().find(|(root, _)| head.contains(root)).map(|(_, kind)| *kind))
-    };
-    MergedKind::of_name(name.as_str()).or_else(by_content).unwrap_or(MergedKind::Settings)
+    let by_name = MergedKind::of_name(name.as_str());
+    by_name.or_else(|| versions.iter().find_map(|bytes| kind_of_root(bytes))).unwrap_or(MergedKind::Settings)
+}
+
+/// File kind according to the root element, which begins in the first 2,000 bytes.
+fn kind_of_root(bytes: &[u8]) -> Option<MergedKind> {
+    let head = String::from_utf8_lossy(bytes.get(..2000).unwrap_or(bytes));
+    ROOTS.iter().find(|(root, _)| head.contains(root)).map(|(_, kind)| *kind)
 }

@@ -91,10 +91,12 @@ fn quoted(path: &str) -> String {
 
 /// Writes files to a folder, which is created with its parent folders.
 fn write(folder: &Utf8Path, files: &[(String, String)], paths: &Paths) -> Result<(), UserError> {
-    let refused = |reason: Unwritable| {
-        UserError::new(format!("cannot write `{}`: {reason}", paths.shown(folder)))
-            .with_help("name a folder that you may write to: --folder DIR")
-    };
-    fs::create_dir_all(folder).map_err(|error| refused(error.into()))?;
-    files.iter().try_for_each(|(name, text)| replace(&folder.join(name), text.as_bytes())).map_err(refused)
+    fs::create_dir_all(folder).map_err(|error| unwritable(&paths.shown(folder), &error.into()))?;
+    let written = files.iter().try_for_each(|(name, text)| replace(&folder.join(name), text.as_bytes()));
+    written.map_err(|reason| unwritable(&paths.shown(folder), &reason))
+}
+
+fn unwritable(folder: &str, reason: &Unwritable) -> UserError {
+    UserError::new(format!("cannot write `{folder}`: {reason}"))
+        .with_help("name a folder that you may write to: --folder DIR")
 }

@@ -185,13 +185,16 @@ fn no_application(folder: &Utf8Path, paths: &Paths) -> UserError {
 }
 
 fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
-    let shown = |error: ConfigError| {
-        let (path, message) = (paths.shown(&error.path).into(), one_line(&error.message).into_owned());
-        ConfigError { path, message, ..error }.to_string()
-    };
-    let worded = errors.into_iter().map(shown).collect::<Vec<_>>().join("\nerror: ");
+    let worded =
+        errors.into_iter().map(|error| configuration_fault(error, paths)).collect::<Vec<_>>().join("\nerror: ");
     let (message, details) = worded.split_once('\n').unwrap_or((&worded, ""));
     UserError::new(message).with_details(details)
+}
+
+/// Text of a configuration error with a displayed path.
+fn configuration_fault(error: ConfigError, paths: &Paths) -> String {
+    let (path, message) = (paths.shown(&error.path).into(), one_line(&error.message).into_owned());
+    ConfigError { path, message, ..error }.to_string()
 }
 
 /// Creates threads with a stack for the deepest nesting.
@@ -209,11 +212,11 @@ pub(crate) fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
 
 /// Requested folders; for a file, its folder.
 fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    // A file that the standard input replaces need not exist.
-    let is_part = |path: &Utf8Path| (is_program(path.as_str()) || is_data(path.as_str())) && !path.exists();
-    let folder = |path: &Utf8PathBuf| match path.parent() {
-        Some(parent) if path.is_file() || is_part(path) => parent.to_owned(),
-        _ => path.clone(),
-    };
-    asked.iter().map(folder).collect()
+    let parents = asked.iter().map(|path| path.parent().filter(|_| is_file(path)).unwrap_or(path));
+    parents.map(Utf8Path::to_owned).collect()
+}
+
+/// Whether the path names a file. A file that the standard input replaces need not exist.
+fn is_file(path: &Utf8Path) -> bool {
+    path.is_file() || (is_program(path.as_str()) || is_data(path.as_str())) && !path.exists()
 }

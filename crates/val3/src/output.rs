@@ -139,16 +139,17 @@ pub(crate) fn to_file(
     kind: OutputFileKind,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
-    let refused = |reason: &dyn Display| {
-        UserError::new(format!("cannot write `{path}`: {reason}"))
-            .with_help("name a file in an existing folder that you may write to")
-    };
     check_replaceable(path, kind, "output")?;
-    let mut file = OutputFile::open(path).map_err(|reason| refused(&reason))?;
+    let mut file = OutputFile::open(path).map_err(|reason| unwritable(path, &reason))?;
     let mut out = NoColor::new(BufWriter::new(&mut file));
-    write(&mut out).and_then(|()| out.flush()).map_err(|error| refused(&error))?;
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| unwritable(path, &error))?;
     drop(out);
-    file.commit().map_err(|reason| refused(&reason))
+    file.commit().map_err(|reason| unwritable(path, &reason))
+}
+
+fn unwritable(path: &Utf8Path, reason: &dyn Display) -> UserError {
+    UserError::new(format!("cannot write `{path}`: {reason}"))
+        .with_help("name a file in an existing folder that you may write to")
 }
 
 fn color_choice(color: Color, is_terminal: bool) -> ColorChoice {

@@ -136,10 +136,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     }
     let mut display = Display { args, paths: &paths, color, listing: Listing::default() };
     display.listing.is_quiet = args.quiet;
-    let mut observer = |progress: &TestEvent<'_>| {
-        advance(&bar, progress);
-        bar.pause(|| display.show(progress))
-    };
+    let mut observer = |progress: &TestEvent<'_>| display.observe(progress, &bar);
     let surroundings = Surroundings { sockets: &sockets, signals };
     let (mut results, counted) = workers::executed(args, &repeated, &surroundings, &mut observer)?;
     for tests in refused.into_iter().map(RefusedTests::into_tested) {
@@ -163,12 +160,11 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     if args.format == TestFormat::Human {
         to_stderr(|out| writeln!(out, "finished in {:.2} s", results.wall.as_secs_f64()));
     }
-    let to_output = |output: &ReportOutput<TestFormat>| {
-        to_file(&output.path, output.format.file_kind(), |out| {
-            filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &results, &paths, out))
-        })
-    };
-    args.output.iter().try_for_each(to_output)?;
+    for ReportOutput { format, path } in &args.output {
+        to_file(path, format.file_kind(), |out| {
+            filtered(format.content(), Destination::FILE, out, |out| write(*format, &results, &paths, out))
+        })?;
+    }
     let is_covered = coverage::report(args, counted, &paths, color)?;
     Ok(exit_code(&results, is_covered))
 }
@@ -241,6 +237,16 @@ struct Display<'d> {
 }
 
 impl Display<'_> {
+    /// Advances the progress bar, and shows the event.
+    fn observe(
+        &mut self,
+        progress: &TestEvent<'_>,
+        bar: &progress::DelayedProgress,
+    ) -> Result<ControlFlow<()>, UserError> {
+        advance(bar, progress);
+        bar.pause(|| self.show(progress))
+    }
+
     /// Shows an event, if the format has output during the execution.
     fn show(&mut self, progress: &TestEvent<'_>) -> Result<ControlFlow<()>, UserError> {
         let paths = self.paths;

@@ -1,6 +1,5 @@
 //! Unreadable files and folders, because of which a report without findings would be wrong.
 
-use camino::Utf8PathBuf;
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{File, FileStatus, Sources};
 use val3_analysis::load::Workspace;
@@ -19,6 +18,10 @@ pub(crate) const UNREAD_ARCHIVE: &str = "V0544";
 /// Whether the finding is about an unreadable file.
 pub(crate) fn is_unreadable(finding: &Diagnostic) -> bool {
     finding.rule.code == UNREADABLE_FILE
+}
+
+fn unread(path: &str, reason: &str) -> UserError {
+    UserError::new(format!("cannot read `{path}`: {reason}")).with_help("the findings that depend on it are missing")
 }
 
 /// Unreadable files and folders of a check.
@@ -42,11 +45,7 @@ impl Unread {
             }
         }
         found.sort_unstable();
-        let error = |(path, reason): &(Utf8PathBuf, String)| {
-            UserError::new(format!("cannot read `{}`: {reason}", paths.shown(path)))
-                .with_help("the findings that depend on it are missing")
-        };
-        Self { has_findings, errors: found.iter().map(error).collect() }
+        Self { has_findings, errors: found.iter().map(|(path, reason)| unread(&paths.shown(path), reason)).collect() }
     }
 
     /// Whether all files were read.

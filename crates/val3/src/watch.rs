@@ -1,7 +1,7 @@
 //! `val3 check --watch`: reports changes of files that a check reads.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
@@ -102,11 +102,13 @@ fn cannot_watch(error: &notify::Error) -> UserError {
 
 /// Changed file, if a check reads it. Read access is no change.
 fn relevant(event: Event) -> Option<PathBuf> {
-    let is_source = |path: &PathBuf| {
-        let extension = path.extension().and_then(|extension| extension.to_str());
-        extension.is_some_and(|extension| EXTENSIONS.iter().any(|known| known.eq_ignore_ascii_case(extension)))
-    };
-    if event.kind.is_access() { None } else { event.paths.into_iter().find(is_source) }
+    if event.kind.is_access() { None } else { event.paths.into_iter().find(|path| is_source(path)) }
+}
+
+/// Whether a check reads files with the extension of the path.
+fn is_source(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    extension.is_some_and(|extension| EXTENSIONS.iter().any(|known| known.eq_ignore_ascii_case(extension)))
 }
 
 #[cfg(test)]

@@ -15,11 +15,8 @@ pub(crate) struct WriteScope {
 impl WriteScope {
     /// Creates the scope for absolute paths in the arguments; for a file, its folder is used.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
-        let folder = |path: &Utf8PathBuf| match path.parent() {
-            Some(parent) if path.is_file() => Disk.target(parent),
-            _ => Disk.target(path),
-        };
-        Self { folders: asked.iter().map(folder).collect() }
+        let folders = asked.iter().map(|path| path.parent().filter(|_| path.is_file()).unwrap_or(path));
+        Self { folders: folders.map(|folder| Disk.target(folder)).collect() }
     }
 
     /// Checks that a file may be changed; messages call it `shown`.

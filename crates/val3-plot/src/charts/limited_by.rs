@@ -34,10 +34,7 @@ impl LimitedBy {
                 }
             }
         }
-        let most = |column: &BTreeMap<SpeedLimit, f64>| {
-            column.iter().max_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(limit, _)| *limit)
-        };
-        let limits: Vec<_> = columns.iter().map(most).collect();
+        let limits: Vec<_> = columns.iter().map(longest).collect();
         let mut pieces = Vec::new();
         let mut from = 0;
         for equal in limits.chunk_by(|one, other| one == other) {
@@ -79,6 +76,11 @@ impl LimitedBy {
             x += 44.0 + 7.5 * name.len() as f64;
         }
     }
+}
+
+/// Returns the limit with the largest value.
+fn longest(column: &BTreeMap<SpeedLimit, f64>) -> Option<SpeedLimit> {
+    column.iter().max_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(limit, _)| *limit)
 }
 
 /// Merges all reasons for rest.

@@ -152,33 +152,38 @@ fn speeds(picture: &Picture, index: usize, axis: &PictureAxis) -> Vec<(f64, f64)
 /// Returns the change of the axis speed at every sample: in % of the nominal acceleration, or negative in % of the
 /// nominal deceleration.
 fn accelerations(picture: &Picture, index: usize, axis: &PictureAxis) -> Vec<(f64, f64)> {
-    let share = |pair: &[[f64; 3]]| {
-        let [[t, before_length, before], [_, length, after]] = pair else { return Vec::new() };
-        let seconds = before_length.min(*length);
-        let change = if seconds > 0.0 { (after - before) / seconds } else { 0.0 };
-        let is_faster = change * (before + after) >= 0.0;
-        let (nominal, sign) =
-            if is_faster { (axis.nominal_acceleration, 1.0) } else { (axis.nominal_deceleration, -1.0) };
-        let value = (*t, if nominal > 0.0 { sign * change.abs() / nominal * 100.0 } else { 0.0 });
-        // A rest has no samples. It ends in one cycle.
-        let has_rested = *before_length > 2.0 * length;
-        has_rested.then_some((*t, 0.0)).into_iter().chain([value]).collect()
-    };
-    rates(picture, index).windows(2).flat_map(share).collect()
+    let rates = rates(picture, index);
+    rates.iter().zip(rates.iter().skip(1)).flat_map(|(before, after)| acceleration(before, after, axis)).collect()
+}
+
+/// Returns the acceleration at the first of two rates, after a zero if the axis has rested before.
+fn acceleration(
+    [t, before_length, before]: &[f64; 3],
+    [_, length, after]: &[f64; 3],
+    axis: &PictureAxis,
+) -> impl Iterator<Item = (f64, f64)> + use<> {
+    let seconds = before_length.min(*length);
+    let change = if seconds > 0.0 { (after - before) / seconds } else { 0.0 };
+    let is_faster = change * (before + after) >= 0.0;
+    let (nominal, sign) = if is_faster { (axis.nominal_acceleration, 1.0) } else { (axis.nominal_deceleration, -1.0) };
+    let value = (*t, if nominal > 0.0 { sign * change.abs() / nominal * 100.0 } else { 0.0 });
+    // A rest has no samples. It ends in one cycle.
+    let has_rested = *before_length > 2.0 * length;
+    has_rested.then_some((*t, 0.0)).into_iter().chain([value])
 }
 
 /// Returns for each sample its time, the seconds since the previous sample, and the axis speed in this time, per
 /// second.
 fn rates(picture: &Picture, index: usize) -> Vec<[f64; 3]> {
-    let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();
     let samples = &picture.samples;
     let before = samples.iter().take(1).chain(samples);
-    let rate = |(before, after): (&Sample, &Sample)| {
-        let seconds = after.t - before.t;
-        let speed = if seconds > 0.0 { (position(after) - position(before)) / seconds } else { 0.0 };
-        [after.t, seconds, speed]
-    };
-    before.zip(samples).map(rate).collect()
+    before.zip(samples).map(|(before, after)| rate(before, after, index)).collect()
+}
+
+fn rate(before: &Sample, after: &Sample, index: usize) -> [f64; 3] {
+    let [from, to] = [before, after].map(|sample| sample.joints.get(index).copied().unwrap_or_default());
+    let seconds = after.t - before.t;
+    [after.t, seconds, if seconds > 0.0 { (to - from) / seconds } else { 0.0 }]
 }
 
 #[cfg(test)]
@@ -196,16 +201,7 @@ mod tests {
             nominal_acceleration: 1000.0,
             nominal_deceleration: 2000.0,
         };
-        let sample = |(index, position): (usize, f64)| Sample {
-            t: index as f64 * 0.01,
-            joints: [-position; 6],
-            position: [0.0; 3],
-            speed: 0.0,
-            rotation: 0.0,
-            phase: MotionPhase::Nominal,
-            limit: None,
-        };
-        let samples = [0.0, 0.1, 0.3, 0.3].into_iter().enumerate().map(sample).collect();
+        let samples = vec![sample(0.0, 0.0), sample(0.01, 0.1), sample(0.02, 0.3), sample(0.03, 0.3)];
         let picture = Picture { samples, axes: vec![axis.clone()], ..Picture::default() };
         let rounded = |values: Vec<(f64, f64)>| values.into_iter().map(|(_, value)| value.round()).collect::<Vec<_>>();
         assert_eq!(rounded(speeds(&picture, 0, &axis)), [0.0, 5.0, 10.0, 0.0]);
@@ -214,5 +210,18 @@ mod tests {
         later.samples.iter_mut().skip(1).for_each(|sample| sample.t += 1.0);
         later.samples[1].joints = [0.0; 6];
         assert_eq!(rounded(accelerations(&later, 0, &axis)), [0.0, 0.0, 300.0, -150.0]);
+    }
+
+    /// Returns a sample with the negative position on each axis.
+    fn sample(t: f64, position: f64) -> Sample {
+        Sample {
+            t,
+            joints: [-position; 6],
+            position: [0.0; 3],
+            speed: 0.0,
+            rotation: 0.0,
+            phase: MotionPhase::Nominal,
+            limit: None,
+        }
     }
 }

@@ -59,11 +59,8 @@ impl<'a> Loops<'a> {
     fn of(picture: &Picture, all: &[Named<'a>]) -> Self {
         let mut targets: BTreeMap<ProgramLine<'_>, usize> = BTreeMap::new();
         all.iter().flat_map(|named| &named.origins).for_each(|origin| *targets.entry(*origin).or_default() += 1);
-        let moves = |(program, line): ProgramLine<'_>| {
-            picture.moves.iter().filter(|mark| mark.program == program && mark.line == line).count()
-        };
         let loops = targets.into_iter().filter(|(_, count)| *count > REPEATED);
-        Self(loops.map(|(origin, _)| (origin, Some(moves(origin)))).collect())
+        Self(loops.map(|(origin, _)| (origin, Some(move_count(picture, origin)))).collect())
     }
 
     /// Returns the label of a line, with the number of moves if it is a loop; `None` if the loop was already labelled.
@@ -73,6 +70,11 @@ impl<'a> Loops<'a> {
             Some(count) => count.take().map(|count| (origin, Some(count))),
         }
     }
+}
+
+/// Returns the number of moves that the line has recorded.
+fn move_count(picture: &Picture, (program, line): ProgramLine<'_>) -> usize {
+    picture.moves.iter().filter(|mark| mark.program == program && mark.line == line).count()
 }
 
 /// Joins several lines to a label. The program is written before its first line, unless it is the only program.

@@ -22,19 +22,17 @@ fn moved(rows: &[TraceRow], part: Range<usize>, way: [f64; 3]) -> Vec<TraceRow> 
 /// Returns rows from 0 to `length` on the line, at a speed in mm for each cycle, with the ids of the points.
 fn at_speed(speed: f64, length: f64) -> Vec<TraceRow> {
     let count = (length / speed).ceil() as u64;
-    let row = |cycle: u64| {
-        let x = (cycle as f64 * speed).min(length);
-        let pose = Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry();
-        let id = 1.0 + (x / 10.0).max(0.001);
-        TraceRow {
-            time: 1_000_000_000 + cycle * 4_000_000,
-            id,
-            pose,
-            joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0],
-            ..line(1)[0]
-        }
-    };
-    (0..=count).map(row).collect()
+    (0..=count).map(|cycle| row_at(cycle, (cycle as f64 * speed).min(length))).collect()
+}
+
+fn row_at(cycle: u64, x: f64) -> TraceRow {
+    TraceRow {
+        time: 1_000_000_000 + cycle * 4_000_000,
+        id: 1.0 + (x / 10.0).max(0.001),
+        pose: Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry(),
+        joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0],
+        ..line(1)[0]
+    }
 }
 
 #[test]
@@ -93,22 +91,25 @@ fn a_piece_that_is_missing_is_found_as_well_as_an_additional_one() {
 
 #[test]
 fn what_is_exactly_at_a_tolerance_is_the_same() {
-    let rows = line(10);
-    let is_same = |change: &dyn Fn(&TraceRow) -> TraceRow| {
-        let present: Vec<TraceRow> = rows.iter().map(change).collect();
-        compared(&rows, &present).is_same()
-    };
     assert!(is_same(&|row| at(row, [0.0, 0.5, 0.0], [0.0; 3])));
     assert!(!is_same(&|row| at(row, [0.0, 0.500_001, 0.0], [0.0; 3])));
     assert!(is_same(&|row| at(row, [0.0; 3], [0.0, 0.499_999, 0.0])));
     assert!(!is_same(&|row| at(row, [0.0; 3], [0.0, 0.500_001, 0.0])));
-    let other_joints = |row: &TraceRow, difference: f64| {
-        let mut joints = row.joints;
-        joints[3] += difference;
-        TraceRow { joints, ..*row }
-    };
     assert!(is_same(&|row| other_joints(row, -10.0)));
     assert!(!is_same(&|row| other_joints(row, -10.000_001)));
+}
+
+/// Whether a trace is the same after a change of its rows.
+fn is_same(change: &dyn Fn(&TraceRow) -> TraceRow) -> bool {
+    let rows = line(10);
+    let present: Vec<TraceRow> = rows.iter().map(change).collect();
+    compared(&rows, &present).is_same()
+}
+
+fn other_joints(row: &TraceRow, difference: f64) -> TraceRow {
+    let mut joints = row.joints;
+    joints[3] += difference;
+    TraceRow { joints, ..*row }
 }
 
 #[test]

@@ -59,10 +59,7 @@ fn displacement_and_rotation_are_measured_apart() {
 /// The tool turns around its centre point, so that only the angle determines the point of the path.
 #[test]
 fn a_pure_rotation_is_a_path() {
-    let turned = |angle: f64| {
-        let pose = Trsf::new([7.0, 0.0, 0.0], [angle, 0.0, 0.0]).isometry();
-        TraceRow { pose, joints: [0.0, 0.0, 0.0, angle, 0.0, 0.0], ..line(1)[0] }
-    };
+    let turned = |angle: f64| TraceRow { joints: [0.0, 0.0, 0.0, angle, 0.0, 0.0], ..place(7.0, angle) };
     let path = [turned(-30.0), turned(50.0)];
     check(&turned(12.0), &path, 0.0, 0.0, 0.0);
     check(&turned(53.0), &path, 0.0, 3.0, 3.0);
@@ -72,11 +69,6 @@ fn a_pure_rotation_is_a_path() {
 /// Position and rotation change together, and both determine the point of the path.
 #[test]
 fn tolerances_weigh_the_same() {
-    let place = |x: f64, angle: f64| TraceRow {
-        pose: Trsf::new([x, 0.0, 0.0], [angle, 0.0, 0.0]).isometry(),
-        joints: [0.0; 6],
-        ..line(1)[0]
-    };
     let path = [place(0.0, 0.0), place(10.0, 10.0)];
     // With equal tolerances, the nearest point is halfway between x = 4 and rx = 6.
     let found = from_path(&place(4.0, 6.0), &path);
@@ -88,6 +80,12 @@ fn tolerances_weigh_the_same() {
     let wide = Tolerances { degrees: 0.1, ..TOLERANCES };
     let found = distance(&place(4.0, 6.0), &path, &wide).unwrap();
     assert!((found.nearest.x - 154.0 / 26.0).abs() < 1e-9, "{found:?}");
+}
+
+/// Returns a row at x, turned around the x axis.
+fn place(x: f64, angle: f64) -> TraceRow {
+    let pose = Trsf::new([x, 0.0, 0.0], [angle, 0.0, 0.0]).isometry();
+    TraceRow { pose, joints: [0.0; 6], ..line(1)[0] }
 }
 
 /// A path that returns to a pose with another turn of axis 6.

@@ -14,24 +14,29 @@ const TOLERANCES: Tolerances = Tolerances { mm: 0.5, degrees: 0.5, time: 5.0 };
 
 /// Returns a recording whose moves come from consecutive lines.
 fn recording(rows: &[TraceRow]) -> MotionRecording {
-    let source = |number: i64| CodeSource {
+    MotionRecording::with_sources(trace(rows), source)
+}
+
+fn source(number: i64) -> CodeSource {
+    CodeSource {
         instruction: "movel",
         at: Default::default(),
         program: "start".to_owned(),
         line: 10 + number as u32,
         file: "start.pgx".to_owned(),
-    };
-    MotionRecording::with_sources(trace(rows), source)
+    }
 }
 
 #[track_caller]
 fn check(recorded: &[TraceRow], present: &[TraceRow], expected: Expect) {
     let findings = describe(&compare(recorded, present, TOLERANCES), &recording(present));
-    let line = |finding: &Finding| {
-        let source = finding.source.as_ref().map_or(String::new(), |source| format!(" [{}]", source.line));
-        format!("{}{source}\n", finding.message)
-    };
-    expected.assert_eq(&findings.iter().map(line).collect::<String>());
+    expected.assert_eq(&findings.iter().map(shown).collect::<String>());
+}
+
+/// Returns the message of a finding with its line.
+fn shown(finding: &Finding) -> String {
+    let source = finding.source.as_ref().map_or(String::new(), |source| format!(" [{}]", source.line));
+    format!("{}{source}\n", finding.message)
 }
 
 /// Moves and turns a range of rows.
@@ -161,12 +166,12 @@ fn moves_that_differ() {
 
 /// Extends the time before some rows by milliseconds.
 fn slowed(rows: &[TraceRow], part: std::ops::Range<usize>, each: u64) -> Vec<TraceRow> {
-    let mut late = 0;
-    let row = |(place, row): (usize, &TraceRow)| {
-        late += if part.contains(&place) { each * 1_000_000 } else { 0 };
-        TraceRow { time: row.time + late, ..*row }
-    };
-    rows.iter().enumerate().map(row).collect()
+    let (mut slowed, mut delay) = (rows.to_vec(), 0);
+    for (place, row) in slowed.iter_mut().enumerate() {
+        delay += if part.contains(&place) { each * 1_000_000 } else { 0 };
+        row.time += delay;
+    }
+    slowed
 }
 
 #[test]
@@ -236,10 +241,8 @@ fn limits_that_are_exceeded() {
         Limit::Clear { zone: zone([15.5, -1.0, 0.0], [16.0, 1.0, 0.0]), least: 12.5 },
     ];
     let recording = recording(&rows);
-    let sentence = |limit: &Limit| {
-        let finding = describe_violation(limit, &limit.violation(&rows, 0..30).unwrap(), &recording);
-        format!("{} [{}]\n", finding.message, finding.source.unwrap().line)
-    };
+    let violation = |limit: &Limit| limit.violation(&rows, 0..30).unwrap();
+    let sentence = |limit: &Limit| shown(&describe_violation(limit, &violation(limit), &recording));
     expect![[r#"
         the tool centre point moves at 250.0 mm/s instead of at most 200 mm/s, at 0.000 s at (0.0, 0.0, 0.0), in move 1 (movel, start:11) [11]
         the tool centre point is 8.500 mm outside of its box, at 0.116 s at (29.0, 0.0, 0.0), in move 3 (movel, start:13) [13]

@@ -134,15 +134,15 @@ fn type_name(option: &Arg) -> &'static str {
 
 /// Replaces options in a help text by their configuration keys.
 fn with_keys(help: &str) -> String {
-    let word = |word: &str| match word.strip_prefix("--") {
-        None => word.to_owned(),
-        Some(option) => {
-            let end = option.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(option.len());
-            let (long, rest) = option.split_at(end);
-            format!("`{}`{rest}", key(long))
-        }
-    };
-    help.split(' ').map(word).collect::<Vec<_>>().join(" ")
+    help.split(' ').map(word_with_key).collect::<Vec<_>>().join(" ")
+}
+
+/// Replaces the option with which the word begins, if any, by its configuration key.
+fn word_with_key(word: &str) -> String {
+    let Some(option) = word.strip_prefix("--") else { return word.to_owned() };
+    let end = option.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(option.len());
+    let (long, rest) = option.split_at(end);
+    format!("`{}`{rest}", key(long))
 }
 
 #[cfg(test)]

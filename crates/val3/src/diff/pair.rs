@@ -40,14 +40,12 @@ fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<PathKind>, UserErr
     if folder::is_absent(path) {
         return Ok(None);
     }
-    let missing = || {
-        UserError::new(format!("`{path}`: there is no such file or folder"))
-            .with_help("name the two folders or files to compare; for a revision of git use --git")
-    };
-    match Disk.kind(&current.join(path)).ok_or_else(missing)? {
+    match Disk.kind(&current.join(path)) {
         // An archive is compared as a folder.
-        PathKind::File if is_archive_name(path) => Ok(Some(PathKind::Folder)),
-        kind => Ok(Some(kind)),
+        Some(PathKind::File) if is_archive_name(path) => Ok(Some(PathKind::Folder)),
+        Some(kind) => Ok(Some(kind)),
+        None => Err(UserError::new(format!("`{path}`: there is no such file or folder"))
+            .with_help("name the two folders or files to compare; for a revision of git use --git")),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
+use val3_diff::FileTree;
 
 use super::ComparedVersions;
 use super::git::Repository;
@@ -29,17 +30,18 @@ pub(super) fn versions(current: &Utf8Path, args: &DiffArgs) -> Result<ComparedVe
     let is_project = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
     let folder = if is_project { path.parent().unwrap_or(&path) } else { &path };
     let repository = Repository::around(folder)?;
-    let tree = |revision: &str| {
-        let tree = repository.tree(revision)?.ok_or_else(|| unknown(revision))?;
-        repository.files_of(&tree)
-    };
-    let old_tree = tree(&old)?;
+    let old_tree = revision_files(&repository, &old)?;
     let (new_tree, new) = match new {
         NewVersion::WorkingTree => (repository.working_tree()?, "working tree".to_owned()),
         NewVersion::Staged => (repository.staged()?, "staged files".to_owned()),
-        NewVersion::Revision(revision) => (tree(&revision)?, revision),
+        NewVersion::Revision(revision) => (revision_files(&repository, &revision)?, revision),
     };
     Ok(ComparedVersions { trees: [old_tree, new_tree], names: [old, new] })
+}
+
+fn revision_files(repository: &Repository, revision: &str) -> Result<FileTree, UserError> {
+    let tree = repository.tree(revision)?.ok_or_else(|| unknown(revision))?;
+    repository.files_of(&tree)
 }
 
 fn request(current: &Utf8Path, args: &DiffArgs) -> Result<RevisionRequest, UserError> {

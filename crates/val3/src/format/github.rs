@@ -75,16 +75,17 @@ mod tests {
 
     #[test]
     fn annotations_beyond_the_limit_are_counted() {
-        let written = |counts: &[(&str, usize)]| {
-            let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());
-            write_limit(counts, &mut out).unwrap();
-            String::from_utf8(out.into_inner()).unwrap()
-        };
-        assert_eq!(written(&[("error", 10), ("notice", 0)]), "");
+        assert_eq!(limit_note(&[("error", 10), ("notice", 0)]), "");
         assert_eq!(
-            written(&[("error", 35), ("warning", 3), ("notice", 11)]),
+            limit_note(&[("error", 35), ("warning", 3), ("notice", 11)]),
             "GitHub shows 10 of 35 errors, 10 of 11 notices as annotations. This log has all of them.\n"
         );
+    }
+
+    fn limit_note(counts: &[(&str, usize)]) -> String {
+        let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());
+        write_limit(counts, &mut out).unwrap();
+        String::from_utf8(out.into_inner()).unwrap()
     }
 
     #[test]

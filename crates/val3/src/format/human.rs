@@ -174,18 +174,20 @@ mod tests {
     #[test]
     fn equal_findings_of_a_file_are_shown_once() {
         let mut report = sample::report();
-        let again = |report: &mut CheckReport, line: &str| {
-            let mut finding = report.findings.iter().find(|finding| finding.code == "V0101").unwrap().clone();
-            finding.place = sample::place(&finding.place.file, line);
-            report.findings.push(finding);
-        };
-        again(&mut report, "end]]>");
+        repeat_finding(&mut report, "end]]>");
         assert!(rendered(ReportFormat::Human, &report).contains("the same in line 8\n"));
-        again(&mut report, "</Programs>");
+        repeat_finding(&mut report, "</Programs>");
         let shown = rendered(ReportFormat::Human, &report);
         assert!(shown.contains("the same in lines 8 and 10\n") && shown.matches("V0101").count() == 1, "{shown}");
         report.findings.iter_mut().for_each(|finding| finding.is_new = finding.code == "V0203");
         assert!(rendered(ReportFormat::Human, &report).contains("got a string (new)\n"));
+    }
+
+    /// Adds the finding V0101 of the sample once more, at another line.
+    fn repeat_finding(report: &mut CheckReport, line: &str) {
+        let mut finding = report.findings.iter().find(|finding| finding.code == "V0101").unwrap().clone();
+        finding.place = sample::place(&finding.place.file, line);
+        report.findings.push(finding);
     }
 
     #[test]

@@ -26,16 +26,16 @@ pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Resul
 
 /// Returns the applications in order, each with its findings, followed by the other files with findings.
 fn suites(report: &CheckReport) -> Vec<Suite<'_>> {
-    let found_in = |application: &'_ String| {
-        let here = |finding: &&Finding| finding.application.as_ref() == Some(application);
-        report.findings.iter().filter(here).collect()
-    };
-    let applications = report.applications.iter().map(|name| Suite { name, findings: found_in(name) });
+    let applications = report.applications.iter().map(|name| Suite { name, findings: findings_of(report, name) });
     let others: Vec<&Finding> = report.findings.iter().filter(|finding| finding.application.is_none()).collect();
     let others = others.chunk_by(|a, b| a.place.file.path == b.place.file.path);
     let others = others
         .filter_map(|findings| Some(Suite { name: &findings.first()?.place.file.path, findings: findings.to_vec() }));
     applications.chain(others).collect()
+}
+
+fn findings_of<'r>(report: &'r CheckReport, application: &str) -> Vec<&'r Finding> {
+    report.findings.iter().filter(|finding| finding.application.as_deref() == Some(application)).collect()
 }
 
 struct Suite<'a> {

@@ -54,13 +54,10 @@ fn base_uris(root: &str) -> BTreeMap<&'static str, BaseUri> {
 }
 
 fn invocation(report: &CheckReport) -> Invocation {
-    let notification = |error: &crate::user_error::UserError| Notification {
-        level: Level::Error,
-        message: Message { text: error.to_string() },
-    };
+    let messages = report.unreadable.iter().map(|error| Message { text: error.to_string() });
     Invocation {
         execution_successful: report.is_complete(),
-        tool_execution_notifications: report.unreadable.iter().map(notification).collect(),
+        tool_execution_notifications: messages.map(|message| Notification { level: Level::Error, message }).collect(),
     }
 }
 
@@ -134,14 +131,14 @@ fn fix(fix: &ReportedFix) -> log::Fix {
 /// Converts one file's edits; `None` without edits.
 fn artifact_change(edits: &[ReportedEdit]) -> Option<ArtifactChange> {
     let path = &edits.first()?.place.file.in_repository;
-    let replacement = |edit: &'_ ReportedEdit| Replacement {
-        deleted_region: region(&edit.place),
-        inserted_content: Message { text: edit.text.clone() },
-    };
     Some(ArtifactChange {
         artifact_location: artifact_location(path),
         replacements: edits.iter().map(replacement).collect(),
     })
+}
+
+fn replacement(edit: &ReportedEdit) -> Replacement {
+    Replacement { deleted_region: region(&edit.place), inserted_content: Message { text: edit.text.clone() } }
 }
 
 #[cfg(test)]

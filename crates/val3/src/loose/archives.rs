@@ -27,13 +27,14 @@ fn content(path: &Utf8Path) -> Option<ArchiveContent> {
         Ok(entries) => entries,
         Err(fault) => return Some(ArchiveContent::Unknown(fault.to_string())),
     };
-    let count = |extension: &str| {
-        let is = |path: &&Utf8PathBuf| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
-        entries.iter().filter(is).count()
-    };
-    match (count("pjx"), count("pgx") + count("dtx")) {
+    match (count(&entries, "pjx"), count(&entries, "pgx") + count(&entries, "dtx")) {
         (0, 0) => None,
         (0, _) => Some(ArchiveContent::Parts),
         (projects, _) => Some(ArchiveContent::Projects(projects)),
     }
+}
+
+/// Number of entries with the extension.
+fn count(entries: &[Utf8PathBuf], extension: &str) -> usize {
+    entries.iter().filter_map(|path| path.extension()).filter(|found| found.eq_ignore_ascii_case(extension)).count()
 }

@@ -58,12 +58,17 @@ impl NewPositions {
 
     /// Whether the arm reaches home, the point, and the path above the point.
     fn is_reached(&self, arm: &Arm, near: &Joints) -> bool {
-        let at = |part: f64| Trsf { z: self.height.mul_add(part, self.point.z), ..self.point };
-        let is_reached = |pose: Trsf| {
+        let mut path = (0..=10).map(|step| self.above(f64::from(step) / 10.0));
+        let is_path_reached = path.all(|pose| {
             let joints = arm.inverse_on(self.configuration, &pose, near);
             joints.is_ok_and(|joints| arm.is_in_range(&joints))
-        };
-        arm.is_in_range(&self.home) && (0..=10).all(|step| is_reached(at(f64::from(step) / 10.0)))
+        });
+        arm.is_in_range(&self.home) && is_path_reached
+    }
+
+    /// Pose above the point, at this part of the height (0 to 1).
+    fn above(&self, part: f64) -> Trsf {
+        Trsf { z: self.height.mul_add(part, self.point.z), ..self.point }
     }
 }
 

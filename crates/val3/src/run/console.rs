@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal as _};
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, EventKind};
-use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
+use val3_machine::screen::{COLUMNS, PageContent, Pendant, display_columns, fitting};
 use val3_session::evaluate::missing_instruction;
 
 use super::failures::{Failure, Failures, ImpossiblePath};
@@ -175,20 +175,23 @@ impl Console {
     /// page is printed to the standard error output.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
-        let width = COLUMNS;
-        let padded = |line: String| format!("{line}{:1$}", "", width.saturating_sub(display_columns(&line)));
-        let title = one_line(page.title());
-        let title = fitting(&title, width);
-        let behind = width.saturating_sub(display_columns(title));
-        let picture = |out: &mut dyn WriteColor| -> io::Result<()> {
-            writeln!(out, "+{title}{:-<behind$}+", "")?;
-            page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
-            writeln!(out, "+{:-<width$}+", "")
-        };
         if self.speaks {
-            return to_stdout(self.color, picture);
+            return to_stdout(self.color, |out| write_page(page, out));
         }
-        to_stderr_in_color(self.color, picture);
+        to_stderr_in_color(self.color, |out| write_page(page, out));
         Ok(())
     }
+}
+
+/// Writes the page in a frame with its title.
+fn write_page(page: &PageContent, out: &mut dyn WriteColor) -> io::Result<()> {
+    let title = one_line(page.title());
+    let title = fitting(&title, COLUMNS);
+    let after_title = COLUMNS.saturating_sub(display_columns(title));
+    writeln!(out, "+{title}{:-<after_title$}+", "")?;
+    for line in page.lines() {
+        let padding = COLUMNS.saturating_sub(display_columns(&line));
+        writeln!(out, "|{line}{:padding$}|", "")?;
+    }
+    writeln!(out, "+{:-<COLUMNS$}+", "")
 }

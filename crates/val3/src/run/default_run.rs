@@ -18,6 +18,16 @@ use crate::user_error::UserError;
 #[derive(Debug, Default)]
 pub(super) struct WrittenFiles(Vec<String>);
 
+impl WrittenFiles {
+    /// Sets an output file to the configured path, unless an argument names another file.
+    fn insert(&mut self, argument: &mut Option<Utf8PathBuf>, configured: Option<Utf8PathBuf>) {
+        if let (None, Some(path)) = (&argument, configured) {
+            self.0.push(one_line(path.as_str()).into_owned());
+            *argument = Some(path);
+        }
+    }
+}
+
 /// Completes the arguments by `[run.default]` of the nearest `val3.toml`, if they name a folder that is no application.
 /// Prints the complete command. `None` if no settings apply.
 ///
@@ -88,17 +98,10 @@ fn insert(
     if run.times && args.times.is_none() {
         args.times = Some(None);
     }
-    let mut output = |argument: &mut Option<Utf8PathBuf>, setting: &Option<Utf8PathBuf>| {
-        if let (None, Some(path)) = (&argument, setting) {
-            let path = shown(path);
-            written.0.push(one_line(path.as_str()).into_owned());
-            *argument = Some(path);
-        }
-    };
-    output(&mut args.plot, &run.plot);
+    written.insert(&mut args.plot, run.plot.as_deref().map(shown));
     // A debugged run exports no page, because stepping back can change its history.
     if args.debug_port.is_none() {
-        output(&mut args.export, &run.export);
+        written.insert(&mut args.export, run.export.as_deref().map(shown));
     }
     written
 }

@@ -69,13 +69,7 @@ impl Export {
 
     /// Completes the file.
     pub(super) fn close(self) -> Result<(), UserError> {
-        let (_, tail) = halves();
-        let ended = || -> io::Result<OutputFile> {
-            let mut file = self.out.finish()?.finish()?;
-            write!(file, "</script>{tail}")?;
-            Ok(file.into_inner()?)
-        };
-        let file = ended().map_err(|error| refused(&self.path, &error))?;
+        let file = completed(self.out).map_err(|error| refused(&self.path, &error))?;
         file.commit().map_err(|reason| file::refused(&self.path, "page", &reason))
     }
 
@@ -105,6 +99,14 @@ fn packed(out: &mut ExportedRecording, message: &ViewerMessage) -> io::Result<()
 fn halves() -> (&'static str, &'static str) {
     let at = PAGE.find(BODY).map_or(0, |at| at + BODY.len());
     PAGE.split_at(at)
+}
+
+/// Writes the end of the recording and the rest of the page.
+fn completed(recording: ExportedRecording) -> io::Result<OutputFile> {
+    let (_, tail) = halves();
+    let mut file = recording.finish()?.finish()?;
+    write!(file, "</script>{tail}")?;
+    Ok(file.into_inner()?)
 }
 
 fn refused(path: &Utf8Path, error: &io::Error) -> UserError {

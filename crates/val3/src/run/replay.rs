@@ -1,5 +1,7 @@
 //! `--replay`: compares a run with a recording, and ends the run at the recorded end.
 
+use std::fmt::Display;
+
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Deserialize;
 use serde_json::Value;
@@ -35,6 +37,11 @@ pub(super) struct Divergence {
     found: Option<String>,
 }
 
+fn unusable(path: &Utf8Path, reason: &dyn Display) -> UserError {
+    UserError::new(format!("cannot replay `{path}`: {reason}"))
+        .with_help("name a file that `val3 run --events` has written")
+}
+
 /// Event fields that state the end of a recording.
 #[derive(Deserialize)]
 struct RecordingEnd {
@@ -49,12 +56,8 @@ impl RunRecording {
     /// # Errors
     /// The file cannot be read, or is no recording.
     pub(super) fn open(path: &Utf8Path) -> Result<Self, UserError> {
-        let refused = |reason: String| {
-            UserError::new(format!("cannot replay `{path}`: {reason}"))
-                .with_help("name a file that `val3 run --events` has written")
-        };
-        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| refused(error.to_string()))?;
-        Self::parse(path, &text).map_err(refused)
+        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(path, &error))?;
+        Self::parse(path, &text).map_err(|reason| unusable(path, &reason))
     }
 
     fn parse(path: &Utf8Path, text: &str) -> Result<Self, String> {

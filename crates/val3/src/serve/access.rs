@@ -173,10 +173,6 @@ mod tests {
 
     #[test]
     fn a_host_is_an_address_of_the_server() {
-        let hosts = |address, hosts: &[&str]| {
-            let access = access(address);
-            hosts.iter().map(|host| access.is_host(host)).collect::<Vec<_>>()
-        };
         let names = [
             "127.0.0.1:80",
             "localhost",
@@ -186,10 +182,16 @@ mod tests {
             "evil.example",
             "localhost.evil.example:80",
         ];
-        assert_eq!(hosts("127.0.0.1:80", &names), [true, true, true, true, false, false, false]);
-        assert_eq!(hosts("0.0.0.0:80", &names), [true, true, true, true, true, false, false]);
+        assert_eq!(are_hosts("127.0.0.1:80", &names), [true, true, true, true, false, false, false]);
+        assert_eq!(are_hosts("0.0.0.0:80", &names), [true, true, true, true, true, false, false]);
         let names = ["127.0.0.1:8303", "192.168.0.7:8303", "192.168.0.7", "192.168.0.8:8303", "cell:8303", ""];
-        assert_eq!(hosts("192.168.0.7:8303", &names), [false, true, false, false, false, false]);
+        assert_eq!(are_hosts("192.168.0.7:8303", &names), [false, true, false, false, false, false]);
+    }
+
+    /// Whether each name is a host of the server at the address.
+    fn are_hosts(address: &str, hosts: &[&str]) -> Vec<bool> {
+        let access = access(address);
+        hosts.iter().map(|host| access.is_host(host)).collect()
     }
 
     #[test]

@@ -47,11 +47,8 @@ impl Asked {
     /// # Errors
     /// A file belongs to no test.
     pub(super) fn check_found(&self, files: &BTreeSet<String>, refused: &[RefusedTests]) -> Result<(), UserError> {
-        let is_refused = |program: &Utf8Path| {
-            refused.iter().filter_map(|tests| tests.path.parent()).any(|folder| program.starts_with(folder))
-        };
-        let is_missing = |program: &&Utf8PathBuf| !files.contains(&path_key(program.as_str())) && !is_refused(program);
-        let Some(missing) = self.programs.iter().find(is_missing) else { return Ok(()) };
+        let mut others = self.programs.iter().filter(|program| !files.contains(&path_key(program.as_str())));
+        let Some(missing) = others.find(|program| !is_below(program, refused)) else { return Ok(()) };
         Err(UserError::new(format!("`{missing}` is no test")).with_help(
             "a test is a program whose name begins with `test`, in the project of an application that is named `…Test`, lies \
              below a folder `tests`, or is listed by `[test]` of `val3.toml`",
@@ -69,6 +66,11 @@ fn without_line(path: &Utf8Path) -> Utf8PathBuf {
     }
 }
 
+/// Whether the program is in the folder of an application whose tests are unknown.
+fn is_below(program: &Utf8Path, refused: &[RefusedTests]) -> bool {
+    refused.iter().filter_map(|tests| tests.path.parent()).any(|folder| program.starts_with(folder))
+}
+
 /// Test program that the file is or belongs to.
 fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
     let has_extension = |end: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
@@ -79,9 +81,11 @@ fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
         return Some(path.to_owned());
     }
     let beside = program_beside(path);
-    let is_scenario = || {
-        let text = val3_files::read_text(path, FileClass::Settings);
-        text.is_ok_and(|text| Scenario::role(&text) == TestFileRole::Scenario)
-    };
-    (has_extension("toml") && beside.is_file() && !is_scenario()).then_some(beside)
+    (has_extension("toml") && beside.is_file() && !is_scenario(path)).then_some(beside)
+}
+
+/// Whether the file can be read and is a scenario, which belongs to no test program.
+fn is_scenario(path: &Utf8Path) -> bool {
+    let text = val3_files::read_text(path, FileClass::Settings);
+    text.is_ok_and(|text| Scenario::role(&text) == TestFileRole::Scenario)
 }

@@ -55,15 +55,20 @@ fn source(text: &str) -> Vec<(u32, String)> {
     let Some((start, code)) = range.and_then(|range| Some((range.start, text.get(range)?))) else { return Vec::new() };
     let first = text.bytes().take(start).filter(|byte| *byte == b'\n').count();
     let first = u32::try_from(first).unwrap_or(u32::MAX).saturating_add(1);
-    let plain = |line: &str| match code.starts_with(CDATA) {
-        true => line.trim_start_matches(CDATA).trim_end_matches("]]>").to_owned(),
-        false => decode_entities(line).into_owned(),
-    };
-    let lines = (first..).zip(code.lines()).map(|(number, line)| (number, plain(line)));
+    let is_cdata = code.starts_with(CDATA);
+    let lines = (first..).zip(code.lines()).map(|(number, line)| (number, code_line(line, is_cdata)));
     let lines: Vec<(u32, String)> = lines.collect();
     let is_blank = |(_, text): &(u32, String)| text.trim().is_empty();
     let end = lines.iter().rposition(|line| !is_blank(line)).map_or(0, |last| last + 1);
     lines.into_iter().take(end).skip_while(is_blank).collect()
+}
+
+/// VAL 3 code in a line of the file, without the mark-up of XML.
+fn code_line(line: &str, is_cdata: bool) -> String {
+    match is_cdata {
+        true => line.trim_start_matches(CDATA).trim_end_matches("]]>").to_owned(),
+        false => decode_entities(line).into_owned(),
+    }
 }
 
 fn write(coverage: &Coverage, output: &ReportOutput<CoverageFormat>, paths: &Paths) -> Result<(), UserError> {

@@ -52,10 +52,10 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
 /// Finds a test by name, with or without the application's name. For the name of a table, the first row is used.
 fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
     let whole = format!("{}:{name}", suite.image.name);
-    let called = |name_of: fn(&TestCase) -> String| {
-        suite.cases.iter().find(|case| [name, whole.as_str()].contains(&name_of(case).as_str()))
-    };
-    called(TestCase::name).or_else(|| called(TestCase::program_name)).ok_or_else(|| {
+    let is_meant = |found: &str| found == name || found == whole;
+    let by_name = suite.cases.iter().find(|case| is_meant(&case.name()));
+    let by_program = || suite.cases.iter().find(|case| is_meant(&case.program_name()));
+    by_name.or_else(by_program).ok_or_else(|| {
         let names: Vec<String> = suite.cases.iter().map(TestCase::name).collect();
         let help = question(proposals(&whole, names.iter().map(String::as_str)));
         let error = UserError::new(format!("`{}` has no test `{name}`", suite.manifest));

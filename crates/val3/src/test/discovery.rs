@@ -94,20 +94,13 @@ impl Listed {
         let asked = Asked::new(&args.paths, current);
         let scenarios = scenarios::find(&asked.folders)?;
         let found = found_applications(&asked, &scenarios)?;
-        let programs = |FoundApplication { manifest, is_whole }: FoundApplication| {
+        let mut all: Vec<Self> = Vec::new();
+        for FoundApplication { manifest, is_whole } in found {
             let cases = open(Opening::of(args), &manifest).map(|suite| suite.cases).map_err(UserError::from);
-            let meant = |cases: Vec<TestCase>| cases.into_iter().filter(|case| is_whole || asked.names(case)).collect();
-            Self::of(&selection, manifest, cases.map(meant))
-        };
-        let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
-            Ok(manifest) => {
-                let case = scenarios::case(&manifest, path);
-                Self::of(&selection, manifest, Ok(vec![case]))
-            }
-            Err(error) => Self::of(&selection, path.clone(), Err(error)),
-        };
-        let mut all: Vec<Self> = found.into_iter().map(programs).collect();
-        all.extend(scenarios.iter().map(scenario));
+            let requested = cases.map(|cases| cases.into_iter().filter(|case| is_whole || asked.names(case)).collect());
+            all.push(Self::of(&selection, manifest, requested));
+        }
+        all.extend(scenarios.iter().map(|path| Self::of_scenario(&selection, path)));
         all.sort_by(|one, other| one.manifest.cmp(&other.manifest));
         all.dedup_by(|next, known| known.takes(next));
         let listed = all.iter_mut().flat_map(|listed| {
@@ -116,6 +109,16 @@ impl Listed {
         });
         distinguish(listed.collect(), &Paths::new(&args.paths, current));
         Ok(all)
+    }
+
+    fn of_scenario(selection: &TestSelection<'_>, path: &Utf8Path) -> Self {
+        match scenarios::application(path) {
+            Ok(manifest) => {
+                let case = scenarios::case(&manifest, path);
+                Self::of(selection, manifest, Ok(vec![case]))
+            }
+            Err(error) => Self::of(selection, path.to_owned(), Err(error)),
+        }
     }
 
     fn of(selection: &TestSelection<'_>, manifest: Utf8PathBuf, cases: Result<Vec<TestCase>, UserError>) -> Self {
@@ -148,11 +151,9 @@ pub(super) fn chosen<'s>(
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
     let all: Vec<TestFile<'s>> = all.collect();
-    let is_known = |exact: &str| {
-        all.iter().any(|test| is_called(test.case, exact))
-            || refused.iter().any(|tests| tests.has(|case| is_called(case, exact)))
-    };
-    if let Some(unknown) = args.exact.iter().find(|exact| !is_known(exact)) {
+    let is_test = |name: &str| all.iter().any(|test| is_called(test.case, name));
+    let is_refused = |name: &str| refused.iter().any(|tests| tests.has(|case| is_called(case, name)));
+    if let Some(unknown) = args.exact.iter().find(|exact| !is_test(exact) && !is_refused(exact)) {
         let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
         let help = question(proposals(unknown, names.iter().map(String::as_str)));
         return Err(UserError::new(format!("there is no test `{unknown}`"))
@@ -280,26 +281,28 @@ pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, R
         application.set_arm(arm).map_err(UserError::from)?;
     }
     let shown = from_here(manifest)?;
-    let faulty = |reason: String| {
-        let folder = shown.parent().filter(|folder| !folder.as_str().is_empty()).unwrap_or(Utf8Path::new("."));
-        UserError::new(format!("the tests of `{shown}` cannot be executed: {reason}"))
-            .with_help(format!("val3 check {folder}"))
-    };
     let settings = settings(opening.limit, &application)?;
     if let Some(fault) = application.stand_in_faults().first() {
-        let error = faulty(fault.to_string()).with_help(fault.help.as_str());
+        let error = unexecutable(&shown, &fault.to_string()).with_help(fault.help.as_str());
         return Err(Refusal::new(error, &[], &application));
     }
     let refusals = application.refusals();
     if !refusals.is_empty() {
-        let error = faulty("the compiler rejects the application".to_owned());
+        let error = unexecutable(&shown, "the compiler rejects the application");
         return Err(Refusal::new(error, &refusals, &application));
     }
     application.check_readable().map_err(UserError::from)?;
     let image = if opening.is_counted { application.compile_counted() } else { application.compile() };
-    let image = image.map_err(|error| Refusal::new(faulty(error.to_string()), &[], &application))?;
+    let image = image.map_err(|error| Refusal::new(unexecutable(&shown, &error.to_string()), &[], &application))?;
     let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
+}
+
+/// Error about an application whose tests cannot be executed. `manifest` is the displayed project file.
+fn unexecutable(manifest: &Utf8Path, reason: &str) -> UserError {
+    let folder = manifest.parent().filter(|folder| !folder.as_str().is_empty()).unwrap_or(Utf8Path::new("."));
+    UserError::new(format!("the tests of `{manifest}` cannot be executed: {reason}"))
+        .with_help(format!("val3 check {folder}"))
 }
 
 /// Returns the settings in the arguments, completed by the configuration.

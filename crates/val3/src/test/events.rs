@@ -40,10 +40,6 @@ mod tests {
 
     #[test]
     fn events_are_worded_for_people() {
-        let repeated = |task: Option<&str>, kind, count| {
-            let event = Event { t: 1.25, task: task.map(str::to_owned), at: None, kind };
-            line(&RepeatedEvent { event, count, since: 0.5 })
-        };
         let line = |task, kind| repeated(task, kind, 1);
         let (program, link) = ("pick".to_owned(), "Socket\\host".to_owned());
         let moved = EventKind::Move {
@@ -61,5 +57,10 @@ mod tests {
         let sent = EventKind::Sio { link: "Socket\\a".to_owned(), dir: "in", bytes: b"b".to_vec() };
         let expected = "1.250 s  Socket\\a in: b (task `host`), 300 times since 0.500 s";
         assert_eq!(repeated(Some("host"), sent, 300), expected);
+    }
+
+    fn repeated(task: Option<&str>, kind: EventKind, count: u32) -> String {
+        let event = Event { t: 1.25, task: task.map(str::to_owned), at: None, kind };
+        line(&RepeatedEvent { event, count, since: 0.5 })
     }
 }

@@ -39,19 +39,20 @@ pub(super) fn summary(results: &Results, paths: &Paths) -> Value {
 
 /// Writes the object with the applications that have tests, and the reason if an application cannot be tested.
 pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    let application = |listed: &Listed| {
-        let folder = listed.manifest.parent().unwrap_or(&listed.manifest);
-        let tests = listed.cases.as_ref().map(|cases| cases.iter().map(|case| named(case, paths)).collect::<Vec<_>>());
-        json!({
-            "name": listed.manifest.file_stem(),
-            "file": paths.to_open(&listed.manifest),
-            "folder": paths.to_open(folder),
-            "tests": tests.as_ref().ok(),
-            "error": tests.as_ref().err(),
-        })
-    };
-    let applications: Vec<Value> = listed.iter().map(application).collect();
+    let applications: Vec<Value> = listed.iter().map(|listed| application(listed, paths)).collect();
     writeln!(out, "{:#}", json!({ "version": 1, "applications": applications }))
+}
+
+fn application(listed: &Listed, paths: &Paths) -> Value {
+    let folder = listed.manifest.parent().unwrap_or(&listed.manifest);
+    let tests = listed.cases.as_ref().map(|cases| cases.iter().map(|case| named(case, paths)).collect::<Vec<_>>());
+    json!({
+        "name": listed.manifest.file_stem(),
+        "file": paths.to_open(&listed.manifest),
+        "folder": paths.to_open(folder),
+        "tests": tests.as_ref().ok(),
+        "error": tests.as_ref().err(),
+    })
 }
 
 /// A test without its result.
@@ -130,13 +131,14 @@ fn repeated(RepeatedEvent { event, count, since }: &RepeatedEvent, paths: &Paths
 }
 
 fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
-    let place = |place: &FailureLocation| {
-        json!({
-            "program": place.program,
-            "file": paths.to_open(place.file.as_str().into()),
-            "line": place.line,
-            "source": source_line(place),
-        })
-    };
-    failure.places.iter().map(place).collect()
+    failure.places.iter().map(|place| location(place, paths)).collect()
+}
+
+fn location(location: &FailureLocation, paths: &Paths) -> Value {
+    json!({
+        "program": location.program,
+        "file": paths.to_open(location.file.as_str().into()),
+        "line": location.line,
+        "source": source_line(location),
+    })
 }

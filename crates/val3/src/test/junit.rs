@@ -89,15 +89,14 @@ fn suite(tests: &[JunitCase<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> 
 /// Writes the controller time of each test in seconds. The schema has properties only in a suite.
 fn controller_times<'t>(mut run: impl Iterator<Item = &'t FinishedTest>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let properties = writer.create_element("properties");
-    let write = |writer: &mut XmlWriter<'_>| {
-        run.try_for_each(|test| {
-            let name = allowed_name(&format!("controllerSeconds.{}", test.case.shown_title()));
-            let seconds = format!("{:.3}", seconds(test.result.duration));
-            let property = writer.create_element("property");
-            property.with_attributes([("name", name.as_str()), ("value", seconds.as_str())]).write_empty().map(drop)
-        })
-    };
-    properties.write_inner_content(write).map(drop)
+    properties.write_inner_content(|writer| run.try_for_each(|test| controller_time(test, writer))).map(drop)
+}
+
+fn controller_time(test: &FinishedTest, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let name = allowed_name(&format!("controllerSeconds.{}", test.case.shown_title()));
+    let seconds = format!("{:.3}", seconds(test.result.duration));
+    let property = writer.create_element("property");
+    property.with_attributes([("name", name.as_str()), ("value", seconds.as_str())]).write_empty().map(drop)
 }
 
 fn test(entry: JunitCase<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {

@@ -35,9 +35,8 @@ pub(super) fn run(paths: &[Utf8PathBuf], name: &str, tested: Option<&str>) -> Re
     let here = |project: &&Project| folder(db, **project) == application && has_tests(db, **project);
     let project = workspace.projects.iter().find(here).copied();
     let shown = Paths::new(&[], &current);
-    let refused = |reason: String| {
-        UserError::new(format!("cannot write the test `{name}` into `{}`: {reason}", shown.shown(&application)))
-    };
+    let folder = shown.shown(&application);
+    let refused = |reason: String| UserError::new(format!("cannot write the test `{name}` into `{folder}`: {reason}"));
     let project = project.ok_or_else(|| {
         refused("it is no test application".to_owned()).with_help("`val3 test --init APPLICATION` writes one")
     })?;

@@ -1,6 +1,7 @@
 //! An earlier run's report, written by `--output json=FILE`.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 use camino::Utf8Path;
 use serde::Deserialize;
@@ -35,20 +36,21 @@ struct PreviousResult {
     seconds: f64,
 }
 
+fn unusable(path: &Utf8Path, reason: &dyn Display) -> UserError {
+    UserError::new(format!("`{path}` is no report of tests: {reason}"))
+        .with_help("write one by `val3 test --output json=FILE`")
+}
+
 impl Previous {
     /// Reads a report. A test that occurs several times has failed if it has failed once.
     ///
     /// # Errors
     /// The file cannot be read, or is no report.
     pub(super) fn read(path: &Utf8Path) -> Result<Self, UserError> {
-        let help = "write one by `val3 test --output json=FILE`";
-        let unusable = |reason: String| {
-            UserError::new(format!("`{path}` is no report of tests: {reason}")).with_help(help.to_owned())
-        };
-        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(error.to_string()))?;
-        let report: PreviousReport = serde_json::from_str(&text).map_err(|error| unusable(error.to_string()))?;
+        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(path, &error))?;
+        let report: PreviousReport = serde_json::from_str(&text).map_err(|error| unusable(path, &error))?;
         if report.version != 1 {
-            return Err(unusable(format!("its version is {}, not 1", report.version)));
+            return Err(unusable(path, &format!("its version is {}, not 1", report.version)));
         }
         let mut results: BTreeMap<String, PreviousResult> = BTreeMap::new();
         for PreviousTest { id, passed, wall_seconds } in report.tests {

@@ -85,18 +85,20 @@ pub(super) fn without_row(manifest: &Utf8Path, cases: &[TestCase]) -> Vec<(Utf8P
     // Folders that cannot be listed are reported by the search for applications.
     let scripts =
         files(&Disk, folder, "toml", &mut Vec::new()).into_iter().filter(|path| path.parent() == Some(folder));
-    let refusal = |path: Utf8PathBuf| {
-        let (program, row) = row(path.file_stem()?)?;
-        let of_program = || cases.iter().filter(|case| case.program == program);
-        if !program_beside(&path).is_file() || of_program().any(|case| case.row == Some(row)) {
-            return None;
-        }
-        let rows = match of_program().filter(|case| case.row.is_some()).count() {
-            0 => "no table".to_owned(),
-            count => format!("{count} rows, counted from 0"),
-        };
-        let message = format!("the script `{}` belongs to no test: `{program}` has {rows}", from_here(&path).ok()?);
-        Some((path, UserError::new(message)))
+    scripts.filter_map(|path| missing_row(&path, cases).map(|error| (path, error))).collect()
+}
+
+/// Error about a script for a row that does not exist; `None` for a usable script.
+fn missing_row(script: &Utf8Path, cases: &[TestCase]) -> Option<UserError> {
+    let (program, row) = row(script.file_stem()?)?;
+    let of_program = || cases.iter().filter(|case| case.program == program);
+    if !program_beside(script).is_file() || of_program().any(|case| case.row == Some(row)) {
+        return None;
+    }
+    let rows = match of_program().filter(|case| case.row.is_some()).count() {
+        0 => "no table".to_owned(),
+        count => format!("{count} rows, counted from 0"),
     };
-    scripts.filter_map(refusal).collect()
+    let shown = from_here(script).ok()?;
+    Some(UserError::new(format!("the script `{shown}` belongs to no test: `{program}` has {rows}")))
 }

@@ -73,12 +73,6 @@ impl<'a> TestSelection<'a> {
     /// Describes the selection, for the message that no test is selected.
     pub(super) fn described(&self) -> String {
         let TestArgs { filter, filter_out, selection, .. } = self.args;
-        let quoted = |words: &[String], between: &str| {
-            words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(between)
-        };
-        let clause = |before: &str, words: &[String], between: &str| {
-            if words.is_empty() { String::new() } else { format!(" {before} {}", quoted(words, between)) }
-        };
         let failed = selection.failed_in.iter().map(|path| path.to_string()).collect::<Vec<_>>();
         [
             clause("whose name contains", filter, " or "),
@@ -89,6 +83,15 @@ impl<'a> TestSelection<'a> {
         ]
         .concat()
     }
+}
+
+/// Clause of a sentence with quoted words; empty without words.
+fn clause(before: &str, words: &[String], between: &str) -> String {
+    if words.is_empty() {
+        return String::new();
+    }
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    format!(" {before} {}", quoted.join(between))
 }
 
 /// Whether the test has this name, which may be its table's common name for all rows.

@@ -56,18 +56,22 @@ pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
 
 /// Lines that describe a failure: its message, the source line, and the call stack.
 pub(super) fn lines(failure: &Failure, paths: &Paths) -> Vec<String> {
-    let place = |place: &FailureLocation| match place.file.as_str() {
-        "" => format!("at {}:{}", place.program, place.line),
-        file => format!("at {} ({}:{})", place.program, paths.shown(file.into()), place.line),
-    };
     let mut lines: Vec<String> = failure.message.lines().map(str::to_owned).collect();
     for (number, one) in failure.places.iter().enumerate() {
-        lines.push(place(one));
+        lines.push(location(one, paths));
         let code = (number == 0).then(|| source_line(one)).flatten();
         let code = code.filter(|code| !failure.message.contains(code.as_str()));
         lines.extend(code.map(|code| format!("{:>5} │ {code}", one.line)));
     }
     lines
+}
+
+/// Line of a call stack; without a file, the program is named only.
+fn location(FailureLocation { program, file, line, .. }: &FailureLocation, paths: &Paths) -> String {
+    match file.as_str() {
+        "" => format!("at {program}:{line}"),
+        file => format!("at {program} ({}:{line})", paths.shown(file.into())),
+    }
 }
 
 /// Line with the values of a test's row.
@@ -96,11 +100,12 @@ pub(super) mod examples {
             columns: Vec::new(),
             refusal: None,
         };
-        let failed = |message: &str| {
-            let failure = Failure { message: message.to_owned(), places: Vec::new() };
-            TestResult { failures: vec![failure], ..TestResult::default() }
-        };
         let earlier = vec![failed("no <answer>"), failed("it was late")];
         FinishedTest { earlier, ..FinishedTest::of(&case, TestResult::default()) }
+    }
+
+    fn failed(message: &str) -> TestResult {
+        let failure = Failure { message: message.to_owned(), places: Vec::new() };
+        TestResult { failures: vec![failure], ..TestResult::default() }
     }
 }

@@ -71,11 +71,11 @@ pub(super) fn executed(
     let mut done = Done { order: &order, tests: BTreeMap::new(), shown: 0, fail_fast: args.fail_fast };
     let (coverage, is_read) = thread::scope(|scope| {
         let (sender, messages) = channel();
-        let work = |messages: Sender<WorkerMessage>, sockets: ClosedSockets| {
-            move || Worker::new(args, sockets).work(queue, &messages)
-        };
-        let sockets = surroundings.sockets;
-        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
+        let mut workers = Vec::new();
+        for _ in 0..threads(args) {
+            let (sender, sockets) = (sender.clone(), surroundings.sockets.clone());
+            workers.push(scope.spawn(move || Worker::new(args, sockets).work(queue, &sender)));
+        }
         drop(sender);
         let observed = observed(messages, queue, &mut done, observer);
         workers

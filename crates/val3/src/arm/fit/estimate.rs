@@ -108,21 +108,23 @@ pub(super) fn estimate(moves: &[Move]) -> Result<AxisTimes, Undetermined> {
     // The small addition keeps the matrix regular: a value without influence on any time gets a huge uncertainty.
     let covariance = (normal(&equal, &parameters).0 + Matrix4::identity() * 1e-12).try_inverse();
     let covariance = covariance.ok_or(Undetermined::Value("nominal speed"))? * deviation.powi(2);
-    let value = |index: usize, name| {
-        let relative = covariance.diagonal().iter().nth(index).map_or(f64::INFINITY, |variance| variance.sqrt());
-        let value = parameters.iter().nth(index).map_or(f64::NAN, |logarithm| logarithm.exp());
-        let is_determined = value.is_finite() && relative <= DETERMINED;
-        is_determined.then_some(Estimate { value, uncertainty: value * relative }).ok_or(Undetermined::Value(name))
-    };
+    let variances = covariance.diagonal();
     Ok(AxisTimes {
-        speed: value(0, "nominal speed")?,
-        acceleration: value(1, "acceleration")?,
-        deceleration: value(2, "deceleration")?,
+        speed: determined(parameters.x, variances.x, "nominal speed")?,
+        acceleration: determined(parameters.y, variances.y, "acceleration")?,
+        deceleration: determined(parameters.z, variances.z, "deceleration")?,
         delay: parameters.w,
         residual: (squares / count).sqrt(),
         moves: kept.len(),
         rejected: moves.len() - kept.len(),
     })
+}
+
+/// Value with this logarithm, whose variance is the square of the value's relative uncertainty.
+fn determined(logarithm: f64, variance: f64, name: &'static str) -> Result<Estimate, Undetermined> {
+    let (value, relative) = (logarithm.exp(), variance.sqrt());
+    let is_determined = value.is_finite() && relative <= DETERMINED;
+    is_determined.then_some(Estimate { value, uncertainty: value * relative }).ok_or(Undetermined::Value(name))
 }
 
 /// Initial parameters: a high quantile of the mean speeds, and of the accelerations under the assumption that no move

@@ -36,33 +36,34 @@ pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<St
     Ok(text)
 }
 
-/// Returns the axes with their measured times. A maximum speed below the nominal speed is raised to it.
+/// Returns the axes with their measured times.
 fn axes(model: &[AxisLimits], measured: &[Option<&AxisTimes>]) -> Vec<AxisLimits> {
-    let with_times = |(axis, times): (&AxisLimits, &Option<&AxisTimes>)| {
-        times.map_or(*axis, |times| {
-            let nominal_speed = rounded(times.speed.value);
-            AxisLimits {
-                nominal_speed,
-                maximum_speed: axis.maximum_speed.max(nominal_speed),
-                acceleration: rounded(times.acceleration.value),
-                deceleration: rounded(times.deceleration.value),
-                ..*axis
-            }
-        })
-    };
-    model.iter().zip(measured).map(with_times).collect()
+    model.iter().zip(measured).map(|(axis, times)| times.map_or(*axis, |times| with_times(axis, times))).collect()
+}
+
+/// Returns an axis with its measured times. A maximum speed below the nominal speed is raised to it.
+fn with_times(axis: &AxisLimits, times: &AxisTimes) -> AxisLimits {
+    let nominal_speed = rounded(times.speed.value);
+    AxisLimits {
+        nominal_speed,
+        maximum_speed: axis.maximum_speed.max(nominal_speed),
+        acceleration: rounded(times.acceleration.value),
+        deceleration: rounded(times.deceleration.value),
+        ..*axis
+    }
 }
 
 fn set_columns(table: &mut dyn TableLike, model: &[AxisLimits], axes: &[AxisLimits]) {
-    let mut set = |name, value: fn(&AxisLimits) -> f64| {
-        table.insert(name, toml_edit::value(axes.iter().map(value).collect::<Array>()));
-    };
-    set("nominal_speed", |axis| axis.nominal_speed);
-    set("acceleration", |axis| axis.acceleration);
-    set("deceleration", |axis| axis.deceleration);
+    set_column(table, "nominal_speed", axes.iter().map(|axis| axis.nominal_speed));
+    set_column(table, "acceleration", axes.iter().map(|axis| axis.acceleration));
+    set_column(table, "deceleration", axes.iter().map(|axis| axis.deceleration));
     if model.iter().zip(axes).any(|(model, axis)| model.maximum_speed < axis.maximum_speed) {
-        set("maximum_speed", |axis| axis.maximum_speed);
+        set_column(table, "maximum_speed", axes.iter().map(|axis| axis.maximum_speed));
     }
+}
+
+fn set_column(table: &mut dyn TableLike, name: &str, values: impl Iterator<Item = f64>) {
+    table.insert(name, toml_edit::value(values.collect::<Array>()));
 }
 
 fn add_source(document: &mut DocumentMut) {

@@ -58,12 +58,19 @@ pub(super) fn table(lines: &[CutBlend]) -> String {
     if lines.is_empty() {
         return String::new();
     }
-    let place = |cut: &CutBlend| format!("{}:{}", cut.program, cut.line);
-    let width = lines.iter().map(|cut| place(cut).chars().count()).max().unwrap_or(0);
-    let row = |cut: &CutBlend| {
-        let (moves, note) = (cut.moves, cut.shortest.note().unwrap_or_default());
+    let width = lines.iter().map(|line| line.location().chars().count()).max().unwrap_or(0);
+    format!("  blends cut short\n{}", lines.iter().map(|line| line.row(width)).collect::<String>())
+}
+
+impl CutBlend {
+    /// Row of the table, with the location padded to `width`.
+    fn row(&self, width: usize) -> String {
+        let (moves, location) = (self.moves, self.location());
         let unit = if moves == 1 { "move " } else { "moves" };
-        format!("  {moves:>10} {unit}  {:width$}  {note}\n", place(cut))
-    };
-    format!("  blends cut short\n{}", lines.iter().map(row).collect::<String>())
+        format!("  {moves:>10} {unit}  {location:width$}  {}\n", self.shortest.note().unwrap_or_default())
+    }
+
+    fn location(&self) -> String {
+        format!("{}:{}", self.program, self.line)
+    }
 }

@@ -94,6 +94,16 @@ struct TimesRow {
     limits: Vec<LimitShare>,
 }
 
+impl TimesRow {
+    /// Program and line; empty without a move.
+    fn location(&self) -> String {
+        match self.line {
+            0 => String::new(),
+            line => format!("{}:{line}", self.program),
+        }
+    }
+}
+
 impl RunTimes {
     pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
         let open =
@@ -189,15 +199,11 @@ fn rows(table: impl Iterator<Item = (TimeKey, Time, Vec<LimitShare>)>) -> Vec<Ti
     rows.sort_by(|(left, left_time, _), (right, right_time, _)| {
         right_time.cmp(left_time).then_with(|| left.cmp(right))
     });
-    let row = |(TimeKey { task, program, line, what }, time, limits)| TimesRow {
-        task,
-        program,
-        line,
-        what,
-        seconds: seconds(time),
-        limits,
-    };
-    rows.into_iter().map(row).collect()
+    rows.into_iter().map(|(key, time, limits)| row(key, time, limits)).collect()
+}
+
+fn row(TimeKey { task, program, line, what }: TimeKey, time: Time, limits: Vec<LimitShare>) -> TimesRow {
+    TimesRow { task, program, line, what, seconds: seconds(time), limits }
 }
 
 impl TimesReport {
@@ -211,18 +217,14 @@ impl TimesReport {
     }
 
     fn part(&self, table: &mut String, name: &str, rows: &[TimesRow]) {
-        let place = |row: &TimesRow| match row.line {
-            0 => String::new(),
-            line => format!("{}:{line}", row.program),
-        };
         let width = |text: fn(&TimesRow) -> &str| rows.iter().map(|row| text(row).chars().count()).max().unwrap_or(0);
         let (tasks, whats) = (width(|row| &row.task), width(|row| &row.what));
-        let places = rows.iter().map(|row| place(row).chars().count()).max().unwrap_or(0);
+        let places = rows.iter().map(|row| row.location().chars().count()).max().unwrap_or(0);
         *table += &format!("  {name}\n");
         for row in rows {
             let share = if self.duration > 0.0 { row.seconds / self.duration * 100.0 } else { 0.0 };
             let gap = if tasks > 0 { "  " } else { "" };
-            let (seconds, what, task, place) = (row.seconds, &row.what, &row.task, place(row));
+            let (seconds, what, task, place) = (row.seconds, &row.what, &row.task, row.location());
             let limits = cell(&row.limits);
             let line = format!(
                 "  {seconds:>10.3} s {share:>5.1} %  {task:tasks$}{gap}{place:places$}  {what:whats$}  {limits}"

@@ -29,11 +29,11 @@ pub(super) struct DataSites {
 pub(super) fn data_sites(text: &str) -> Vec<DataSites> {
     let parse = parse(text);
     let variables = xml::root(parse.view()).map(written).unwrap_or_default();
-    let sites = |WrittenVariable { name, attributes, .. }| DataSites {
-        name,
-        sites: attributes.iter().filter_map(|attribute| site(text, attribute)).collect(),
-    };
-    variables.into_iter().map(sites).collect()
+    variables.into_iter().map(|variable| variable_sites(text, variable)).collect()
+}
+
+fn variable_sites(text: &str, WrittenVariable { name, attributes, .. }: WrittenVariable) -> DataSites {
+    DataSites { name, sites: attributes.iter().filter_map(|attribute| site(text, attribute)).collect() }
 }
 
 fn site(text: &str, attribute: &WrittenAttribute<'_>) -> Option<Site> {

@@ -7,7 +7,7 @@ use std::thread;
 
 use val3_analysis::system::{Disk, OverlayFs};
 use val3_session::Application;
-use val3_suite::Difference;
+use val3_suite::{Difference, FinalState};
 
 use super::conditions::{Conditions, SEED};
 use super::executor::Executor;
@@ -15,7 +15,6 @@ use super::mutant::Mutant;
 use super::original::Originals;
 use crate::args::TestFormat;
 use crate::progress::DelayedProgress;
-use crate::sockets::ClosedSockets;
 use crate::test::order::shuffled;
 use crate::test::workers::{Surroundings, threads};
 use crate::user_error::UserError;
@@ -72,25 +71,19 @@ fn tried(
     mutants: &[(usize, &Mutant)],
     bar: &DelayedProgress,
 ) -> Result<Vec<(usize, Verdict)>, UserError> {
-    let next = &AtomicUsize::new(0);
-    let sockets = conditions.surroundings.sockets;
-    let signals = conditions.surroundings.signals;
+    let queue = &MutantQueue { mutants, next: AtomicUsize::new(0) };
+    let Surroundings { sockets, signals } = *conditions.surroundings;
     let (args, is_interrupted) = (conditions.args, conditions.is_interrupted);
     thread::scope(|scope| {
         let (sender, verdicts) = channel();
-        let work = |sender: Sender<(usize, Verdict)>, sockets: ClosedSockets| {
-            move || {
-                let surroundings = Surroundings { sockets: &sockets, signals };
-                let conditions = Conditions { args, surroundings: &surroundings, is_interrupted };
-                while let Some((number, mutant)) = mutants.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let Some(verdict) = verdict(conditions, originals, mutant) else { break };
-                    if sender.send((*number, verdict)).is_err() {
-                        break;
-                    }
-                }
-            }
-        };
-        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
+        let mut workers = Vec::new();
+        for _ in 0..threads(args) {
+            let (sender, sockets) = (sender.clone(), sockets.clone());
+            workers.push(scope.spawn(move || {
+                let surroundings = &Surroundings { sockets: &sockets, signals };
+                queue.work(Conditions { args, surroundings, is_interrupted }, originals, &sender);
+            }));
+        }
         drop(sender);
         let found = verdicts.into_iter().inspect(|(_, verdict)| {
             if !matches!(verdict, Verdict::NotCompiled) {
@@ -102,6 +95,24 @@ fn tried(
         joined.map_err(|_| UserError::new("a thread has failed"))?;
         Ok(found)
     })
+}
+
+/// Numbered mistakes, from which all threads take the next one.
+struct MutantQueue<'m> {
+    mutants: &'m [(usize, &'m Mutant)],
+    next: AtomicUsize,
+}
+
+impl MutantQueue<'_> {
+    /// Tries mistakes until the queue is empty, a signal ends the trial, or the verdicts have no receiver.
+    fn work(&self, conditions: Conditions<'_>, originals: &Originals<'_>, verdicts: &Sender<(usize, Verdict)>) {
+        while let Some((number, mutant)) = self.mutants.get(self.next.fetch_add(1, Ordering::Relaxed)) {
+            let Some(verdict) = verdict(conditions, originals, mutant) else { break };
+            if verdicts.send((*number, verdict)).is_err() {
+                break;
+            }
+        }
+    }
 }
 
 /// Tries a mistake. `None` if a signal has ended the trial.
@@ -116,14 +127,8 @@ fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutan
         let Some(original) = originals.tests.get(*number) else { continue };
         match executor.execute(&original.test, Some(original.limit)) {
             Ok(Some(execution)) if execution.result.has_passed() => {
-                let of_test = || match &mutant.element {
-                    // The changed value itself differs anyway, unless a program has written it.
-                    Some(element) => {
-                        execution.state.without(element).first_difference(&original.state.without(element))
-                    }
-                    None => execution.state.first_difference(&original.state),
-                };
-                difference = difference.or_else(|| Some((*number, of_test()?)));
+                let of_test = || Some((*number, state_difference(&execution.state, &original.state, mutant)?));
+                difference = difference.or_else(of_test);
             }
             Ok(Some(_)) => return Some(Verdict::Found(*number)),
             Ok(None) => return None,
@@ -132,6 +137,15 @@ fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutan
         }
     }
     Some(Verdict::Survived(difference))
+}
+
+/// First difference between the final states with and without the mistake.
+fn state_difference(state: &FinalState, original: &FinalState, mutant: &Mutant) -> Option<Difference> {
+    match &mutant.element {
+        // The changed value itself differs anyway, unless a program has written it.
+        Some(element) => state.without(element).first_difference(&original.without(element)),
+        None => state.first_difference(original),
+    }
 }
 
 /// Whether the compiler accepts the application or library with a mistake.

@@ -134,12 +134,8 @@ impl RunRecord {
         if run.reason == Some(EndReason::Refused) {
             return Err("the application was not started because of its faults".to_owned());
         }
-        let receives = |(_, given): &(f64, Given)| match given {
-            Given::Keys(keys) => keys.get("receive").and_then(Value::as_object).cloned().unwrap_or_default(),
-            Given::Other(_) => Map::new(),
-        };
-        let received: BTreeSet<String> = run.given.iter().flat_map(receives).map(|(link, _)| link).collect();
-        run.silent = run.sent.keys().filter(|link| !received.contains(*link)).cloned().collect();
+        let received: BTreeSet<&String> = run.given.iter().flat_map(|(_, given)| given.receiving_links()).collect();
+        run.silent = run.sent.keys().filter(|link| !received.contains(link)).cloned().collect();
         Ok(run)
     }
 
@@ -200,18 +196,29 @@ impl RunRecord {
 
     /// Whether external input sets this signal.
     pub(super) fn is_set(&self, link: &str) -> bool {
-        let has = |keys: &Map<String, Value>, key| keys.get(key).is_some_and(|links| links.get(link).is_some());
-        let sets = |given: &Given| match given {
-            Given::Keys(keys) => has(keys, "io") || has(keys, "lock"),
-            Given::Other(_) => false,
-        };
-        self.given.iter().any(|(_, given)| sets(given))
+        self.given.iter().any(|(_, given)| given.sets(link))
     }
 }
 
 impl Given {
     fn is_about(&self, key: &str) -> bool {
         matches!(self, Self::Keys(keys) if keys.contains_key(key))
+    }
+
+    /// Whether the input sets this signal.
+    fn sets(&self, link: &str) -> bool {
+        ["io", "lock"].iter().any(|key| self.by_link(key).is_some_and(|links| links.contains_key(link)))
+    }
+
+    /// Lines that receive bytes.
+    fn receiving_links(&self) -> impl Iterator<Item = &String> {
+        self.by_link("receive").into_iter().flat_map(Map::keys)
+    }
+
+    /// Values of a key by link; `None` without this key.
+    fn by_link(&self, key: &str) -> Option<&Map<String, Value>> {
+        let Self::Keys(keys) = self else { return None };
+        keys.get(key)?.as_object()
     }
 }
 

@@ -15,15 +15,18 @@ pub(super) fn quoted(text: &str) -> String {
     if text.contains(['\\', '"']) && !text.contains(|c: char| c == '\'' || c.is_control()) {
         return format!("'{text}'");
     }
-    let escaped = |c: char| match c {
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
+}
+
+fn escaped(c: char) -> String {
+    match c {
         '\\' | '"' => format!("\\{c}"),
         '\n' => "\\n".to_owned(),
         '\r' => "\\r".to_owned(),
         '\t' => "\\t".to_owned(),
         c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
         c => c.to_string(),
-    };
-    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
+    }
 }
 
 /// Formats a number, without a fraction if it is whole.

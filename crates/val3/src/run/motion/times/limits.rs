@@ -59,12 +59,11 @@ impl LimitTimes {
         let total = self.total() as f64;
         let mut times: Vec<_> = self.0.iter().filter(|(_, time)| **time > 0).collect();
         times.sort_by_key(|(_, time)| std::cmp::Reverse(**time));
-        let share = |(limit, time): (&SpeedLimit, &Time)| LimitShare {
-            limit: *limit,
-            seconds: seconds(*time),
-            share: *time as f64 * 100.0 / total,
-        };
-        times.into_iter().map(share).collect()
+        times
+            .into_iter()
+            .map(|(limit, time)| (*limit, *time))
+            .map(|(limit, time)| LimitShare { limit, seconds: seconds(time), share: time as f64 * 100.0 / total })
+            .collect()
     }
 
     /// Limit that applied for most of the time with a move, and a suggestion; `None` if the arm never had a move.
