@@ -175,14 +175,10 @@ impl Breakpoints {
 
     /// Returns the resolved lines of the file's breakpoints.
     pub(crate) fn placed(&self, file: &str, space: &Space) -> Vec<Placed> {
-        let images = || space.loaded().map(|(_, instance)| &instance.image);
-        let programs = || images().flat_map(|image| image.programs.iter().map(move |program| (image, program)));
-        let row = |breakpoint: &Breakpoint| {
-            let mut own = programs().filter(|(image, program)| file_of(image, program) == file);
-            own.find_map(|(_, program)| Some(program.lines.get(program.line_from(breakpoint.row)?)?.row))
-        };
         let breakpoints = self.files.get(file).into_iter().flatten();
-        breakpoints.map(|breakpoint| Placed { id: breakpoint.id, row: row(breakpoint) }).collect()
+        let placed =
+            breakpoints.map(|breakpoint| Placed { id: breakpoint.id, row: resolved_row(space, file, breakpoint.row) });
+        placed.collect()
     }
 
     /// Returns the files that have breakpoints or had some earlier.
@@ -299,6 +295,13 @@ impl NextLine {
         let is_entry = controller.vm.begins_program(task);
         Some(Self { instance: frame.instance, image, program: frame.program, line, is_entry })
     }
+}
+
+/// Returns the row of the line with code to which a row of a file resolves.
+fn resolved_row(space: &Space, file: &str, row: u32) -> Option<u32> {
+    let images = space.loaded().map(|(_, instance)| &instance.image);
+    let programs = images.flat_map(|image| image.programs.iter().filter(|program| file_of(image, program) == file));
+    programs.filter_map(|program| Some(program.lines.get(program.line_from(row)?)?.row)).next()
 }
 
 /// Returns the breakpoints on a line of a program.

@@ -78,11 +78,14 @@ fn plain_text(memory: &Memory, argument: Argument) -> Result<Option<String>> {
 impl LogMessage {
     /// Returns the message in the context. An expression without a value is replaced by the reason.
     pub(crate) fn text(&self, controller: &mut Controller, context: FragmentContext) -> String {
-        let part = |part: &LogPart| match part {
-            LogPart::Text(text) => text.clone(),
-            LogPart::Value(value) => value.shown(controller, context),
-        };
-        self.parts.iter().map(part).collect()
+        let mut message = String::new();
+        for part in &self.parts {
+            match part {
+                LogPart::Text(text) => message.push_str(text),
+                LogPart::Value(value) => message.push_str(&value.shown(controller, context)),
+            }
+        }
+        message
     }
 }
 

@@ -99,11 +99,11 @@ impl Debugger {
             }
         }
         let before = std::mem::take(&mut self.data.all);
-        let watch = |breakpoint: DataBreakpoint| {
+        for breakpoint in breakpoints {
             let same = before.iter().find(|watch| watch.breakpoint.data == breakpoint.data);
-            DataWatch { over: same.and_then(|watch| watch.over), breakpoint, seen: None, text: String::new() }
-        };
-        self.data.all = breakpoints.into_iter().map(watch).collect();
+            let over = same.and_then(|watch| watch.over);
+            self.data.all.push(DataWatch { over, breakpoint, seen: None, text: String::new() });
+        }
         self.settle_data();
     }
 
@@ -149,11 +149,12 @@ impl Debugger {
         for watch in self.data.all.iter_mut().filter(|watch| watch.over.is_none()) {
             let DataBreakpoint { data, access, .. } = &watch.breakpoint;
             let now = data.digest(&mut self.controller);
-            let reads = |(task, line)| match data.as_signal() {
-                Some(signal) => signal_reads.contains(&(task, signal)),
-                None => data.is_read(&mut self.controller, task, line),
+            let is_read = match (task.zip(line), data.as_signal()) {
+                _ if *access == DataAccess::Write => false,
+                (None, _) => false,
+                (Some((task, _)), Some(signal)) => signal_reads.contains(&(task, signal)),
+                (Some((task, line)), None) => data.is_read(&mut self.controller, task, line),
             };
-            let is_read = *access != DataAccess::Write && task.zip(line).is_some_and(reads);
             let has_changed = now != watch.seen;
             let is_over = now.is_none() && data.is_local();
             let mut old = watch.text.clone();

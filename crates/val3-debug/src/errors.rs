@@ -82,8 +82,7 @@ fn watches(vm: &Vm, task: &Task, owner: InstanceId) -> bool {
         }
         let Some(instance) = vm.space.instance(id) else { continue };
         let Some(program) = instance.image.programs.get(usize::from(number)) else { continue };
-        let is_handling = |name: &str| HANDLING.contains(&name);
-        if id == owner && program.instructions.iter().any(|site| is_handling(site.callee.name())) {
+        if id == owner && program.instructions.iter().any(|site| HANDLING.contains(&site.callee.name())) {
             return true;
         }
         left.extend(program.calls.iter().filter_map(|call| called_program(vm, id, call)));

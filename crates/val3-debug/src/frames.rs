@@ -27,13 +27,9 @@ pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
     let thread = &task.thread;
     // Between two lines the frame shows the next line, within a line the current line.
     let first = if vm.is_within_line(task.id) { thread.line } else { thread.next };
-    let mut op = first;
-    let shown = |frame: &Frame| {
-        let shown = task_frame(vm, frame, op);
-        op = frame.back_line;
-        shown
-    };
-    thread.frames.iter().rev().filter_map(shown).collect()
+    let frames = thread.frames.iter().rev();
+    let lines = std::iter::once(first).chain(frames.clone().map(|frame| frame.back_line));
+    frames.zip(lines).filter_map(|(frame, op)| task_frame(vm, frame, op)).collect()
 }
 
 /// Returns the stack frame at an operation's line.

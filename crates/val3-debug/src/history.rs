@@ -223,8 +223,8 @@ impl History {
 
     /// Returns the end of the line that runs until `moment`, which is later if the line releases the arm.
     pub(crate) fn end_of_line(&self, moment: Moment) -> Option<Moment> {
-        let is_release = |point: &&Checkpoint| point.moment == moment && point.cause == SnapshotReason::Release;
-        if !self.before(moment).is_some_and(|point| is_release(&point)) {
+        let last = self.before(moment);
+        if !last.is_some_and(|point| point.moment == moment && point.cause == SnapshotReason::Release) {
             return Some(moment);
         }
         let mut later = self.points.iter().filter(|point| point.moment > moment);

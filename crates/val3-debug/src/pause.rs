@@ -37,9 +37,8 @@ impl Debugger {
     /// Whether a task is within a line that does not wait.
     fn is_within_line(&self) -> bool {
         let vm = &self.controller.vm;
-        let is_busy = |id: TaskNumber| vm.is_within_line(id);
         let mut running = vm.tasks().iter().filter(|task| task.is_running() && !task.is_held);
-        running.any(|task| task.thread.wait.is_none() && task.thread.waiting.is_none() && is_busy(task.id))
+        running.any(|task| task.thread.wait.is_none() && task.thread.waiting.is_none() && vm.is_within_line(task.id))
     }
 
     /// Pauses one task, or resumes it. The other tasks, the arm and the clock continue, and programs cannot detect the

@@ -82,6 +82,18 @@ pub struct PlacedProgram {
     pub places: Vec<(String, u32)>,
 }
 
+impl ProgramBreakpoint {
+    /// Returns the resolved lines of the breakpoint.
+    fn placed(&self, space: &Space) -> PlacedProgram {
+        let owners = space.loaded().filter(|(id, _)| self.name.is_of(space, *id));
+        let places = owners.filter_map(|(_, owner)| {
+            let program = owner.image.programs.get(usize::from(owner.image.program(&self.name.program)?))?;
+            Some((file_of(&owner.image, program).to_owned(), first_row(program)?))
+        });
+        PlacedProgram { id: self.id, places: places.collect() }
+    }
+}
+
 /// All breakpoints on programs.
 #[derive(Debug, Default)]
 pub(crate) struct ProgramBreakpoints(Vec<ProgramBreakpoint>);
@@ -101,15 +113,7 @@ impl ProgramBreakpoints {
 
     /// Returns the resolved lines of all breakpoints.
     pub(crate) fn placed(&self, space: &Space) -> Vec<PlacedProgram> {
-        let placed = |breakpoint: &ProgramBreakpoint| {
-            let owners = space.loaded().filter(|(id, _)| breakpoint.name.is_of(space, *id));
-            let places = owners.filter_map(|(_, owner)| {
-                let program = owner.image.programs.get(usize::from(owner.image.program(&breakpoint.name.program)?))?;
-                Some((file_of(&owner.image, program).to_owned(), first_row(program)?))
-            });
-            PlacedProgram { id: breakpoint.id, places: places.collect() }
-        };
-        self.0.iter().map(placed).collect()
+        self.0.iter().map(|breakpoint| breakpoint.placed(space)).collect()
     }
 
     /// Returns the breakpoints of a program.
@@ -123,14 +127,16 @@ impl ProgramName {
     /// Whether the name can mean a program of this application or library.
     fn is_of(&self, space: &Space, owner: InstanceId) -> bool {
         let Some(library) = &self.library else { return true };
-        let is_identifier = || {
-            space.loaded().any(|(_, user)| {
-                let mut bound = user.image.libraries.iter().zip(&user.libraries);
-                bound.any(|(found, loaded)| found.alias == *library && *loaded == Some(owner))
-            })
-        };
-        space.instance(owner).is_some_and(|owner| owner.image.name == *library) || is_identifier()
+        space.instance(owner).is_some_and(|owner| owner.image.name == *library) || is_identifier(space, library, owner)
     }
+}
+
+/// Whether an application or library uses the identifier for a library that is in memory as `owner`.
+fn is_identifier(space: &Space, identifier: &str, owner: InstanceId) -> bool {
+    space.loaded().any(|(_, user)| {
+        let mut bound = user.image.libraries.iter().zip(&user.libraries);
+        bound.any(|(found, loaded)| found.alias == identifier && *loaded == Some(owner))
+    })
 }
 
 fn first_row(program: &Program) -> Option<u32> {

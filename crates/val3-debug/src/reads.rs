@@ -54,9 +54,8 @@ impl ExecutedLine<'_> {
     /// Whether the line reads the data.
     pub(crate) fn reads(&self, extent: &Extent) -> bool {
         let rest = self.program.code.get(self.op as usize..).unwrap_or_default();
-        let is_own = |(number, step): &(usize, &val3_bytecode::Opcode)| *number == 0 || !step.mark.begins_line();
-        let mut operations = rest.iter().enumerate().take_while(is_own);
-        operations.any(|(_, step)| self.operation_reads(&step.op, extent))
+        let further = rest.iter().skip(1).take_while(|step| !step.mark.begins_line());
+        rest.iter().take(1).chain(further).any(|step| self.operation_reads(&step.op, extent))
     }
 
     fn operation_reads(&self, op: &Op, extent: &Extent) -> bool {

@@ -93,6 +93,16 @@ impl Inside {
         Some((path.context, path.text?))
     }
 
+    /// Returns a handle of a stack frame's parameters, or of its locals.
+    fn of_frame(task: TaskNumber, depth: usize, are_parameters: bool) -> Self {
+        let path = ValuePath {
+            context: FragmentContext::Frame(task, depth),
+            text: Some(String::new()),
+            prefix: Some(String::new()),
+        };
+        Self { task: Some(task), path, node: ValueNode::Frame { depth, are_parameters } }
+    }
+
     /// Returns a handle of values that were already read.
     fn listed(values: Vec<DebugValue>) -> Option<Self> {
         let path = ValuePath { context: FragmentContext::Instance(InstanceId(0)), text: None, prefix: None };
@@ -147,17 +157,9 @@ pub enum ScopeKind {
 #[must_use]
 pub fn scopes(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<Scope> {
     let Some(frame) = frame(vm, task, depth) else { return Vec::new() };
-    let of_frame = |are_parameters| {
-        let path = ValuePath {
-            context: FragmentContext::Frame(task, depth),
-            text: Some(String::new()),
-            prefix: Some(String::new()),
-        };
-        Inside { task: Some(task), path, node: ValueNode::Frame { depth, are_parameters } }
-    };
     let mut scopes = vec![
-        Scope { kind: ScopeKind::Parameters, inside: of_frame(true) },
-        Scope { kind: ScopeKind::Locals, inside: of_frame(false) },
+        Scope { kind: ScopeKind::Parameters, inside: Inside::of_frame(task, depth, true) },
+        Scope { kind: ScopeKind::Locals, inside: Inside::of_frame(task, depth, false) },
         Scope { kind: ScopeKind::Globals, inside: globals(frame.instance, Some((task, depth)), String::new()) },
     ];
     if let Some(instance) = vm.space.instance(frame.instance) {
@@ -217,13 +219,9 @@ pub fn values(
         }
         ValueNode::Data(instance, of_frame) => {
             let Some(instance) = vm.space.instance(*instance) else { return Vec::new() };
-            let hidden = of_frame.and_then(|(task, depth)| program(vm, &frame(vm, task, depth)?));
-            let is_hidden = |name: &str| {
-                hidden.is_some_and(|program| program.variables.iter().any(|variable| variable.name == name))
-            };
-            let is_seen = |data: &DataDef| if of_frame.is_some() { !is_hidden(&data.name) } else { data.public };
             let shown = instance.image.data.iter().zip(instance.data.iter()).skip(range.start).take(range.len());
-            ItemRange::Data(shown.map(|(data, id)| (data.name.clone(), is_seen(data), View::whole(*id))).collect())
+            let items = shown.map(|(data, id)| (data.name.clone(), is_visible(vm, data, *of_frame), View::whole(*id)));
+            ItemRange::Data(items.collect())
         }
         ValueNode::Values(view) => ItemRange::Values(*view, range),
         ValueNode::Fields(kind, place) => ItemRange::Fields(Arc::clone(kind), *place, range),
@@ -323,6 +321,14 @@ fn on_stack<T: Default>(
     }
 }
 
+/// Whether a stack frame's program can name data of its application or library, or without a stack frame, whether the
+/// data are public.
+fn is_visible(vm: &Vm, data: &DataDef, of_frame: Option<(TaskNumber, usize)>) -> bool {
+    let Some((task, depth)) = of_frame else { return data.public };
+    let program = frame(vm, task, depth).and_then(|frame| program(vm, &frame));
+    !program.is_some_and(|program| program.variables.iter().any(|variable| variable.name == data.name))
+}
+
 fn frame(vm: &Vm, task: TaskNumber, depth: usize) -> Option<Frame> {
     vm.tasks().iter().find(|known| known.id == task)?.thread.frames.iter().rev().nth(depth).copied()
 }
@@ -333,6 +339,9 @@ fn program<'v>(vm: &'v Vm, frame: &Frame) -> Option<&'v Program> {
 
 /// Returns the parameters of a program, or its locals.
 fn variables(program: &Program, are_parameters: bool) -> impl Iterator<Item = &FrameVariable> {
-    let is_parameter = |variable: &FrameVariable| program.params.iter().any(|param| param.name == variable.name);
-    program.variables.iter().filter(move |variable| is_parameter(variable) == are_parameters)
+    program.variables.iter().filter(move |variable| is_parameter(program, variable) == are_parameters)
+}
+
+fn is_parameter(program: &Program, variable: &FrameVariable) -> bool {
+    program.params.iter().any(|param| param.name == variable.name)
 }

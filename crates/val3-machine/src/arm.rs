@@ -514,11 +514,11 @@ impl RobotArm {
         let Some(target) = self.jog else { return };
         let (present, cycle) = (self.motion.joints(), seconds(CYCLE));
         let ways: Joints = std::array::from_fn(|axis| difference(&target, &present, axis));
-        let speed = |axis| {
+        let speeds = std::array::from_fn(|axis| {
             let most = JOG * self.model.nominal_speed(axis);
             (ways.get(axis).copied().unwrap_or_default() / cycle).clamp(-most, most)
-        };
-        let jog = Jog::Joints(std::array::from_fn(speed));
+        });
+        let jog = Jog::Joints(speeds);
         let has_arrived = ways.iter().all(|way| way.abs() < ARRIVED);
         if has_arrived {
             // `displace` does nothing while a program moves the arm.

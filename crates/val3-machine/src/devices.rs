@@ -153,7 +153,8 @@ impl Devices {
     /// A file cannot be read or written, or belongs to an encrypted library.
     pub fn save_values(&mut self, space: &Space, places: &[Place], overwrite: bool) -> Result<SavedValues, FileFault> {
         let DeviceState { io, loaded, .. } = &mut self.state;
-        saving::save((space, places), (io, &self.lines), loaded, &mut self.outside, overwrite)
+        let request = saving::SaveRequest { space, places, io, lines: &self.lines, overwrite };
+        saving::save(&request, loaded, &mut self.outside)
     }
 
     /// Returns the file changes of programs. From the first call on, they stay in memory.

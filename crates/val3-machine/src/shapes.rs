@@ -60,15 +60,17 @@ mod tests {
 
     #[test]
     fn forms_are_recognised_by_their_bytes() {
-        let binary = |count: u8, triangles: usize| {
-            let mut bytes = vec![0; 84 + 50 * triangles];
-            bytes[80] = count;
-            bytes
-        };
         assert!(ShapeFormat::Stl.matches(&binary(2, 2)) && ShapeFormat::Stl.matches(b"solid base\nendsolid base\n"));
         assert!(ShapeFormat::Glb.matches(b"glTF\x02"));
         for other in [&b"-----BEGIN OPENSSH PRIVATE KEY-----"[..], b"", b"gltf", &binary(3, 2)] {
             assert!(!ShapeFormat::Stl.matches(other) && !ShapeFormat::Glb.matches(other));
         }
+    }
+
+    /// A binary STL file that states this number of triangles.
+    fn binary(count: u8, triangles: usize) -> Vec<u8> {
+        let mut bytes = vec![0; 84 + 50 * triangles];
+        bytes[80] = count;
+        bytes
     }
 }

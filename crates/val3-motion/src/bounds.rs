@@ -13,6 +13,8 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
+use crate::model::Axes;
+
 /// Maximum number of arm axes.
 pub(crate) const AXES: usize = 6;
 
@@ -266,6 +268,12 @@ fn fastest(axes: &[AxisMotion; AXES]) -> f64 {
 }
 
 impl AxisMotion {
+    /// Derivatives of an axis, with acceleration limits of 0. The derivatives of a missing axis are 0.
+    pub(crate) fn at(tangent: &Axes, curvature: &Axes, axis: usize) -> Self {
+        let [tangent, curvature] = [tangent, curvature].map(|axes| axes.get(axis).copied().unwrap_or_default());
+        Self { tangent, curvature, ..Self::default() }
+    }
+
     fn scaled(self, share: f64) -> Self {
         Self { acceleration: self.acceleration * share, deceleration: self.deceleration * share, ..self }
     }

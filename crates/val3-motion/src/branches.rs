@@ -146,15 +146,24 @@ impl Branches {
         }
         let branch = self.at(from);
         let other = part.changed(branch);
-        let distance = |sigma: f64| {
-            let axes = solve(branch, sigma, near).or_else(|_| solve(other, sigma, near));
-            axes.map_or(f64::INFINITY, |axes| part.distance(arm, &axes))
+        let distance = |sigma| {
+            axes_on_either(&solve, [branch, other], sigma, near).map_or(f64::INFINITY, |axes| part.distance(arm, &axes))
         };
         let change = lowest(from, to, distance);
         if distance(change) < SINGULAR && continues_on_other(&solve, [branch, other], change, near) {
             self.changes.push((change, other));
         }
     }
+}
+
+/// Axes at σ on the first branch, or on the second where the first has none.
+fn axes_on_either(
+    solve: impl Solve,
+    [first, second]: [Configuration; 2],
+    sigma: f64,
+    near: &Axes,
+) -> Result<Axes, Cause> {
+    solve(first, sigma, near).or_else(|_| solve(second, sigma, near))
 }
 
 /// Whether the axes continue smoothly beyond a singular position on the second branch rather than on the first.

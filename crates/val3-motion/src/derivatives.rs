@@ -60,12 +60,13 @@ pub(crate) fn edge_error<'a, const N: usize>(values: impl Iterator<Item = &'a SV
 
 /// Returns the first and second derivative at one of five values that are `step` apart.
 pub(crate) fn at<const N: usize>(values: &[SVector<f64, N>], index: usize, step: f64) -> [SVector<f64, N>; 2] {
-    let weighted = |weights: &[[f64; 5]; 5], divisor: f64| {
-        let weights = weights.get(index).copied().unwrap_or_default();
-        let terms = values.iter().zip(weights).map(|(value, weight)| value * (weight / divisor));
-        terms.fold(SVector::zeros(), |sum, term| sum + term)
-    };
-    [weighted(&FIRST, 12.0 * step), weighted(&SECOND, 12.0 * step * step)]
+    let [first, second] = [&FIRST, &SECOND].map(|weights| weights.get(index).copied().unwrap_or_default());
+    [weighted_sum(values, first, 12.0 * step), weighted_sum(values, second, 12.0 * step * step)]
+}
+
+fn weighted_sum<const N: usize>(values: &[SVector<f64, N>], weights: [f64; 5], divisor: f64) -> SVector<f64, N> {
+    let terms = values.iter().zip(weights).map(|(value, weight)| value * (weight / divisor));
+    terms.fold(SVector::zeros(), |sum, term| sum + term)
 }
 
 #[cfg(test)]

@@ -19,12 +19,10 @@ pub(crate) fn braking(model: &Model<'_>, span: &Span, p: f64, x: f64) -> f64 {
     let values = [0.0, 1.0, 2.0, 3.0, 4.0].map(|k| span.axes(model, first + k * step));
     let index = ((p - first) / step).round() as usize;
     let [tangent, curvature] = derivatives::at(&values, index, step);
-    let motion = |axis: usize| {
+    let axes = std::array::from_fn(|axis| {
         let limit = STRENGTH * model.0.nominal_deceleration(axis);
-        let [tangent, curvature] =
-            [tangent, curvature].map(|derivative| derivative.get(axis).copied().unwrap_or_default());
-        AxisMotion { tangent, curvature, acceleration: limit, deceleration: limit }
-    };
-    let here = IntervalEnd { axes: std::array::from_fn(motion), top: f64::INFINITY };
+        AxisMotion { acceleration: limit, deceleration: limit, ..AxisMotion::at(&tangent, &curvature, axis) }
+    });
+    let here = IntervalEnd { axes, top: f64::INFINITY };
     Bounds::between(&here, &here, 0.0).lowest(x)
 }

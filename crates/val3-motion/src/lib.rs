@@ -8,11 +8,12 @@
 //! use std::sync::Arc;
 //! use val3_geometry::IsometryMatrix3;
 //! use val3_kinematics::Arm;
-//! use val3_motion::{Blend, DegreesPerSecond, Limits, Manner, MillimetresPerSecond, Motion, Move, MovePath, Seconds};
+//! use val3_motion::{Blend, DegreesPerSecond, Manner, MillimetresPerSecond, Seconds, SpeedLimits};
+//! use val3_motion::{Motion, Move, MovePath};
 //!
 //! let arm = Arm::by_name("TX2-90").unwrap();
 //! let axes = [0, 1, 2, 3, 4, 5];
-//! let limits = Limits {
+//! let limits = SpeedLimits {
 //!     speed: axes.map(|axis| arm.nominal_speed(axis)),
 //!     acceleration: axes.map(|axis| arm.nominal_acceleration(axis)),
 //!     deceleration: axes.map(|axis| arm.nominal_deceleration(axis)),

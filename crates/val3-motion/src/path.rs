@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_geometry::{IsometryMatrix3, LinePath};
+use val3_geometry::{IsometryMatrix3, LinePath, Vector3};
 use val3_kinematics::{Joints, RequestedConfiguration};
 use val3_moves::{Blend, Manner, Millimetres, MovePath, MoveTarget};
 
@@ -72,6 +72,28 @@ impl Determined {
     }
 }
 
+/// Distances of a blend corner to the destination, in mm.
+struct CornerDistances {
+    requested: f64,
+    effective: f64,
+    /// Requested distance at the other end of the blend.
+    opposite: f64,
+}
+
+impl CornerDistances {
+    /// Blend corner at a position. `short` is the reason for a distance that is shorter than requested.
+    fn corner(self, position: Vector3<f64>, short: Shortening) -> BlendCorner {
+        let Self { requested, effective, opposite } = self;
+        let shortening = if requested > 0.0 && opposite == 0.0 {
+            Some(Shortening::StopAtCorner)
+        } else {
+            (effective < requested - SHORTER).then_some(short)
+        };
+        let distance = if (effective - requested).abs() < ROUNDING { requested } else { effective };
+        BlendCorner { requested: Millimetres(requested), distance: Millimetres(distance), shortening, position }
+    }
+}
+
 impl PathEnd {
     /// Creates a path that starts at these axes.
     pub(crate) fn starting_at(start: Axes) -> Self {
@@ -128,26 +150,19 @@ impl PathEnd {
         let (leave, reach_after) = request.corner().distances().unwrap_or_default();
         let corners = segment.corners(model, reach, leave);
         self.destination = segment.end();
-        let corner = |[requested, distance, other]: [f64; 3], sigma, shared: Option<Shortening>| {
-            let position = segment.pose_at(model, sigma).translation.vector;
-            let shortening = match () {
-                () if requested > 0.0 && other == 0.0 => Some(Shortening::StopAtCorner),
-                () if distance < requested - SHORTER => shared.or(Some(Shortening::ShortMove(serial))),
-                () => None,
-            };
-            let is_exact = (distance - requested).abs() < ROUNDING;
-            let distance = Millimetres(if is_exact { requested } else { distance });
-            BlendCorner { requested: Millimetres(requested), distance, shortening, position }
-        };
         let [before, after] = corners.distances;
         determined.reach = open.as_ref().map(|_| {
-            let shared = (leave > 0.0).then_some(Shortening::SharedWithNext(serial));
-            corner([reach, before, leave_before], corners.reach, shared)
+            let distances = CornerDistances { requested: reach, effective: before, opposite: leave_before };
+            let short = if leave > 0.0 { Shortening::SharedWithNext(serial) } else { Shortening::ShortMove(serial) };
+            distances.corner(segment.position(model, corners.reach), short)
         });
         determined.leave = request.corner().distances().map(|_| {
-            let shared = open.as_ref().filter(|_| reach > 0.0);
-            let shared = shared.map(|open| Shortening::SharedWithPrevious(open.serial));
-            corner([leave, after, reach_after], corners.leave, shared)
+            let distances = CornerDistances { requested: leave, effective: after, opposite: reach_after };
+            let short = match &open {
+                Some(open) if reach > 0.0 => Shortening::SharedWithPrevious(open.serial),
+                _ => Shortening::ShortMove(serial),
+            };
+            distances.corner(segment.position(model, corners.leave), short)
         });
         let part = SpanPart::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };

@@ -262,13 +262,10 @@ impl Segment {
     pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
         let scale = (self.length / (reach + leave)).min(1.0);
         let [first, last] = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
-        let meet = |from: f64, to: f64| {
-            let meeting = self.at_part_of_way(model, reach / (reach + leave)).clamp(from, to);
-            (meeting, meeting)
-        };
+        let share = reach / (reach + leave);
         // Two searches would return two points that differ by rounding.
         let (reach, leave) = if scale < 1.0 {
-            meet(0.0, 1.0)
+            self.shared_corner(model, share, [0.0, 1.0])
         } else {
             let reach = if first > 0.0 { self.first_at_distance(model, first) } else { Some(0.0) };
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
@@ -281,13 +278,19 @@ impl Segment {
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
                 // On a bent path, the distances can overlap although the path is longer than their sum. Neither
                 // distance may exceed the requested value.
-                (reach, leave) => meet(leave.unwrap_or(0.0), reach.unwrap_or(1.0)),
+                (reach, leave) => self.shared_corner(model, share, [leave.unwrap_or(0.0), reach.unwrap_or(1.0)]),
             }
         };
         let way = |from: f64, to: f64| (self.position(model, from) - self.position(model, to)).norm();
         let distances = [(first, way(0.0, reach)), (last, way(leave, 1.0))]
             .map(|(distance, way)| if distance > 0.0 { way } else { 0.0 });
         Corners { reach, leave, distances }
+    }
+
+    /// σ of both corners if they meet at a fraction of the path length, within a range of σ.
+    fn shared_corner(&self, model: &Model<'_>, share: f64, [from, to]: [f64; 2]) -> (f64, f64) {
+        let meeting = self.at_part_of_way(model, share).clamp(from, to);
+        (meeting, meeting)
     }
 
     /// First σ at which the tool centre point is `distance` away from the start.
@@ -306,7 +309,8 @@ impl Segment {
         Some(boundary(share(part + 1, PARTS), share(part, PARTS), is_away))
     }
 
-    fn position(&self, model: &Model<'_>, sigma: f64) -> Vector3<f64> {
+    /// Tool centre point at σ in `world`, in mm.
+    pub(crate) fn position(&self, model: &Model<'_>, sigma: f64) -> Vector3<f64> {
         self.pose_at(model, sigma).translation.vector
     }
 

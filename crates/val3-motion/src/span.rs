@@ -210,13 +210,16 @@ impl Span {
     /// Axes at p.
     pub(crate) fn axes(&self, model: &Model<'_>, p: f64) -> Axes {
         let place = ((p - self.from) / self.step).max(0.0);
-        let knot = |index: usize| self.knots.get(index).or(self.knots.last()).copied().unwrap_or_default();
-        // A path along an axis limit may exceed the limit slightly between two reachable knots.
-        let between = || {
-            let before = knot(place as usize);
-            before + (knot(place as usize + 1) - before) * place.fract()
-        };
-        self.curve.axes(model, p, &knot(place.round() as usize)).unwrap_or_else(|_| between())
+        self.curve.axes(model, p, &self.knot(place.round() as usize)).unwrap_or_else(|_| {
+            // A path along an axis limit may exceed the limit slightly between two reachable knots.
+            let before = self.knot(place as usize);
+            before + (self.knot(place as usize + 1) - before) * place.fract()
+        })
+    }
+
+    /// Axes at a knot, or at the last knot if there are fewer knots.
+    fn knot(&self, index: usize) -> Axes {
+        self.knots.get(index).or(self.knots.last()).copied().unwrap_or_default()
     }
 
     /// Position of the tool centre point at p, in mm.

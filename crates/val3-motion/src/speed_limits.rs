@@ -41,11 +41,9 @@ fn speeds(axes: &Axes, translation: f64, rotation: f64) -> Speeds {
 
 /// Rotation speed at each knot, in degrees per unit of p: the greater of the speeds before and after the knot.
 fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
-    let turn = |pair: &[IsometryMatrix3<f64>]| match pair {
-        [one, other] => rotation::angle_between(&one.rotation, &other.rotation).to_degrees() / step,
-        _ => 0.0,
-    };
-    let turns: Vec<f64> = tips.windows(2).map(turn).collect();
+    let pairs = tips.iter().zip(tips.iter().skip(1));
+    let turns: Vec<f64> =
+        pairs.map(|(one, other)| rotation::angle_between(&one.rotation, &other.rotation).to_degrees() / step).collect();
     let around = |index: usize| turns.get(index.saturating_sub(1)..(index + 1).min(turns.len())).unwrap_or_default();
     (0..tips.len()).map(|index| around(index).iter().copied().fold(0.0, f64::max)).collect()
 }
@@ -56,16 +54,16 @@ fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
 /// second difference. Twice this value is subtracted, because the second difference of the neighbours is only an
 /// estimate.
 fn without_bulges(limits: &[Speeds]) -> impl Iterator<Item = Speeds> {
-    let bulge = |three: &[Speeds]| match three {
-        [before, here, after] => {
-            ((before - here * 2.0 + after) / 4.0).map(|bulge| if bulge.is_finite() { bulge } else { 0.0 })
-        }
-        _ => Speeds::zeros(),
-    };
     let bulges: Vec<Speeds> = limits.windows(3).map(bulge).collect();
     limits.iter().enumerate().map(move |(index, limit)| {
         let around = bulges.get(index.saturating_sub(2)..(index + 1).min(bulges.len())).unwrap_or_default();
         let widest = around.iter().fold(Speeds::zeros(), |widest, bulge| widest.sup(bulge));
         (limit - widest).sup(&(limit / 2.0))
     })
+}
+
+/// A quarter of the second difference of three limits; 0 where it is not finite.
+fn bulge(three: &[Speeds]) -> Speeds {
+    let [before, here, after] = three else { return Speeds::zeros() };
+    ((before - here * 2.0 + after) / 4.0).map(|bulge| if bulge.is_finite() { bulge } else { 0.0 })
 }

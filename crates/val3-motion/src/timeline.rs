@@ -78,6 +78,11 @@ impl TimedSpan {
         self.from_rest || self.is_gated
     }
 
+    /// Index of the first point at which the arm halts.
+    pub(crate) fn halt(&self) -> Option<usize> {
+        self.points.iter().position(|point| point.halt)
+    }
+
     /// Interval that begins at the point `index`.
     pub(crate) fn interval(&self, index: usize) -> Option<Interval> {
         Interval::at(&self.points, index)

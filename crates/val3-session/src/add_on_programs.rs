@@ -103,12 +103,18 @@ fn no_program(db: &dyn Db, library: Project, setting: &StandInProgram) -> AddOnF
     let path = library.manifest(db).path(db);
     let project = path.file_name().unwrap_or_default();
     let programs = items(db, library).programs.keys().map(|name| name.as_str());
-    let list = || {
-        let listed = &manifest(db, library.manifest(db)).programs;
-        let is_listed = listed.iter().any(|file| Utf8Path::new(file).file_stem() == Some(name));
-        if is_listed { String::new() } else { format!("add the file to <Programs> of `{path}`") }
+    let help = match question(nearest(name, programs)) {
+        Some(question) => question,
+        None if lists_program(db, library, name) => String::new(),
+        None => format!("add the file to <Programs> of `{path}`"),
     };
-    (format!("`{project}` has no program `{name}`"), question(nearest(name, programs)).unwrap_or_else(list))
+    (format!("`{project}` has no program `{name}`"), help)
+}
+
+/// Whether the project file lists a program's file.
+fn lists_program(db: &dyn Db, project: Project, name: &str) -> bool {
+    let listed = &manifest(db, project.manifest(db)).programs;
+    listed.iter().any(|file| Utf8Path::new(file).file_stem() == Some(name))
 }
 
 /// Checks that the program has the parameters of the instruction, as declared in the cell's tables. Without a table,

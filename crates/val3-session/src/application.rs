@@ -68,9 +68,9 @@ impl Application {
         paths.extend(stand_ins::manifests(system, &file)?);
         let workspace = load::load(system, &paths)?;
         let stand_ins = stand_ins::stand_ins(&workspace.db, &file);
-        let is_asked = |project: &&Project| is_same(project.manifest(&workspace.db).path(&workspace.db), manifest);
-        let project = workspace.projects.iter().find(is_asked).copied();
-        let project = project.map_or_else(|| only_application(&workspace, manifest, None), Ok)?;
+        let db = &workspace.db;
+        let requested = workspace.projects.iter().find(|project| is_same(project.manifest(db).path(db), manifest));
+        let project = requested.copied().map_or_else(|| only_application(&workspace, manifest, None), Ok)?;
         Ok(Self { workspace, project, stand_ins })
     }
 

@@ -1,5 +1,6 @@
 //! Arm model: from the settings, otherwise from `val3.toml`, otherwise from the cell.
 
+use std::fmt::Display;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -122,21 +123,25 @@ fn read(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<ArmFile>, Sess
 }
 
 fn shipped(name: &str) -> Result<ArmFile, SessionError> {
-    let unknown = |unknown: UnknownArm| SessionError::Setting {
-        message: format!("the arm `{name}` is not known"),
-        help: question(proposals(name, Arm::names()))
-            .unwrap_or_else(|| format!("{unknown}; another arm can be described in a file: --arm my-arm.toml")),
-    };
-    let text = Arm::file(name).map_err(unknown)?.to_owned();
-    Ok(ArmFile { arm: Arm::by_name(name).map_err(unknown)?, text })
+    let shipped = Arm::file(name).and_then(|text| Ok(ArmFile { arm: Arm::by_name(name)?, text: text.to_owned() }));
+    shipped.map_err(|unknown| unknown_arm(name, &unknown))
+}
+
+fn unknown_arm(name: &str, error: &UnknownArm) -> SessionError {
+    let help = question(proposals(name, Arm::names()))
+        .unwrap_or_else(|| format!("{error}; another arm can be described in a file: --arm my-arm.toml"));
+    SessionError::Setting { message: format!("the arm `{name}` is not known"), help }
 }
 
 fn described(path: Utf8PathBuf) -> Result<ArmFile, SessionError> {
-    let failed = |reason: String| SessionError::Setting {
+    let text = val3_files::read_text(&path, FileClass::Settings).map_err(|reason| unusable(&path, reason))?;
+    let arm = Arm::from_toml(&text).map_err(|error| unusable(&path, error))?;
+    Ok(ArmFile { arm, text })
+}
+
+fn unusable(path: &Utf8Path, reason: impl Display) -> SessionError {
+    SessionError::Setting {
         message: format!("the arm of `{path}` cannot be used: {reason}"),
         help: "a shipped file shows the form: `val3 arm show TX2-90`".to_owned(),
-    };
-    let text = val3_files::read_text(&path, FileClass::Settings).map_err(|reason| failed(reason.to_string()))?;
-    let arm = Arm::from_toml(&text).map_err(|error| failed(error.to_string()))?;
-    Ok(ArmFile { arm, text })
+    }
 }

@@ -79,10 +79,7 @@ pub(crate) fn connect(
     }
     let configs = connected(of_cell(disk)?, &settings.connections);
     let access = if settings.network { NetworkAccess::Network } else { NetworkAccess::Loopback };
-    let guard_of = |config: &ChannelConfig| {
-        let is_named = settings.named.iter().any(|line| line.is_for(&config.link));
-        settings.guard.clone().filter(|_| !is_named)
-    };
+    let guard_of = |config: &ChannelConfig| settings.guard_of(&config.link);
     lines.configure(&configs, access, &guard_of).map_err(|link| SessionError::Line { link })?;
     if tape.replays.is_none() {
         settings.connections.iter().try_for_each(|line| line.open(lines, &configs))?;

@@ -133,8 +133,8 @@ impl Evaluator {
 
     /// Evaluates a declaration, an expression, or statements.
     pub fn evaluate(&mut self, text: &str, listener: &mut dyn Listener) {
-        let is_type = |ty: &str| BaseType::from_name(ty).is_some() || self.types.contains(ty);
-        let fault = match declarations(text, is_type) {
+        let declared = declarations(text, |ty| BaseType::from_name(ty).is_some() || self.types.contains(ty));
+        let fault = match declared {
             Some(Ok(declared)) => {
                 declared.into_iter().find_map(|declaration| self.declare(declaration, listener).err())
             }

@@ -23,28 +23,30 @@ pub(crate) fn is_trusted(file: &ConfigFile) -> bool {
 /// # Errors
 /// The first setting that allows access to a device or another machine.
 pub(crate) fn check(file: &ConfigFile, lines: &[Connection], settings: &ControllerSettings) -> Result<(), ConfigError> {
-    let outside = |key: &str, reach: &str, option: &str| {
-        let mut error = file.outside(key, reach, file.folder());
-        error.help.push_str(&format!("; for one command: {option}"));
-        error
-    };
     if file.config.run.network && !settings.network {
-        return Err(outside("run.network", "lets sockets reach other machines", "--network"));
+        return Err(outside(file, "run.network", "lets sockets reach other machines", "--network"));
     }
     for line in lines {
-        let key = format!("run.lines.{}", line.link());
-        let option = || format!("--line '{line}'");
         if settings.connections.iter().any(|given| given.is_for(line.link())) {
             continue;
         }
-        if let Some(device) = line.device() {
-            return Err(outside(&key, &format!("opens the device `{device}`"), &option()));
-        }
-        if let Some(address) = line.target().filter(|address| !address.is_loopback() && !settings.network) {
-            return Err(outside(&key, &format!("connects to another machine, {address}"), &option()));
-        }
+        let reach = if let Some(device) = line.device() {
+            format!("opens the device `{device}`")
+        } else if let Some(address) = line.target().filter(|address| !address.is_loopback() && !settings.network) {
+            format!("connects to another machine, {address}")
+        } else {
+            continue;
+        };
+        return Err(outside(file, &format!("run.lines.{}", line.link()), &reach, &format!("--line '{line}'")));
     }
     Ok(())
+}
+
+/// Error for a setting that allows more than this machine. `option` is the command line argument that allows the same.
+fn outside(file: &ConfigFile, key: &str, reach: &str, option: &str) -> ConfigError {
+    let mut error = file.outside(key, reach, file.folder());
+    error.help.push_str(&format!("; for one command: {option}"));
+    error
 }
 
 /// Path with resolved links; the path itself if it does not exist.
@@ -73,12 +75,12 @@ pub(crate) fn notes(
         let is_usr = around.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usr"));
         cells.push(real(around.parent().filter(|_| is_usr).unwrap_or(around)));
     }
-    let is_outside = |folder: &Utf8Path| !cells.iter().any(|cell| real(folder).starts_with(cell));
     let roots = merged.roots.iter().map(|root| (root.name.as_str(), root.folder.as_path()));
     // As in `Media`, the folder around an application outside the disk is a separate root.
     let around =
         application.parent().filter(|_| inside(application, disk).is_none()).map(|folder| ("Outside0", folder));
-    let roots = [("Disk", disk)].into_iter().chain(around).chain(roots).filter(|(_, folder)| is_outside(folder));
+    let roots = [("Disk", disk)].into_iter().chain(around).chain(roots);
+    let roots = roots.filter(|(_, folder)| !cells.iter().any(|cell| real(folder).starts_with(cell)));
     let roots = roots.map(|(name, folder)| format!("`{name}://` is the folder `{folder}`, outside of the cell"));
     let lines = merged.named.iter().map(|line| format!("a line has a connection: {line}"));
     let network = merged.network.then(|| "sockets reach other machines".to_owned());

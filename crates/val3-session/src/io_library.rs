@@ -43,12 +43,16 @@ pub(crate) fn missing(db: &dyn Db, application: Project) -> Option<(String, Stri
 
 /// Items of the library that the programs use.
 fn used_items(db: &dyn Db, application: Project) -> BTreeSet<SmolStr> {
-    let item = |expr: &Expr| match expr {
+    let programs = program_files(db, application).iter();
+    programs.flat_map(|file| body(db, *file).exprs()).filter_map(|(_, expr, _)| library_item(expr)).collect()
+}
+
+/// Item of the library in an expression `io:NAME`.
+fn library_item(expr: &Expr) -> Option<SmolStr> {
+    match expr {
         Expr::Path { library, item } if library == ALIAS => Some(item.clone()),
         _ => None,
-    };
-    let programs = program_files(db, application).iter();
-    programs.flat_map(|file| body(db, *file).exprs()).filter_map(|(_, expr, _)| item(expr)).collect()
+    }
 }
 
 /// The first items as a phrase: "`io:a`, `io:b` or 3 others". `None` without items.

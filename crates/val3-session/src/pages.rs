@@ -12,12 +12,11 @@ const PRIORITY: u32 = 10;
 /// Adds the application's pages to the controller.
 pub(crate) fn declare(devices: &mut Devices, db: &Database, project: Project) {
     for name in pages::names(db, project) {
-        let is_of_page = |file: &val3_analysis::db::File| {
+        let file = pages::binding_files(db, project).find(|file| {
             let own = file.path(db).file_name().and_then(|own| page_name(own, BINDINGS));
             own.is_some_and(|own| own.eq_ignore_ascii_case(&name))
-        };
-        let found = pages::binding_files(db, project).find(is_of_page).map(|file| bindings(db, file));
-        let mut page = found.map(page_of).unwrap_or_default();
+        });
+        let mut page = file.map(|file| page_of(bindings(db, file))).unwrap_or_default();
         page.name = name.to_string();
         devices.state.pendant.add_html_page(page);
     }

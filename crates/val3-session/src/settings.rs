@@ -150,18 +150,25 @@ impl MergedSettings {
 
     fn place(&self, arm: &mut RobotArm) -> Result<(), SessionError> {
         let axes = arm.model().axes();
-        let refused = |reason: String| SessionError::Setting {
-            message: format!("the arm cannot start at {:?}: {reason}", self.start),
-            help: format!("write {axes} numbers, in degrees (a stroke in mm), with `--start` or in `[run] start`"),
-        };
         if self.start.is_empty() {
             return Ok(());
         }
-        if self.start.len() != axes {
-            return Err(refused(format!("the arm has {axes} axes")));
-        }
-        let joint = std::array::from_fn(|axis| self.start.get(axis).copied().unwrap_or_default());
-        arm.start_at(joint).map_err(|violation| refused(violation.to_string()))
+        let placed = if self.start.len() == axes {
+            let joint = std::array::from_fn(|axis| self.start.get(axis).copied().unwrap_or_default());
+            arm.start_at(joint).map_err(|violation| violation.to_string())
+        } else {
+            Err(format!("the arm has {axes} axes"))
+        };
+        placed.map_err(|reason| SessionError::Setting {
+            message: format!("the arm cannot start at {:?}: {reason}", self.start),
+            help: format!("write {axes} numbers, in degrees (a stroke in mm), with `--start` or in `[run] start`"),
+        })
+    }
+
+    /// Guard that has to permit the socket of a line; `None` for a line whose connection a setting names.
+    pub(crate) fn guard_of(&self, link: &str) -> Option<Rc<dyn SocketGuard>> {
+        let is_named = self.named.iter().any(|line| line.is_for(link));
+        self.guard.clone().filter(|_| !is_named)
     }
 }
 
@@ -171,14 +178,14 @@ fn roots(file: &ConfigFile) -> impl Iterator<Item = PathRoot> {
 }
 
 fn connections(file: &ConfigFile) -> Result<Vec<Connection>, SessionError> {
-    let connection = |(link, end): (&String, &String)| {
+    let connections = file.config.run.lines.iter().map(|(link, end)| {
         Connection::from_str(&format!("{link}={end}")).map_err(|_| {
             let message = format!("a line cannot be connected to `{end}`");
             let help = "write \"server:PORT\", \"client:ADDRESS:PORT\", \"udp:PORT\" or \"serial:DEVICE\"";
             refused(file, &format!("run.lines.{link}"), message, help)
         })
-    };
-    file.config.run.lines.iter().map(connection).collect()
+    });
+    connections.collect()
 }
 
 fn line_cost_of(file: &ConfigFile) -> Result<Time, SessionError> {
@@ -209,17 +216,20 @@ fn refusal(error: &ConfigError) -> SessionError {
 
 /// Profiles of the file, and `default` if the file does not describe it.
 fn profiles(run: &RunSettings) -> controller_state::Profiles {
-    let of = |(name, profile): (&String, &val3_config::Profile)| controller_state::Profile {
-        name: name.clone(),
+    let mut known: Vec<_> = run.profiles.iter().map(|(name, profile)| controller_profile(name, profile)).collect();
+    let plain = val3_config::Profile::default();
+    if !run.profiles.contains_key(FIRST_PROFILE) {
+        known.push(controller_profile(FIRST_PROFILE, &plain));
+    }
+    let name = run.profile.as_deref().unwrap_or(FIRST_PROFILE);
+    let active = known.iter().find(|profile| profile.name == name).cloned();
+    controller_state::Profiles::new(known, active.unwrap_or_else(|| controller_profile(name, &plain)))
+}
+
+fn controller_profile(name: &str, profile: &val3_config::Profile) -> controller_state::Profile {
+    controller_state::Profile {
+        name: name.to_owned(),
         password: profile.password.clone(),
         controls_speed: profile.controls_speed,
-    };
-    let plain = |name: &str| of((&name.to_owned(), &val3_config::Profile::default()));
-    let mut known: Vec<_> = run.profiles.iter().map(of).collect();
-    if !run.profiles.contains_key(FIRST_PROFILE) {
-        known.push(plain(FIRST_PROFILE));
     }
-    let active = run.profile.as_deref().unwrap_or(FIRST_PROFILE);
-    let active = known.iter().find(|profile| profile.name == active).cloned().unwrap_or_else(|| plain(active));
-    controller_state::Profiles::new(known, active)
 }

@@ -73,11 +73,11 @@ fn no_library(system: &dyn System, file: &ConfigFile, identifier: &str, path: &U
 /// Stand-ins in a configuration that were read.
 pub(crate) fn stand_ins(db: &dyn Db, file: &ConfigFile) -> Vec<StandIn> {
     let projects = Sources::get(db).projects(db);
-    let stand_in = |(identifier, path): (&String, &Utf8PathBuf)| {
+    let stand_ins = file.config.test.replace.iter().filter_map(|(identifier, path)| {
         let project = *projects.get(&path_key(manifest(file, path).as_str()))?;
         Some(StandIn { identifier: identifier.into(), project, path: path.clone() })
-    };
-    file.config.test.replace.iter().filter_map(stand_in).collect()
+    });
+    stand_ins.collect()
 }
 
 /// Reasons why stand-ins cannot replace an application's libraries.

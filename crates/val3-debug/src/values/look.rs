@@ -47,11 +47,11 @@ impl Look<'_> {
                 variables.iter().map(|variable| self.variable(memory, &frame, variable)).collect()
             }
             ItemRange::Data(data) => {
-                let value = |(name, is_seen, view): (String, bool, View)| {
+                let values = data.into_iter().map(|(name, is_seen, view)| {
                     let value = self.container(memory, name, view);
                     if is_seen { value } else { unseen(value) }
-                };
-                data.into_iter().map(value).collect()
+                });
+                values.collect()
             }
             ItemRange::Values(view, range) => self.elements(memory, view, range),
             ItemRange::Fields(kind, place, range) => {

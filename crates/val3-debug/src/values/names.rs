@@ -6,7 +6,7 @@ use val3_bytecode::{Image, Storage};
 use val3_lang::memory::{ContainerShape, KindBase, Lanes, Memory, Place, StoreId, ValueType, View, field_offset};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::fields;
-use val3_vm::{FragmentContext, Frame, Instance, Vm};
+use val3_vm::{FragmentContext, Frame, Instance, InstanceId, Vm};
 
 use super::text::{index, key};
 
@@ -33,15 +33,11 @@ impl AccessNames {
             FragmentContext::Frame(_, depth) => frames.get(depth).map(|(frame, _)| frame.instance),
             FragmentContext::Instance(instance) => Some(instance),
         };
-        let aliases = own.and_then(|own| vm.space.instance(own));
-        let prefix = |(id, instance): (_, &Instance)| {
-            let loaded = aliases.map(|own| own.image.libraries.iter().zip(&own.libraries)).into_iter().flatten();
-            let alias = loaded.filter(|(_, loaded)| **loaded == Some(id)).map(|(library, _)| &library.alias).next();
-            let prefix =
-                if own == Some(id) { String::new() } else { format!("{}:", alias.unwrap_or(&instance.image.name)) };
-            (prefix, Arc::clone(&instance.image), Arc::clone(&instance.data))
-        };
-        Self { data: vm.space.loaded().map(prefix).collect(), frames }
+        let loaded = vm.space.loaded();
+        let data = loaded.map(|(id, instance)| {
+            (prefix(vm, own, (id, instance)), Arc::clone(&instance.image), Arc::clone(&instance.data))
+        });
+        Self { data: data.collect(), frames }
     }
 
     /// Returns the name for a value with this type.
@@ -111,6 +107,18 @@ impl AccessNames {
     }
 }
 
+/// Returns the prefix with which `own` names data of an application or library: none for its own data, else the
+/// identifier of the library, or its name if `own` does not use it.
+fn prefix(vm: &Vm, own: Option<InstanceId>, (id, instance): (InstanceId, &Instance)) -> String {
+    if own == Some(id) {
+        return String::new();
+    }
+    let user = own.and_then(|own| vm.space.instance(own));
+    let bound = user.map(|own| own.image.libraries.iter().zip(&own.libraries)).into_iter().flatten();
+    let alias = bound.filter(|(_, loaded)| **loaded == Some(id)).map(|(library, _)| &library.alias).next();
+    format!("{}:", alias.unwrap_or(&instance.image.name))
+}
+
 /// Returns the name of a container that is nested in the values of container `id`.
 fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left: &mut usize) -> Option<String> {
     let store = memory.store(id).ok()?;
@@ -119,16 +127,16 @@ fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left:
     for (at, part) in store.parts.iter().enumerate() {
         *left = left.checked_sub(1)?;
         let field = store.kind.fields.get(at.checked_rem(width)?)?;
-        let found = || {
-            let number = u32::try_from(at.checked_div(width)?).ok()?;
-            Some(format!("{name}{}.{}", subscript(&store.shape, number)?, field.name))
-        };
-        if *part == wanted {
-            return found();
+        let is_nested = matches!(field.init.kind.base, KindBase::User(_));
+        if *part != wanted && !is_nested {
+            continue;
         }
-        if let KindBase::User(_) = field.init.kind.base
-            && let Some(found) = within(memory, (found()?, *part), wanted, left)
-        {
+        let number = u32::try_from(at.checked_div(width)?).ok()?;
+        let name = format!("{name}{}.{}", subscript(&store.shape, number)?, field.name);
+        if *part == wanted {
+            return Some(name);
+        }
+        if let Some(found) = within(memory, (name, *part), wanted, left) {
             return Some(found);
         }
     }

@@ -15,11 +15,10 @@ impl RobotArm {
     pub(crate) fn excess_speed(&mut self, request: &MoveRequest, start: &Joints, at: CodePlace) -> Option<ExcessSpeed> {
         let end = self.motion.destination();
         let is_circle = request.path.shape() == PathShape::Circle;
-        let is_moving = |axis: usize| {
+        let excess = self.model.excess_speed(request.descriptor.vel, |axis| {
             let way = start.get(axis).zip(end.get(axis)).map_or(0.0, |(start, end)| (end - start).abs());
             is_circle || way > MOVES
-        };
-        let excess = self.model.excess_speed(request.descriptor.vel, is_moving)?;
+        })?;
         let is_new = !self.too_fast.contains(&at);
         if is_new {
             self.too_fast.push(at);

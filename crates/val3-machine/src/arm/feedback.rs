@@ -127,19 +127,21 @@ fn centres(arm: &Arm, joints: &Joints) -> Vec<Vector3<f64>> {
 /// Work of the loads per unit of axis motion, as torque in Nm or force in N.
 fn work(arm: &Arm, joints: &Joints, axis: usize, loads: &[Vector3<f64>]) -> f64 {
     const STEP: f64 = 1e-4;
-    let moved = |by: f64| {
-        let mut joints = *joints;
-        if let Some(position) = joints.get_mut(axis) {
-            *position += by;
-        }
-        centres(arm, &joints)
-    };
-    let (ahead, behind) = (moved(STEP), moved(-STEP));
+    let [ahead, behind] = [STEP, -STEP].map(|by| centres(arm, &moved(joints, axis, by)));
     let step = if arm.is_stroke(axis) { STEP } else { STEP.to_radians() };
     let ways = ahead.iter().zip(&behind).map(|(ahead, behind)| (ahead - behind) / (2.0 * step));
     let work: f64 = ways.zip(loads).map(|(way, load)| way.dot(load)).sum();
     // 1 Nm = 1e6 kg mm²/s², 1 N = 1e3 kg mm/s².
     work / if arm.is_stroke(axis) { 1e3 } else { 1e6 }
+}
+
+/// Joint position with one axis moved.
+fn moved(joints: &Joints, axis: usize, by: f64) -> Joints {
+    let mut joints = *joints;
+    if let Some(position) = joints.get_mut(axis) {
+        *position += by;
+    }
+    joints
 }
 
 #[cfg(test)]

@@ -15,13 +15,10 @@ pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
 
 /// Limits of a descriptor, whose percentages refer to the nominal values of the arm (10.3.4).
 pub(super) fn limits(arm: &Arm, descriptor: &MdescValue) -> SpeedLimits {
-    let share = |per_cent: f64, nominal: fn(&Arm, usize) -> f64| {
-        std::array::from_fn(|axis| per_cent / 100.0 * nominal(arm, axis))
-    };
     SpeedLimits {
-        speed: share(descriptor.vel, Arm::nominal_speed),
-        acceleration: share(descriptor.accel, Arm::nominal_acceleration),
-        deceleration: share(descriptor.decel, Arm::nominal_deceleration),
+        speed: std::array::from_fn(|axis| descriptor.vel / 100.0 * arm.nominal_speed(axis)),
+        acceleration: std::array::from_fn(|axis| descriptor.accel / 100.0 * arm.nominal_acceleration(axis)),
+        deceleration: std::array::from_fn(|axis| descriptor.decel / 100.0 * arm.nominal_deceleration(axis)),
         translation: MillimetresPerSecond(descriptor.tvel),
         rotation: DegreesPerSecond(descriptor.rvel),
     }

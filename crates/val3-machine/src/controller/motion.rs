@@ -77,6 +77,14 @@ pub struct BlendPoint {
     pub pose: IsometryMatrix3<f64>,
 }
 
+impl BlendPoint {
+    /// Blend end at a corner, with the joint position and pose there.
+    fn new(corner: Option<BlendCorner>, place: Option<(Joints, IsometryMatrix3<f64>)>) -> Option<Self> {
+        let (joints, pose) = place?;
+        Some(Self { distance: corner?.distance, joints, pose })
+    }
+}
+
 /// Instruction that requested a move, with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CodeSource {
@@ -137,10 +145,6 @@ impl Controller {
 
     fn recorded_move(&self, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> RecordedMove {
         let motion = self.devices.state.arm.motion();
-        let point = |corner: Option<BlendCorner>, place: Option<(Joints, IsometryMatrix3<f64>)>| {
-            let ((joints, pose), distance) = (place?, corner?.distance);
-            Some(BlendPoint { distance, joints, pose })
-        };
         RecordedMove {
             serial: queued.serial,
             id: queued.id,
@@ -149,8 +153,8 @@ impl Controller {
             target: queued.target,
             descriptor: origin.map(|origin| origin.descriptor),
             stage: queued.stage,
-            leave: point(queued.leave, motion.leave_point(queued.serial)),
-            reach: point(queued.reach, motion.reach_point(queued.serial)),
+            leave: BlendPoint::new(queued.leave, motion.leave_point(queued.serial)),
+            reach: BlendPoint::new(queued.reach, motion.reach_point(queued.serial)),
             blend: self.devices.blend_of(queued, origin),
             source: origin.map(|origin| self.source(origin)),
         }

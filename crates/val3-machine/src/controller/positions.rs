@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use val3_bytecode::{Op, Opcode};
+use val3_bytecode::{Op, Program};
 use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
 use val3_lang::instruction::{Family, Instruction};
@@ -210,14 +210,8 @@ impl Controller {
         let image = &self.vm.space.instance(frame.instance)?.image;
         let program = image.programs.get(usize::from(frame.program))?;
         let line = program.line_of(task.thread.next);
-        let asks = |(number, step): (u32, &Opcode)| match step.op {
-            Op::Instruction { site } if program.line_of(number) == line => {
-                let site = program.instructions.get(site as usize);
-                site.and_then(|site| instructions::find(site.callee.name())).is_some_and(motion::needs_arm)
-            }
-            _ => false,
-        };
-        Some((0..).zip(&program.code).any(asks))
+        let mut of_line = (0..).zip(&program.code).filter(|(number, _)| program.line_of(*number) == line);
+        Some(of_line.any(|(_, step)| needs_arm(program, step.op)))
     }
 
     /// The name of the instruction that a task executes next.
@@ -228,4 +222,11 @@ impl Controller {
         let Op::Instruction { site } = program.code.get(task.thread.next as usize)?.op else { return None };
         program.instructions.get(site as usize).map(|site| site.callee.name().to_owned())
     }
+}
+
+/// Whether an operation is an instruction that needs the arm.
+fn needs_arm(program: &Program, op: Op) -> bool {
+    let Op::Instruction { site } = op else { return false };
+    let site = program.instructions.get(site as usize);
+    site.and_then(|site| instructions::find(site.callee.name())).is_some_and(motion::needs_arm)
 }

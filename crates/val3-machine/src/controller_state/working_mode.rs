@@ -105,15 +105,16 @@ mod tests {
     #[test]
     fn the_table_of_the_manual() {
         use Activity::{Connection, FastProgrammed, FrameJog, Hold, JointJog, PointJog, Programmed, ToolJog};
-        let states = |mode: u8, activities: &[Activity]| -> Vec<u8> {
-            activities.iter().map(|activity| WorkingMode::from_number(mode).unwrap().state(*activity)).collect()
-        };
         assert_eq!(states(0, &[Programmed, Hold]), [0, 0]);
         let manual = [Programmed, Connection, JointJog, FrameJog, ToolJog, PointJog, Hold];
         assert_eq!(states(1, &manual), [0, 1, 2, 3, 4, 5, 6]);
         assert_eq!(states(2, &[Programmed, Connection, FastProgrammed, Hold]), [0, 1, 2, 3]);
         assert_eq!(states(3, &[Programmed, Connection, Hold]), [0, 1, 2]);
         assert_eq!(states(4, &[Programmed, Connection, Hold]), [0, 1, 2]);
+    }
+
+    fn states(mode: u8, activities: &[Activity]) -> Vec<u8> {
+        activities.iter().map(|activity| WorkingMode::from_number(mode).unwrap().state(*activity)).collect()
     }
 
     #[test]

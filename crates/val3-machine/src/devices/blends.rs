@@ -27,11 +27,10 @@ impl Devices {
     ) -> BlendEnds {
         if let Some([leave, reach]) = cancelled {
             let cut = self.cut(CutReason::Cancelled, origin.and_then(|origin| origin.cancelled_by));
-            let end = |requested: Millimetres| {
-                let cut = Some(cut.clone());
-                (requested.0 > 0.0).then_some(BlendDistance { requested: requested.0, effective: 0.0, cut })
-            };
-            return BlendEnds { leave: end(leave), reach: end(reach) };
+            let [leave, reach] = [leave, reach].map(|Millimetres(requested)| {
+                (requested > 0.0).then(|| BlendDistance { requested, effective: 0.0, cut: Some(cut.clone()) })
+            });
+            return BlendEnds { leave, reach };
         }
         BlendEnds {
             leave: leave.map(|end| self.blend_distance(&end)),

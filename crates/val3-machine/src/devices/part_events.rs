@@ -13,12 +13,12 @@ pub(super) fn logged(log: &mut EventLog) -> Vec<EventKind> {
 
 /// Changes of power and mode.
 pub(super) fn switched(robot: &mut Robot) -> Vec<EventKind> {
-    let kind = |event| match event {
+    let events = robot.take_events().into_iter().filter_map(|event| match event {
         RobotEvent::Power(on) => Some(EventKind::Power { on }),
         RobotEvent::Mode(mode) => Some(EventKind::Mode { mode: mode.number() }),
         RobotEvent::EmergencyStop(_) | RobotEvent::MonitorSpeed(_) => None,
-    };
-    robot.take_events().into_iter().filter_map(kind).collect()
+    });
+    events.collect()
 }
 
 /// Changes of inputs or outputs.

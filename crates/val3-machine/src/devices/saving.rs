@@ -17,7 +17,7 @@ use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
 use links::LoadedLinks;
 pub use operator_edits::SavedValues;
-pub(super) use operator_edits::save;
+pub(super) use operator_edits::{SaveRequest, save};
 use values::Saver;
 
 /// Returns the size of an application's or library's global data, in bytes.
@@ -74,9 +74,7 @@ impl<'s> Saving<'s> {
     }
 
     fn saver(&self) -> Option<Saver<'s>> {
-        let (space, saved) = (self.space, self.saved);
-        let instance = space.instance(saved)?;
-        let links = LoadedLinks::new(space, (saved, instance), (self.io, self.lines));
-        Some(Saver { memory: &space.memory, instance, links })
+        let instance = self.space.instance(self.saved)?;
+        Some(Saver { memory: &self.space.memory, instance, links: LoadedLinks::new(self, instance) })
     }
 }

@@ -31,11 +31,14 @@ mod tests {
     fn a_stand_in_is_loaded_under_its_identifier_alone() {
         let mut stand_ins = StandIns::default();
         stand_ins.insert("feeder".to_owned(), "Disk://stubs/feeder".to_owned());
-        let path = |from: &'static str, alias: &'static str| {
-            stand_ins.path(from, LibraryRequest { alias, path: "Disk://own", password: "" }).to_owned()
-        };
-        assert_eq!(path("Disk://main", "feeder"), "Disk://stubs/feeder");
-        assert_eq!(path("Disk://main", "Feeder"), "Disk://own");
-        assert_eq!(path("Disk://Stubs/feeder", "feeder"), "Disk://own");
+        let cases = [
+            ("Disk://main", "feeder", "Disk://stubs/feeder"),
+            ("Disk://main", "Feeder", "Disk://own"),
+            ("Disk://Stubs/feeder", "feeder", "Disk://own"),
+        ];
+        for (from, alias, expected) in cases {
+            let request = LibraryRequest { alias, path: "Disk://own", password: "" };
+            assert_eq!(stand_ins.path(from, request), expected, "{alias} from {from}");
+        }
     }
 }

@@ -68,8 +68,11 @@ impl Volume {
 
     /// Whether the entry at a path is a link itself. Changes in memory are no links.
     pub(super) fn is_link(&self, path: &Utf8Path) -> bool {
-        let is_link = |dir: &Dir| dir.symlink_metadata(relative(path)).is_ok_and(|found| found.is_symlink());
-        self.node(path).is_none() && self.inputs.ask_usual(&false, || is_link(&self.dir))
+        self.node(path).is_none() && self.inputs.ask_usual(&false, || self.is_link_on_disk(path))
+    }
+
+    fn is_link_on_disk(&self, path: &Utf8Path) -> bool {
+        self.dir.symlink_metadata(relative(path)).is_ok_and(|found| found.is_symlink())
     }
 
     fn kind_on_disk(&self, path: &Utf8Path) -> Result<EntryKind, FileFault> {

@@ -39,13 +39,15 @@ impl Controller {
     /// Entries without delay are applied at the beginning of the next cycle, so reactions that cause each other need
     /// one cycle each.
     pub(crate) fn react(&mut self, now: Time) {
-        let holds = |reaction: &Reaction| {
-            self.meets(reaction.condition())
-                && reaction.sent().is_none_or(|text| text.is_in(self.devices.lines.output(text.link())))
-        };
-        let holding: Vec<bool> = self.script.reactions().map(holds).collect();
+        let holding: Vec<bool> = self.script.reactions().map(|reaction| self.triggers(reaction)).collect();
         self.script.react(&holding, now);
         self.devices.lines.forget_output();
+    }
+
+    /// Whether the signals, variables and sent text of a reaction hold.
+    fn triggers(&self, reaction: &Reaction) -> bool {
+        self.meets(reaction.condition())
+            && reaction.sent().is_none_or(|text| text.is_in(self.devices.lines.output(text.link())))
     }
 
     /// Applies the script entries that are due. An entry without effect is an error in the event log.

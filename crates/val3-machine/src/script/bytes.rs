@@ -87,14 +87,15 @@ impl BytePiece {
 /// Parses pairs of hexadecimal digits, with blanks anywhere between them.
 fn of_hex(text: &str) -> Result<Vec<u8>, String> {
     let digits: Vec<char> = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let byte = |pair: &[char]| match pair {
-        [high, low] => Some(u8::try_from(16 * high.to_digit(16)? + low.to_digit(16)?).ok()?),
-        _ => None,
-    };
-    let bytes: Option<Vec<u8>> = digits.chunks(2).map(byte).collect();
+    let bytes: Option<Vec<u8>> = digits.chunks(2).map(hex_byte).collect();
     bytes.ok_or_else(|| {
         format!("{text:?} is no sequence of bytes: write two hexadecimal digits for each, as in \"CD AB\"")
     })
+}
+
+fn hex_byte(pair: &[char]) -> Option<u8> {
+    let [high, low] = pair else { return None };
+    u8::try_from(16 * high.to_digit(16)? + low.to_digit(16)?).ok()
 }
 
 /// Numbers in a format of `toBinary`.

@@ -129,20 +129,17 @@ impl Controller {
         {
             return Ok(());
         }
-        let no_variable = |unknown: &str, known: Vec<String>| Misfit {
-            message: format!("there is no variable `{name}`"),
-            unknown: Some((unknown.to_owned(), known)),
-        };
         let Located { store, container, index, base, .. } = match self.locate(name) {
             Ok(located) => located,
-            Err(Lost::Variable(unknown)) => return Err(no_variable(unknown, self.variables(unknown))),
-            Err(Lost::Field(unknown, known)) => return Err(no_variable(unknown, known)),
+            Err(Lost::Variable(unknown)) => return Err(Misfit::no_variable(name, unknown, self.variables(unknown))),
+            Err(Lost::Field(unknown, known)) => return Err(Misfit::no_variable(name, unknown, known)),
             Err(Lost::Index(_, index)) if is_resized(variable) && index.is_some_and(is_index) => return Ok(()),
             Err(Lost::Index(container, _)) => {
                 return Err(format!("there is no variable `{name}`: `{container}` does not have this index").into());
             }
         };
-        let found = self.vm.space.memory.store(store).map_err(|_| no_variable(variable, Vec::new()))?;
+        let found = self.vm.space.memory.store(store);
+        let found = found.map_err(|_| Misfit::no_variable(name, variable, Vec::new()))?;
         if !base.is_some_and(suits) {
             let ty = base.map_or("a user type", BaseType::name);
             let of = if name.contains('.') { name } else { container };
@@ -243,14 +240,24 @@ impl Controller {
 }
 
 impl Misfit {
+    /// The problem that no variable has this name, because its part `unknown` is none of the known names.
+    fn no_variable(name: &str, unknown: &str, known: Vec<String>) -> Self {
+        Self { message: format!("there is no variable `{name}`"), unknown: Some((unknown.to_owned(), known)) }
+    }
+
     /// Returns the problem with the probable names for an unknown name.
     #[must_use]
     pub fn with_proposals(&self) -> String {
-        let proposed = |(name, known): &(String, Vec<String>)| {
-            question(proposals(name, known.iter().map(String::as_str))).map(|question| format!("; {question}"))
-        };
-        let proposed = self.unknown.as_ref().and_then(proposed).unwrap_or_default();
-        format!("{}{proposed}", self.message)
+        match self.question() {
+            Some(question) => format!("{}; {question}", self.message),
+            None => self.message.clone(),
+        }
+    }
+
+    /// Returns the question whether another name was meant.
+    fn question(&self) -> Option<String> {
+        let (name, known) = self.unknown.as_ref()?;
+        question(proposals(name, known.iter().map(String::as_str)))
     }
 }
 

@@ -70,14 +70,16 @@ impl Controller {
 
 /// Returns the type of a built-in type's field, and the lanes before it.
 fn built_in_field<'p>(kind: &ValueType, path: &'p str) -> Result<(BaseType, Lanes), Lost<'p>> {
-    let KindBase::Builtin(base, arm) = kind.base else { return Err(Lost::Field(path, Vec::new())) };
-    let step = |(base, offset), name: &'p str| {
-        let known = || types::fields(base, arm).iter().map(|field| field.name.to_owned()).collect();
-        let unknown = || Lost::Field(name, known());
-        let field = types::field(base, arm, name).ok_or_else(unknown)?;
-        Ok((field.ty, offset + field_offset(base, arm, name).ok_or_else(unknown)?))
-    };
-    path.split('.').try_fold((base, Lanes::default()), step)
+    let KindBase::Builtin(mut base, arm) = kind.base else { return Err(Lost::Field(path, Vec::new())) };
+    let mut offset = Lanes::default();
+    for name in path.split('.') {
+        let Some((field, before)) = types::field(base, arm, name).zip(field_offset(base, arm, name)) else {
+            let known = types::fields(base, arm).iter().map(|field| field.name.to_owned()).collect();
+            return Err(Lost::Field(name, known));
+        };
+        (base, offset) = (field.ty, offset + before);
+    }
+    Ok((base, offset))
 }
 
 /// Splits a path after its first part. Dots in keys are no separators.

@@ -132,12 +132,6 @@ pub struct ScriptAction(pub(crate) ScriptEntry);
 impl ScriptEntry {
     /// Returns the keys with their values, without the time.
     pub(super) fn keys(&self) -> Map<String, Json> {
-        let is_empty = |value: &Json| match value {
-            Json::Null => true,
-            Json::Array(items) => items.is_empty(),
-            Json::Object(items) => items.is_empty(),
-            _ => false,
-        };
         match serde_json::to_value(self) {
             Ok(Json::Object(keys)) => keys.into_iter().filter(|(_, value)| !is_empty(value)).collect(),
             // A structure with keys that are texts is an object.
@@ -163,5 +157,15 @@ impl ScriptAction {
             (None, None) => Ok(Self(entry)),
             _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),
         }
+    }
+}
+
+/// Whether a key has no value.
+fn is_empty(value: &Json) -> bool {
+    match value {
+        Json::Null => true,
+        Json::Array(items) => items.is_empty(),
+        Json::Object(items) => items.is_empty(),
+        _ => false,
     }
 }

@@ -85,13 +85,12 @@ impl ChannelConfig {
     /// Inserts the settings from another configuration for the same channel, except port and target, before the
     /// existing settings, which have precedence. If the kinds differ, only timeout and end of string are inserted.
     pub fn take_over(&mut self, other: &Self) {
-        let stays = |setting: &&LineSetting| match setting {
+        let inherited = other.settings.iter().filter(|setting| match setting {
             LineSetting::Port(_) | LineSetting::Target(_) => false,
             LineSetting::Timeout(_) | LineSetting::EndOfString(_) => true,
             _ => self.kind == other.kind,
-        };
-        let taken: Vec<LineSetting> = other.settings.iter().filter(stays).cloned().collect();
-        self.settings.splice(0..0, taken);
+        });
+        self.settings.splice(0..0, inherited.cloned());
     }
 
     /// Creates the channel on `line`, with the parameters of the configuration.

@@ -58,16 +58,18 @@ impl Motion {
     /// duration.
     fn slowed(&self, present: &Axes, axes: Axes, duration: Seconds) -> Axes {
         let Some(MillimetresPerSecond(most)) = self.tool_speed else { return axes };
-        let place = |axes: &Axes| {
-            let flange = Model(&self.arm).flange(axes);
-            [flange.translation.vector, (flange * self.tool).translation.vector]
-        };
-        let [flange, tip] = place(present);
+        let [flange, tip] = self.flange_and_tip(present);
         // The distance is almost proportional to the step, so further iterations only correct a small remainder.
         (0..ROUNDS).fold(axes, |axes, _| {
-            let [next_flange, next_tip] = place(&axes);
+            let [next_flange, next_tip] = self.flange_and_tip(&axes);
             let way = (next_flange - flange).norm().max((next_tip - tip).norm());
             if way > most * duration.0 { present + (axes - present) * (most * duration.0 / way) } else { axes }
         })
+    }
+
+    /// Positions of the flange and the tool centre point in `world`, in mm.
+    fn flange_and_tip(&self, axes: &Axes) -> [Vector3<f64>; 2] {
+        let flange = Model(&self.arm).flange(axes);
+        [flange.translation.vector, (flange * self.tool).translation.vector]
     }
 }

@@ -44,7 +44,7 @@ impl Motion {
 
 #[cfg(test)]
 mod tests {
-    use val3_geometry::{IsometryMatrix3, Trsf};
+    use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
     use val3_kinematics::Joints;
 
     use super::super::tests::{CYCLE, START, fast, line, motion, moved, request};
@@ -83,17 +83,15 @@ mod tests {
 
     /// Advances by one cycle and returns the speeds of the tool centre point and the flange, in mm/s.
     fn speeds(motion: &mut Motion) -> [f64; 2] {
-        let at = |axes: &Joints, tool: &IsometryMatrix3<f64>| {
-            (Model(&motion.arm).flange(&(*axes).into()) * tool).translation.vector
-        };
-        let places =
-            |motion: &Motion| [at(&motion.joints(), &tool()), at(&motion.joints(), &IsometryMatrix3::identity())];
-        let before = places(motion);
-        let mut next = motion.clone();
-        next.advance(CYCLE);
-        let after = places(&next);
-        *motion = next;
+        let before = tip_and_flange(motion);
+        motion.advance(CYCLE);
+        let after = tip_and_flange(motion);
         [(after[0] - before[0]).norm() / CYCLE.0, (after[1] - before[1]).norm() / CYCLE.0]
+    }
+
+    fn tip_and_flange(motion: &Motion) -> [Vector3<f64>; 2] {
+        let flange = Model(&motion.arm).flange(&motion.joints().into());
+        [(flange * tool()).translation.vector, flange.translation.vector]
     }
 
     fn fastest(motion: &mut Motion, cycles: usize) -> [f64; 2] {

@@ -66,12 +66,13 @@ mod tests {
 
     fn distance(way: &[PieceAhead], point: &Vector3<f64>) -> f64 {
         let chords = way.iter().flat_map(|piece| piece.points.windows(2));
-        let to_chord = |chord: &[Vector3<f64>]| {
-            let along = chord[1] - chord[0];
-            let share = (point - chord[0]).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
-            (point - chord[0] - along * share.clamp(0.0, 1.0)).norm()
-        };
-        chords.map(to_chord).fold(f64::INFINITY, f64::min)
+        chords.map(|chord| distance_to_chord(chord, point)).fold(f64::INFINITY, f64::min)
+    }
+
+    fn distance_to_chord(chord: &[Vector3<f64>], point: &Vector3<f64>) -> f64 {
+        let along = chord[1] - chord[0];
+        let share = (point - chord[0]).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
+        (point - chord[0] - along * share.clamp(0.0, 1.0)).norm()
     }
 
     #[test]

@@ -83,11 +83,10 @@ fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&SpeedLim
 }
 
 fn interval_end(tangent: &Axes, curvature: &Axes, limits: &SpeedLimits, top: f64) -> IntervalEnd {
-    let axis = |index: usize| AxisMotion {
-        tangent: tangent.get(index).copied().unwrap_or_default(),
-        curvature: curvature.get(index).copied().unwrap_or_default(),
-        acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
-        deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
-    };
-    IntervalEnd { axes: std::array::from_fn(axis), top }
+    let axes = std::array::from_fn(|axis| AxisMotion {
+        acceleration: limits.acceleration.get(axis).copied().unwrap_or(f64::INFINITY),
+        deceleration: limits.deceleration.get(axis).copied().unwrap_or(f64::INFINITY),
+        ..AxisMotion::at(tangent, curvature, axis)
+    });
+    IntervalEnd { axes, top }
 }

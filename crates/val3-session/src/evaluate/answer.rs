@@ -125,13 +125,14 @@ mod tests {
 
     #[test]
     fn the_position_of_a_fault_is_marked() {
-        let shown = |text: &str, from, to| {
-            let fault = CodeFault { message: String::new(), place: place(text, from, to) };
-            fault.excerpt(text).unwrap_or_default()
-        };
-        assert_eq!(shown("sA+1", 0, 2), "  sA+1\n  ^^");
-        assert_eq!(shown("2+", 2, 2), "  2+\n    ^");
-        assert_eq!(shown("\"é\"+nX", 5, 7), "  \"é\"+nX\n      ^^", "characters count, not bytes");
-        assert_eq!(shown("nA=1\nnB=x\nnC=1", 8, 20), "  nB=x\n     ^", "to the end of its line");
+        assert_eq!(excerpt("sA+1", 0, 2), "  sA+1\n  ^^");
+        assert_eq!(excerpt("2+", 2, 2), "  2+\n    ^");
+        assert_eq!(excerpt("\"é\"+nX", 5, 7), "  \"é\"+nX\n      ^^", "characters count, not bytes");
+        assert_eq!(excerpt("nA=1\nnB=x\nnC=1", 8, 20), "  nB=x\n     ^", "to the end of its line");
+    }
+
+    fn excerpt(text: &str, from: usize, to: usize) -> String {
+        let fault = CodeFault { message: String::new(), place: place(text, from, to) };
+        fault.excerpt(text).unwrap_or_default()
     }
 }

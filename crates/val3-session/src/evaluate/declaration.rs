@@ -61,20 +61,19 @@ fn pieces(text: &str, from: usize) -> Vec<(usize, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::declarations;
+    use super::{Declaration, declarations};
 
     fn declared(text: &str) -> Option<String> {
-        let shown = |found: Result<Vec<super::Declaration>, String>| match found {
-            Ok(found) => {
-                let one = |found: &super::Declaration| {
-                    let name = found.variable.name();
-                    found.assignment.as_ref().map_or(name.to_owned(), |assignment| format!("{name}:{assignment}"))
-                };
-                found.iter().map(one).collect::<Vec<_>>().join("|")
-            }
+        let found = declarations(text, |ty| ["num", "string", "Slot"].contains(&ty))?;
+        Some(match found {
+            Ok(found) => found.iter().map(shown).collect::<Vec<_>>().join("|"),
             Err(error) => error,
-        };
-        declarations(text, |ty| ["num", "string", "Slot"].contains(&ty)).map(shown)
+        })
+    }
+
+    fn shown(declaration: &Declaration) -> String {
+        let name = declaration.variable.name();
+        declaration.assignment.as_ref().map_or(name.to_owned(), |assignment| format!("{name}:{assignment}"))
     }
 
     #[test]

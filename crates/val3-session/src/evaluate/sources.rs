@@ -6,7 +6,7 @@ use std::ops::Range;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::declarations::listing;
-use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
+use val3_syntax::error::SyntaxErrorKind;
 use val3_syntax::xml::escaped;
 use val3_syntax::{TextRange, decode_entities};
 
@@ -36,22 +36,25 @@ pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, 
     let mut changes: Vec<(TextRange, String)> = Vec::new();
     for (of_programs, kind) in [(true, "pgx"), (false, "dtx")] {
         let change = listing(db, project, of_programs, &format!("{NAME}.{kind}"));
-        let incomplete = || SessionError::Variables {
-            message: format!("`{path}` is not a complete project file"),
-            help: "`val3 check` shows what is wrong with it".to_owned(),
-        };
-        changes.push(change.ok_or_else(incomplete)?);
+        changes.push(change.ok_or_else(|| incomplete(&path))?);
     }
     changes.sort_unstable_by_key(|(range, _)| std::cmp::Reverse(range.start()));
     changes.iter().for_each(|(range, entry)| text.replace_range(Range::<usize>::from(*range), entry));
     Ok((path, text))
 }
 
+fn incomplete(manifest: &Utf8Path) -> SessionError {
+    SessionError::Variables {
+        message: format!("`{manifest}` is not a complete project file"),
+        help: "`val3 check` shows what is wrong with it".to_owned(),
+    }
+}
+
 /// Whether an unclosed block is the only fault of the code.
 pub fn has_open_block(code: &str) -> bool {
     let parse = val3_syntax::parse(&program(code));
-    let is_open = |error: &SyntaxError| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. });
-    !parse.errors().is_empty() && parse.errors().iter().all(is_open)
+    !parse.errors().is_empty()
+        && parse.errors().iter().all(|error| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. }))
 }
 
 /// Splits pasted code into separately evaluated parts: single lines, and the lines of a block together. Empty lines

@@ -18,26 +18,27 @@ const ARM: Arm = Arm::SixAxis;
 impl ScratchVariable {
     /// Parses `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
-        let wrong = || {
+        Self::parsed(text).ok_or_else(|| {
             format!(
                 "`{text}` is not a declaration of a variable; write a type and a name, such as \"num nVal\" or \"point pA[3]\""
             )
-        };
-        let (ty, rest) = text.trim().split_once(char::is_whitespace).ok_or_else(wrong)?;
+        })
+    }
+
+    fn parsed(text: &str) -> Option<Self> {
+        let (ty, rest) = text.trim().split_once(char::is_whitespace)?;
         let (name, sizes) = match rest.trim().split_once('[') {
             None => (rest.trim(), Some(vec![1])),
-            Some((name, inside)) => {
-                (name.trim(), sizes(inside.strip_suffix(']').ok_or_else(wrong)?).ok_or_else(wrong)?)
-            }
+            Some((name, inside)) => (name.trim(), sizes(inside.strip_suffix(']')?)?),
         };
         let is_name = !name.is_empty()
             && name.chars().all(|character| character.is_ascii_alphanumeric() || character == '_')
             && !name.starts_with(|first: char| first.is_ascii_digit());
         if !is_name {
-            return Err(wrong());
+            return None;
         }
         let ty = BaseType::from_name(ty).map_or_else(|| ty.to_owned(), |ty| ty.file_name(ARM));
-        Ok(Self { ty, name: name.to_owned(), sizes })
+        Some(Self { ty, name: name.to_owned(), sizes })
     }
 
     /// Name.

@@ -1,12 +1,14 @@
 //! Conditions in a task's current line, with their values: the reason why the task waits or its loop continues.
 
+use std::ops::RangeInclusive;
+
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use val3_analysis::db::File;
 use val3_debug::{DisplayFormat, frames};
 use val3_lang::ports::TaskNumber;
 use val3_lines::LineIndex;
 use val3_machine::controller::Controller;
-use val3_syntax::{TextSlice, decode_entities};
+use val3_syntax::{TextRange, TextSlice, decode_entities};
 use val3_vm::FragmentContext;
 
 use super::target::EvaluationContext;
@@ -26,6 +28,14 @@ pub struct LineCondition {
     pub values: Vec<(String, String)>,
 }
 
+/// A condition in the code.
+struct WrittenCondition {
+    /// Line of the file, from 1.
+    line: u32,
+    code: String,
+    candidates: Vec<DisplayCandidate>,
+}
+
 /// An expression whose value may be displayed.
 struct DisplayCandidate {
     text: String,
@@ -41,10 +51,10 @@ impl FrameEvaluator {
         let Ok(target) = self.targets.of_context(&controller.vm, context) else { return Vec::new() };
         let Some(file) = target.program else { return Vec::new() };
         let written = self.written(&target, file, row);
-        let valued = written.into_iter().map(|(line, text, candidates)| {
+        let valued = written.into_iter().map(|WrittenCondition { line, code, candidates }| {
             let mut values = Vec::new();
             candidates.iter().for_each(|candidate| self.read(controller, context, candidate, &mut values));
-            LineCondition { line, text, values }
+            LineCondition { line, text: code, values }
         });
         valued.filter(|condition| !condition.values.is_empty()).collect()
     }
@@ -75,29 +85,21 @@ impl FrameEvaluator {
         }
     }
 
-    /// Conditions in the code at a row, each with its line, the line's code, and its expressions.
-    fn written(&self, target: &EvaluationContext, file: File, row: u32) -> Vec<(u32, String, Vec<DisplayCandidate>)> {
+    /// Conditions in the code at a row.
+    fn written(&self, target: &EvaluationContext, file: File, row: u32) -> Vec<WrittenCondition> {
         let db = self.targets.application(target.application).db();
         let (text, body) = (file.text(db), body(db, file));
         let index = LineIndex::new(text);
-        let line = |offset: usize| u32::try_from(index.line(offset) + 1).unwrap_or(u32::MAX);
-        let lines = |id: ExprId| {
-            let range = body.range(id);
-            line(range.start().into())..=line(range.end().into())
-        };
-        let around = |stmt: &&Stmt| (line(stmt.range.start().into())..=line(stmt.range.end().into())).contains(&row);
-        let stmts: Vec<&Stmt> = body.stmts().into_iter().filter(around).collect();
+        let stmts = body.stmts().into_iter().filter(|stmt| rows(&index, stmt.range).contains(&row));
+        let stmts: Vec<&Stmt> = stmts.collect();
         let here = stmts.last().map(|stmt| parts(stmt)).unwrap_or_default();
-        let here = here.into_iter().find(|id| lines(*id).contains(&row));
+        let here = here.into_iter().find(|id| rows(&index, body.range(*id)).contains(&row));
         let around = stmts.iter().rev().find_map(|stmt| loop_condition(stmt)).filter(|id| Some(*id) != here);
-        let condition = |id: ExprId| {
-            let at = *lines(id).start();
-            let code = text.lines().nth(at.saturating_sub(1) as usize).unwrap_or_default();
-            let mut candidates = Vec::new();
-            collect(body, text, id, &mut candidates);
-            (at, decode_entities(code.trim()).into_owned(), candidates)
-        };
-        here.into_iter().chain(around).map(condition).collect()
+        let conditions = here.into_iter().chain(around).map(|id| {
+            let line = *rows(&index, body.range(id)).start();
+            WrittenCondition::new(body, text, id, line)
+        });
+        conditions.collect()
     }
 }
 
@@ -111,6 +113,21 @@ fn parts(stmt: &Stmt) -> Vec<ExprId> {
     }
 }
 
+/// Lines of a range in the text, from 1.
+fn rows(index: &LineIndex, range: TextRange) -> RangeInclusive<u32> {
+    let [first, last] = [range.start(), range.end()].map(|offset| index.line(offset.into()) + 1);
+    u32::try_from(first).unwrap_or(u32::MAX)..=u32::try_from(last).unwrap_or(u32::MAX)
+}
+
+impl WrittenCondition {
+    fn new(body: &Body, text: &str, condition: ExprId, line: u32) -> Self {
+        let code = text.lines().nth(line.saturating_sub(1) as usize).unwrap_or_default();
+        let mut candidates = Vec::new();
+        collect(body, text, condition, &mut candidates);
+        Self { line, code: decode_entities(code.trim()).into_owned(), candidates }
+    }
+}
+
 fn loop_condition(stmt: &Stmt) -> Option<ExprId> {
     match stmt.kind {
         StmtKind::While { condition, .. } | StmtKind::Do { condition, .. } => condition,
@@ -120,13 +137,6 @@ fn loop_condition(stmt: &Stmt) -> Option<ExprId> {
 
 /// Collects the non-constant operands in an expression.
 fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<DisplayCandidate>) {
-    let candidate = |arguments: &[ExprId]| {
-        let mut inner = Vec::new();
-        arguments.iter().for_each(|argument| collect(body, text, *argument, &mut inner));
-        let range = body.range(id);
-        let code = text.part(usize::from(range.start())..usize::from(range.end()));
-        DisplayCandidate { text: decode_entities(code.trim()).into_owned(), arguments: inner }
-    };
     match body.expr(id) {
         Expr::Paren(inner) | Expr::Unary(_, inner) => collect(body, text, *inner, found),
         Expr::Binary(_, left, right) | Expr::Assign(left, right) => {
@@ -134,8 +144,21 @@ fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<DisplayCandidate
             collect(body, text, *right, found);
         }
         Expr::Struct(parts) => parts.iter().flatten().for_each(|part| collect(body, text, *part, found)),
-        Expr::Call(_, arguments) => found.push(candidate(arguments)),
-        Expr::Name(_) | Expr::Path { .. } | Expr::Index(..) | Expr::Field { .. } => found.push(candidate(&[])),
+        Expr::Call(_, arguments) => found.push(DisplayCandidate::new(body, text, id, arguments)),
+        Expr::Name(_) | Expr::Path { .. } | Expr::Index(..) | Expr::Field { .. } => {
+            found.push(DisplayCandidate::new(body, text, id, &[]));
+        }
         Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => {}
+    }
+}
+
+impl DisplayCandidate {
+    /// Candidate for an expression, and the candidates in its arguments.
+    fn new(body: &Body, text: &str, id: ExprId, arguments: &[ExprId]) -> Self {
+        let mut inner = Vec::new();
+        arguments.iter().for_each(|argument| collect(body, text, *argument, &mut inner));
+        let range = body.range(id);
+        let code = text.part(usize::from(range.start())..usize::from(range.end()));
+        Self { text: decode_entities(code.trim()).into_owned(), arguments: inner }
     }
 }

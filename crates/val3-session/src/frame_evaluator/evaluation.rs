@@ -84,9 +84,12 @@ impl Error for EvaluationError {}
 
 /// Lines that an evaluation has printed. Text on a user page counts as printed.
 fn output(events: &[Event]) -> Vec<String> {
-    let line = |event: &Event| match &event.kind {
+    events.iter().filter_map(printed_line).collect()
+}
+
+fn printed_line(event: &Event) -> Option<String> {
+    match &event.kind {
         EventKind::Put { text, .. } => Some(text.clone()),
         _ => EvaluationOutput::of(event, false).filter(EvaluationOutput::is_sound).map(|line| line.to_string()),
-    };
-    events.iter().filter_map(line).collect()
+    }
 }

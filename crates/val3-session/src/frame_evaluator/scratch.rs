@@ -55,10 +55,9 @@ impl<'t> Scratch<'t> {
         let unit = CheckUnit::Program(self.target.project, self.file);
         let refusals = unit_refusals(self.db(), unit);
         // The header comes from a program that was compiled, so its faults are ignored.
-        let is_in_code = |at: TextSize| usize::from(at) >= self.start.saturating_sub(BEGIN.len());
-        let found = refusals
-            .into_iter()
-            .find(|found| found.place.file == self.file && is_in_code(found.place.range.start()))?;
+        let code = TextSize::try_from(self.start.saturating_sub(BEGIN.len())).ok()?;
+        let mut in_file = refusals.into_iter().filter(|found| found.place.file == self.file);
+        let found = in_file.find(|found| found.place.range.start() >= code)?;
         let offset = |at: TextSize| self.offset(at.into()).saturating_sub(self.before);
         let range = (offset(found.place.range.start()), offset(found.place.range.end()));
         Some(CodeFault::at(found.message, self.code.part(self.before..), range))
@@ -86,15 +85,18 @@ fn database<'t>(targets: &'t Targets, target: &EvaluationContext) -> &'t Databas
 /// Text of the program file before and after its code.
 fn around(targets: &Targets, target: &EvaluationContext) -> (String, String) {
     let db = database(targets, target);
-    let of_file = |file: File| {
-        let parse = parse(db, file);
-        let element = code_element(parse.view())?;
-        let end = element.view().child(SyntaxKind::END_TAG)?.range().start();
-        let text = file.text(db);
-        let head = text.get(..usize::from(element.tag_range().end()))?;
-        Some((head.to_owned(), text.get(usize::from(end)..)?.to_owned()))
-    };
-    target.program.and_then(of_file).unwrap_or_else(|| (HEAD.to_owned(), TAIL.to_owned()))
+    let around = target.program.and_then(|file| around_code(db, file));
+    around.unwrap_or_else(|| (HEAD.to_owned(), TAIL.to_owned()))
+}
+
+/// Text of a program file before and after its code; `None` without a complete code element.
+fn around_code(db: &Database, file: File) -> Option<(String, String)> {
+    let parse = parse(db, file);
+    let element = code_element(parse.view())?;
+    let end = element.view().child(SyntaxKind::END_TAG)?.range().start();
+    let text = file.text(db);
+    let head = text.get(..usize::from(element.tag_range().end()))?;
+    Some((head.to_owned(), text.get(usize::from(end)..)?.to_owned()))
 }
 
 /// Sets the text of the scratch file in the target's project.

@@ -77,9 +77,8 @@ impl Targets {
     pub(super) fn of_file(&mut self, vm: &Vm, path: &str) -> Result<EvaluationContext, EvaluationError> {
         for (id, instance) in vm.space.loaded() {
             let image = &instance.image;
-            let is_wanted = |file: u32| image.files.get(file as usize).is_some_and(|file| file == path);
-            if let Some(number) = image.programs.iter().position(|program| is_wanted(program.file)) {
-                return self.of_program(vm, (id, u16::try_from(number).ok()));
+            if let Some(number) = program_in(image, |file| file == path) {
+                return self.of_program(vm, (id, Some(number)));
             }
         }
         self.of_source(path)
@@ -126,9 +125,7 @@ impl Targets {
             None => Arc::new(val3_compile::compile(db, project).map_err(|error| error.limit.to_string())?),
         };
         self.images.insert((number, project), Arc::clone(&image));
-        let is_wanted = |file: u32| image.files.get(file as usize).is_some_and(|file| path_key(file) == path_key(path));
-        let program = image.programs.iter().position(|program| is_wanted(program.file));
-        let program = program.and_then(|number| u16::try_from(number).ok());
+        let program = program_in(&image, |file| path_key(file) == path_key(path));
         Ok(self.target((number, project), image, program))
     }
 
@@ -148,4 +145,12 @@ impl Targets {
         self.others.push(library);
         Ok((self.others.len(), project))
     }
+}
+
+/// Number of the first program in a matching file.
+fn program_in(image: &Image, is_wanted: impl Fn(&str) -> bool) -> Option<u16> {
+    let mut programs = image.programs.iter();
+    let position =
+        programs.position(|program| image.files.get(program.file as usize).is_some_and(|file| is_wanted(file)));
+    u16::try_from(position?).ok()
 }

@@ -11,6 +11,7 @@ use val3_lang::values::Text;
 use val3_vm::{Instance, InstanceId, Space};
 
 use super::super::lines::ChannelTable;
+use super::Saving;
 use crate::io::{IoTable, LinkId};
 
 /// Names of link targets, and the loaded links.
@@ -49,15 +50,13 @@ impl FrameContainer {
 pub(super) type LinkPath = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> LoadedLinks<'s> {
-    pub(super) fn new(
-        space: &'s Space,
-        (id, instance): (InstanceId, &'s Instance),
-        (io, lines): (&'s IoTable, &'s ChannelTable),
-    ) -> Self {
+    /// Creates the links of the instance that is saved.
+    pub(super) fn new(saving: &Saving<'s>, instance: &'s Instance) -> Self {
+        let Saving { space, saved, io, lines, .. } = *saving;
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
         let (names, fathers) = (FxHashMap::default(), RefCell::default());
-        let mut links = Self { space, id, memory: &space.memory, io, lines, names, fathers, loaded };
+        let mut links = Self { space, id: saved, memory: &space.memory, io, lines, names, fathers, loaded };
         links.name(Memory::WORLD, "world".to_owned());
         links.name(Memory::FLANGE, "flange".to_owned());
         links.name_all(instance, "");

@@ -27,22 +27,31 @@ struct Change {
     new: LibraryFiles,
 }
 
-/// Writes only the values at these places into the data files. A file that has changed meanwhile is written only with
-/// `overwrite`; all other values in it are kept.
+/// Request to save values that an operator has changed.
+pub(in crate::devices) struct SaveRequest<'s> {
+    pub(in crate::devices) space: &'s Space,
+    /// Places of the values.
+    pub(in crate::devices) places: &'s [Place],
+    pub(in crate::devices) io: &'s IoTable,
+    pub(in crate::devices) lines: &'s ChannelTable,
+    /// Whether to write files that have changed since they were loaded.
+    pub(in crate::devices) overwrite: bool,
+}
+
+/// Writes only the requested values into the data files; all other values in the files are kept.
 ///
 /// # Errors
 /// A file cannot be read or written, or belongs to an encrypted library.
 pub(in crate::devices) fn save(
-    (space, places): (&Space, &[Place]),
-    (io, lines): (&IoTable, &ChannelTable),
+    request: &SaveRequest<'_>,
     loaded: &mut LoadedProjects,
     outside: &mut Outside,
-    overwrite: bool,
 ) -> Result<SavedValues, FileFault> {
     let (mut changes, mut conflicts, mut written) = (Vec::new(), Vec::new(), Vec::new());
+    let SaveRequest { space, io, lines, .. } = *request;
     for (saved, instance) in space.loaded() {
         let saving = Saving { space, from: saved, saved, io, lines, limit: u64::MAX };
-        let data = saving.saver().map(|saver| saver.at(places)).unwrap_or_default();
+        let data = saving.saver().map(|saver| saver.at(request.places)).unwrap_or_default();
         if data.is_empty() {
             continue;
         }
@@ -74,7 +83,7 @@ pub(in crate::devices) fn save(
         }
         changes.push(Change { instance: saved, path, old, new });
     }
-    if !conflicts.is_empty() && !overwrite {
+    if !conflicts.is_empty() && !request.overwrite {
         return Ok(SavedValues::Conflict(conflicts));
     }
     for Change { instance, path, old, new } in changes {

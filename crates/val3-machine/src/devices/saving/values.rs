@@ -40,18 +40,18 @@ impl Saver<'_> {
         let mut found = Vec::new();
         for ((data, store), number) in self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..) {
             let Ok(known) = self.memory.store(*store) else { continue };
-            let is_meant = |number: u32| places.contains(&known.place(*store, number));
-            let meant: Vec<String> =
-                keys(&known.shape).into_iter().filter(|(number, _)| is_meant(*number)).map(|(_, key)| key).collect();
+            let mut meant = keys(&known.shape);
+            meant.retain(|(number, _)| places.contains(&known.place(*store, *number)));
+            let meant: Vec<String> = meant.into_iter().map(|(_, key)| key).collect();
             if meant.is_empty() {
                 continue;
             }
             let Ok(mut saved) = self.data(data, *store, number) else { continue };
             saved.values.retain(|value| meant.contains(&value.key));
-            let is_default = |key: &&String| !saved.values.iter().any(|value| value.key == **key);
-            let defaults: Vec<String> = meant.iter().filter(is_default).cloned().collect();
-            let content = || SavedContent::Attributes(Vec::new());
-            saved.values.extend(defaults.into_iter().map(|key| SavedValue { key, content: content() }));
+            let defaults = meant.into_iter().filter(|key| !saved.values.iter().any(|value| value.key == *key));
+            let defaults = defaults.map(|key| SavedValue { key, content: SavedContent::Attributes(Vec::new()) });
+            let defaults: Vec<SavedValue> = defaults.collect();
+            saved.values.extend(defaults);
             saved.is_part = true;
             found.push(saved);
         }

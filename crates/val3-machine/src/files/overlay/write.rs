@@ -35,8 +35,7 @@ impl Overlay {
     }
 
     fn pass(&self, volumes: &[(&str, &Volume)], rest: &mut Rest<'_>, pass: Pass, messages: &mut Vec<String>) {
-        let is_of_pass = |entry: &OverlayNode| (entry.now == OverlayItem::Missing) == (pass == Pass::Delete);
-        let places = rest.iter().filter(|(_, entry)| is_of_pass(entry));
+        let places = rest.iter().filter(|(_, entry)| (entry.now == OverlayItem::Missing) == (pass == Pass::Delete));
         let mut places: Vec<(&OverlayPath, &OverlayNode)> = places.map(|(place, entry)| (*place, *entry)).collect();
         if pass == Pass::Delete {
             // The contents of a folder are deleted before the folder.

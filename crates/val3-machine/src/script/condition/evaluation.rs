@@ -44,12 +44,12 @@ impl Controller {
     /// The signals and variables of a condition that do not have their values: signals, then variables, by name.
     #[must_use]
     pub fn mismatches(&self, condition: &Condition) -> Vec<Mismatch> {
-        let mismatch = |ConditionPart { subject, comparison }: &ConditionPart| {
+        let mismatches = condition.parts.iter().filter_map(|ConditionPart { subject, comparison }| {
             let actual = self.value_of(subject);
             let differs = actual.as_ref().is_none_or(|actual| !comparison.accepts(actual));
             differs.then(|| Mismatch { name: subject.name().to_owned(), expected: comparison.to_string(), actual })
-        };
-        condition.parts.iter().filter_map(mismatch).collect()
+        });
+        mismatches.collect()
     }
 
     /// The parts of a condition that name no variable or no signal of the application, or compare it with a value of
@@ -70,11 +70,11 @@ impl Controller {
         is_resized: &dyn Fn(&str) -> bool,
         may_come: bool,
     ) -> Vec<Misfit> {
-        let fault = |ConditionPart { subject, comparison }: &ConditionPart| match subject {
+        let misfits = condition.parts.iter().filter_map(|ConditionPart { subject, comparison }| match subject {
             Subject::Signal(path) => self.check_level(path, comparison, may_come).err(),
             Subject::Variable(name) => self.check_variable(name, is_resized, |base| comparison.suits(base)).err(),
-        };
-        condition.parts.iter().filter_map(fault).collect()
+        });
+        misfits.collect()
     }
 
     fn check_level(&self, path: &str, comparison: &Comparison, may_come: bool) -> Result<(), Misfit> {
