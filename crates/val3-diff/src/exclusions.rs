@@ -49,19 +49,22 @@ impl Comparison {
 
 /// Removes data with ignored names, and dependents with ignored names.
 fn named_data(application: &mut ApplicationChange, names: &[NamePattern], ignored: &mut Ignored) {
-    let is_named = |path: &str| names.iter().any(|pattern| pattern.matches(path));
     application.data.retain_mut(|data| {
-        if is_named(&data.name) || data.renamed_from.as_deref().is_some_and(is_named) {
+        if matches_any(names, &data.name) || data.renamed_from.as_deref().is_some_and(|name| matches_any(names, name)) {
             ignored.data += 1;
             ignored.moved_along += data.values.iter().map(|value| value.dependents.len()).sum::<usize>();
             return false;
         }
         for value in &mut data.values {
-            remove(&mut value.dependents, |dependent| is_named(&dependent.path), &mut ignored.moved_along);
+            remove(&mut value.dependents, |moved| matches_any(names, &moved.path), &mut ignored.moved_along);
         }
-        remove(&mut data.values, |value| is_named(&value.path), &mut ignored.data) == 0 || !data.is_same()
+        remove(&mut data.values, |value| matches_any(names, &value.path), &mut ignored.data) == 0 || !data.is_same()
     });
-    application.interface.retain(|item| item.kind != ItemKind::Data || !is_named(&item.name));
+    application.interface.retain(|item| item.kind != ItemKind::Data || !matches_any(names, &item.name));
+}
+
+fn matches_any(patterns: &[NamePattern], path: &str) -> bool {
+    patterns.iter().any(|pattern| pattern.matches(path))
 }
 
 /// Whether the data still differ after positions within the tolerance were removed.

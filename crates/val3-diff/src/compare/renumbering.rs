@@ -195,11 +195,15 @@ fn under_new_indexes(old: &DataVersion, new: &DataVersion, pairs: &FxHashMap<usi
 
 fn without(data: &DataVersion, inserted: &[usize]) -> DataVersion {
     let mut rest = data.clone();
-    let is_inserted = |key: &str| key.parse().is_ok_and(|index: usize| inserted.binary_search(&index).is_ok());
     let name = &data.decl.name;
-    rest.values.retain(|(path, _)| !is_inserted(key(name, path)));
-    rest.field_sizes.retain(|path, _| !is_inserted(key(name, path)));
+    rest.values.retain(|(path, _)| !is_index_in(inserted, key(name, path)));
+    rest.field_sizes.retain(|path, _| !is_index_in(inserted, key(name, path)));
     rest
+}
+
+/// Whether the key is an index in the sorted `indexes`.
+fn is_index_in(indexes: &[usize], key: &str) -> bool {
+    key.parse().is_ok_and(|index: usize| indexes.binary_search(&index).is_ok())
 }
 
 fn set_origins(new: &DataVersion, pairs: &FxHashMap<usize, usize>, places: &mut Places<'_>) {
