@@ -74,9 +74,6 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
             5.084 s  movel 2 started, start:20
             0 passed, 1 failed"#]],
     );
-    let clear = |distance: f64| {
-        format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n")
-    };
     check_limits(
         &clear(30.0),
         expect![[r#"
@@ -107,6 +104,10 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
             5.084 s  movel 2 started, start:20
             0 passed, 1 failed"#]],
     );
+}
+
+fn clear(distance: f64) -> String {
+    format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n")
 }
 
 #[test]

@@ -47,13 +47,7 @@ fn a_test_whose_task_is_killed_fails() {
 #[test]
 fn programs_around_a_test_that_cannot_be_called_fail_it() {
     let folder = cell(&[("testSum", "? \"sum\""), ("setup", ""), ("teardown", "")]);
-    let with_parameter = |name: &str| {
-        let parameter = "<Parameters xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"><Parameter name=\"x_n\" \
-                         type=\"num\" xsi:type=\"element\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-                         /></Parameters><Code>";
-        folder.write(&format!("usrapp/mainTest/{name}.pgx"), &program(name, "").replace("<Code>", parameter));
-    };
-    with_parameter("setup");
+    folder.write("usrapp/mainTest/setup.pgx", &with_parameter("setup"));
     expect![[r#"
         mainTest
           FAIL  testSum (0.004 s)
@@ -62,7 +56,7 @@ fn programs_around_a_test_that_cannot_be_called_fail_it() {
     "#]]
     .assert_eq(&failed(&folder));
     folder.write("usrapp/mainTest/setup.pgx", &program("setup", ""));
-    with_parameter("teardown");
+    folder.write("usrapp/mainTest/teardown.pgx", &with_parameter("teardown"));
     expect![[r#"
         mainTest
           FAIL  testSum (0.008 s)
@@ -71,6 +65,14 @@ fn programs_around_a_test_that_cannot_be_called_fail_it() {
         0 passed, 1 failed
     "#]]
     .assert_eq(&failed(&folder));
+}
+
+/// An empty program with a parameter.
+fn with_parameter(name: &str) -> String {
+    let parameter = "<Parameters xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"><Parameter name=\"x_n\" \
+                     type=\"num\" xsi:type=\"element\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+                     /></Parameters><Code>";
+    program(name, "").replace("<Code>", parameter)
 }
 
 #[test]
