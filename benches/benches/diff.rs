@@ -24,9 +24,6 @@ fn main() {
 /// Returns a data file in which every frame is moved by `offset` mm, and every point by the same distance.
 fn backup(offset: f64) -> FileTree {
     let mut data = String::from("<Database><Datas>");
-    let declaration = |name: &str, ty: &str, size: usize| {
-        format!("<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">")
-    };
     data.push_str(&declaration("fTray", "frame", FRAMES));
     for index in 0..FRAMES {
         let father = index.checked_sub(1).map_or("world[0]".to_owned(), |father| format!("fTray[{father}]"));
@@ -44,6 +41,10 @@ fn backup(offset: f64) -> FileTree {
     }
     data.push_str("</Data></Datas></Database>");
     FileTree::new([("cell/cell.dtx", data)])
+}
+
+fn declaration(name: &str, ty: &str, size: usize) -> String {
+    format!("<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">")
 }
 
 fn compared() -> Comparison {

@@ -64,12 +64,15 @@ fn plan_a_line(bencher: Bencher<'_, '_>) {
 #[divan::bench(args = [1, 100, 1000])]
 fn append(bencher: Bencher<'_, '_>, moves: usize) {
     let (motion, request) = (queue(moves - 1), line(100.0, 200.0, CORNER));
+    let first = line(150.0, 50.0, CORNER);
     // A copy has no capacity for another move, unlike a queue that grows.
-    let with_room = || {
-        let mut motion = motion.clone();
-        motion.record(&line(150.0, 50.0, CORNER)).map(|()| motion).expect("the arm reaches it")
-    };
+    let with_room = || recorded(motion.clone(), &first);
     bencher.with_inputs(with_room).bench_values(|mut motion| motion.record(&request).map(|()| motion));
+}
+
+fn recorded(mut motion: Motion, request: &Move) -> Motion {
+    motion.record(request).expect("the arm reaches it");
+    motion
 }
 
 #[divan::bench]

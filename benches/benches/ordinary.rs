@@ -18,7 +18,6 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use tempfile::TempDir;
-use val3_analysis::db::Project;
 use val3_analysis::items::project::folder;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Disk;
@@ -122,11 +121,14 @@ impl Application {
     /// Returns the images of all projects by folder.
     fn compiled(&self) -> BTreeMap<String, Arc<Image>> {
         let db = &self.workspace.db;
-        let image = |project: &Project| {
+        let mut images = BTreeMap::new();
+        for project in &self.workspace.projects {
             let name = folder(db, *project).file_name().unwrap_or_default().to_owned();
-            Some((name, Arc::new(val3_compile::compile(db, *project).ok()?)))
-        };
-        self.workspace.projects.iter().filter_map(image).collect()
+            if let Ok(image) = val3_compile::compile(db, *project) {
+                images.insert(name, Arc::new(image));
+            }
+        }
+        images
     }
 }
 

@@ -176,14 +176,17 @@ fn pages(client: &mut Client, task: &Value) {
     let variables = variables["variables"].as_array().expect("variables");
     let array = variables.iter().find(|found| found["name"] == "nMany").expect("the array");
     let reference = array["variablesReference"].clone();
-    let page = |number: usize| {
-        let started = Instant::now();
-        let page = json!({ "variablesReference": reference, "start": number * 200, "count": 100, "filter": "indexed" });
-        let found = client.ask("variables", &page);
-        assert_eq!(found["variables"].as_array().map(Vec::len), Some(100));
-        started.elapsed()
-    };
-    report("page of an array of 100,000 elements", (0..SAMPLES).map(page).collect());
+    let durations = (0..SAMPLES).map(|number| page_duration(client, &reference, number * 200));
+    report("page of an array of 100,000 elements", durations.collect());
+}
+
+/// Returns the duration of a request for 100 elements from `start`.
+fn page_duration(client: &mut Client, array: &Value, start: usize) -> Duration {
+    let started = Instant::now();
+    let page = json!({ "variablesReference": array, "start": start, "count": 100, "filter": "indexed" });
+    let found = client.ask("variables", &page);
+    assert_eq!(found["variables"].as_array().map(Vec::len), Some(100));
+    started.elapsed()
 }
 
 fn report(name: &str, mut times: Vec<Duration>) {

@@ -42,10 +42,6 @@ fn library(count: u32, written: u32) -> LibraryFiles {
 }
 
 fn numbers(count: u32) -> SavedData {
-    let value = |index: u32| SavedValue {
-        key: index.to_string(),
-        content: SavedContent::Attributes(vec![("value".into(), (index + 2).to_string())]),
-    };
     SavedData {
         name: "nList".into(),
         type_name: "num".into(),
@@ -53,4 +49,9 @@ fn numbers(count: u32) -> SavedData {
         values: (0..count).map(value).collect(),
         is_part: false,
     }
+}
+
+fn value(index: u32) -> SavedValue {
+    let content = SavedContent::Attributes(vec![("value".into(), (index + 2).to_string())]);
+    SavedValue { key: index.to_string(), content }
 }

@@ -79,11 +79,13 @@ fn absolute(path: &Utf8Path) -> Utf8PathBuf {
 /// Returns the application's output, with the numbers of run-time errors; the error is the first fault that prevents
 /// execution.
 fn printed(files: &Files) -> Result<String, String> {
-    let raw = |(path, text): (&Utf8PathBuf, &String)| {
-        format!("=== {}\n{}\n", path.as_str().trim_start_matches("usrapp/"), text.trim_end())
-    };
-    let running = Running::try_start(&files.iter().map(raw).collect::<String>())?;
-    Ok(running.for_seconds(SECONDS).printed())
+    let fixture: String = files.iter().map(|(path, text)| fixture_part(path, text)).collect();
+    Ok(Running::try_start(&fixture)?.for_seconds(SECONDS).printed())
+}
+
+/// Formats a file as a part of a fixture.
+fn fixture_part(path: &Utf8Path, text: &str) -> String {
+    format!("=== {}\n{}\n", path.as_str().trim_start_matches("usrapp/"), text.trim_end())
 }
 
 /// Returns the code of the programs.

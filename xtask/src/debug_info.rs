@@ -25,19 +25,19 @@ pub fn split(binary: &Utf8Path, target: &str, folder: &Utf8Path) -> anyhow::Resu
     if !target.contains("linux") {
         return Ok(Parts { binary: binary.to_owned(), debug: None });
     }
-    let host = project::host()?;
     fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
-    let libraries = project::sysroot()?.join("lib");
-    let objcopy = libraries.join("rustlib").join(host).join("bin/rust-objcopy");
-    let copy = |arguments: &[&str]| {
-        project::succeed(Command::new(&objcopy).args(arguments).env("LD_LIBRARY_PATH", &libraries))
-    };
     let small = folder.join(binary.file_name().context("a binary has a name")?);
     let debug = small.with_extension("debug");
-    copy(&["--only-keep-debug", binary.as_str(), debug.as_str()])?;
+    objcopy(&["--only-keep-debug", binary.as_str(), debug.as_str()])?;
     let link = format!("--add-gnu-debuglink={debug}");
-    copy(&["--strip-debug", &link, binary.as_str(), small.as_str()])?;
+    objcopy(&["--strip-debug", &link, binary.as_str(), small.as_str()])?;
     Ok(Parts { binary: small, debug: Some(debug) })
+}
+
+fn objcopy(arguments: &[&str]) -> anyhow::Result<()> {
+    let libraries = project::sysroot()?.join("lib");
+    let program = libraries.join("rustlib").join(project::host()?).join("bin/rust-objcopy");
+    project::succeed(Command::new(program).args(arguments).env("LD_LIBRARY_PATH", &libraries))
 }
 
 #[cfg(test)]

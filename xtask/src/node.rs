@@ -95,11 +95,11 @@ fn is_new_enough(version: &str) -> bool {
 /// Returns the command of a Python that can create environments.
 #[must_use]
 pub fn python() -> Option<&'static str> {
-    let works = |name: &&str| {
-        let test = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
-        Command::new(name).args(["-c", test]).output().is_ok_and(|output| output.status.success())
-    };
-    ["python3", "python"].into_iter().find(works)
+    let test = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
+    ["python3", "python"].into_iter().find(|name| {
+        let output = Command::new(name).args(["-c", test]).output();
+        output.is_ok_and(|output| output.status.success())
+    })
 }
 
 fn install(python: &str, folder: &Utf8Path) -> anyhow::Result<()> {
@@ -128,18 +128,21 @@ fn package(folder: &Utf8Path) -> anyhow::Result<Utf8PathBuf> {
 #[cfg(unix)]
 fn link_commands(package: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
     fs::create_dir_all(folder)?;
-    let write = |name: &str, call: &str| -> anyhow::Result<()> {
-        let path = folder.join(name);
-        let script =
-            format!("#!/bin/sh\nexport npm_config_nodedir='{package}'\nexec '{package}/bin/node' {call}\"$@\"\n");
-        fs::write(&path, script)?;
-        make_executable(&path)
-    };
-    write("node", "")?;
+    write_command(package, &folder.join("node"), "")?;
     for name in ["npm", "npx"] {
-        write(name, &format!("'{package}/lib/node_modules/npm/bin/{name}-cli.js' "))?;
+        let script = format!("'{package}/lib/node_modules/npm/bin/{name}-cli.js' ");
+        write_command(package, &folder.join(name), &script)?;
     }
     make_executable(&package.join("bin/node"))
+}
+
+/// Writes a command that calls the package's Node with these arguments before its own.
+#[cfg(unix)]
+fn write_command(package: &Utf8Path, path: &Utf8Path, arguments: &str) -> anyhow::Result<()> {
+    let script =
+        format!("#!/bin/sh\nexport npm_config_nodedir='{package}'\nexec '{package}/bin/node' {arguments}\"$@\"\n");
+    fs::write(path, script)?;
+    make_executable(path)
 }
 
 #[cfg(unix)]

@@ -63,9 +63,8 @@ const REQUIREMENTS: &[Requirement] = &[
 /// # Errors
 /// Packages are missing, and this user or system cannot install them with apt-get.
 pub fn missing(steps: &[&str]) -> anyhow::Result<Vec<&'static str>> {
-    let is_needed = |requirement: &&Requirement| requirement.steps.iter().any(|step| steps.contains(step));
-    let is_missing = |requirement: &&Requirement| !(requirement.is_met)(requirement.packages);
-    let missing: Vec<&Requirement> = REQUIREMENTS.iter().filter(is_needed).filter(is_missing).collect();
+    let needed = REQUIREMENTS.iter().filter(|requirement| requirement.steps.iter().any(|step| steps.contains(step)));
+    let missing: Vec<_> = needed.filter(|requirement| !(requirement.is_met)(requirement.packages)).collect();
     let packages: Vec<&str> = missing.iter().flat_map(|requirement| requirement.packages).copied().collect();
     let listed: String = missing.iter().map(|requirement| line(requirement, steps)).collect();
     if packages.is_empty() {
@@ -86,13 +85,14 @@ pub fn install(packages: &[&str]) -> anyhow::Result<()> {
     if packages.is_empty() {
         return Ok(());
     }
-    let apt = |arguments: &[&str]| {
-        let mut apt = Command::new("apt-get");
-        apt.args(arguments).env("DEBIAN_FRONTEND", "noninteractive").stdin(Stdio::null()).stdout(Stdio::null());
-        project::succeed(&mut apt)
-    };
-    apt(&["update", "-qq"])?;
-    apt(&[&["install", "-qq", "-y", "--no-install-recommends"], packages].concat())
+    apt_get(&["update", "-qq"])?;
+    apt_get(&[&["install", "-qq", "-y", "--no-install-recommends"], packages].concat())
+}
+
+fn apt_get(arguments: &[&str]) -> anyhow::Result<()> {
+    let mut command = Command::new("apt-get");
+    command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive").stdin(Stdio::null()).stdout(Stdio::null());
+    project::succeed(&mut command)
 }
 
 /// Formats a requirement with its packages and the steps that need it.
@@ -103,8 +103,9 @@ fn line(requirement: &Requirement, steps: &[&str]) -> String {
 
 /// Returns the steps that need a missing requirement.
 fn affected<'s>(missing: &[&Requirement], steps: &[&'s str]) -> Vec<&'s str> {
-    let is_affected = |step: &&&str| missing.iter().any(|requirement| requirement.steps.contains(step));
-    steps.iter().filter(is_affected).copied().collect()
+    let mut affected = steps.to_vec();
+    affected.retain(|step| missing.iter().any(|requirement| requirement.steps.contains(step)));
+    affected
 }
 
 fn refusal(listed: &str, packages: &[&str], steps: &[&str]) -> String {

@@ -172,12 +172,13 @@ fn run_step(step: &Step, tools: &mut Tools) -> anyhow::Result<Tally> {
 /// Adds the numbers in `test result: ok. 12 passed; 0 failed; …`.
 fn count(line: &str, tally: &mut Tally) {
     let Some(result) = line.strip_prefix("test result: ") else { return };
-    let number = |word: &str| {
-        let before = result.split(word).next()?;
-        before.split_whitespace().last()?.parse::<usize>().ok()
-    };
-    tally.passed += number(" passed").unwrap_or(0);
-    tally.failed += number(" failed").unwrap_or(0);
+    tally.passed += number_before(" passed", result).unwrap_or(0);
+    tally.failed += number_before(" failed", result).unwrap_or(0);
+}
+
+fn number_before(word: &str, result: &str) -> Option<usize> {
+    let before = result.split(word).next()?;
+    before.split_whitespace().last()?.parse().ok()
 }
 
 #[cfg(test)]

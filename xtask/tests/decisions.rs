@@ -4,20 +4,23 @@
 
 use std::fs;
 
+use camino::Utf8Path;
+
 /// Returns the numbers, files and titles of all pages.
 fn pages() -> Vec<(usize, String, String)> {
     let folder = xtask::project::root().join("docs/adr");
     let names = folder.read_dir_utf8().unwrap().map(|entry| entry.unwrap().file_name().to_owned());
     let mut names: Vec<_> = names.filter(|name| name != "README.md").collect();
     names.sort();
-    let page = |name: String| {
-        let text = fs::read_to_string(folder.join(&name)).unwrap();
-        let title = text.lines().next().unwrap().strip_prefix("# ").unwrap();
-        let (number, title) = title.split_once(". ").unwrap();
-        assert!(name.starts_with(&format!("{number:0>4}-")), "{name}: {number}");
-        (number.parse().unwrap(), name.clone(), title.to_owned())
-    };
-    names.into_iter().map(page).collect()
+    names.into_iter().map(|name| page(&folder, name)).collect()
+}
+
+fn page(folder: &Utf8Path, name: String) -> (usize, String, String) {
+    let text = fs::read_to_string(folder.join(&name)).unwrap();
+    let title = text.lines().next().unwrap().strip_prefix("# ").unwrap();
+    let (number, title) = title.split_once(". ").unwrap();
+    assert!(name.starts_with(&format!("{number:0>4}-")), "{name}: {number}");
+    (number.parse().unwrap(), name, title.to_owned())
 }
 
 #[test]

@@ -95,10 +95,8 @@ fn modules_reexports_and_tests_make_no_edge() {
 
 #[test]
 fn an_item_that_a_macro_defines_is_found() {
-    let crate_with = |kinds: &str| {
-        let b = ("b.rs", "use crate::a::Kind; pub(crate) fn f(_: Kind) {}");
-        circles_of(&[("lib.rs", "mod a; mod b;"), ("a.rs", kinds), b], 1)
-    };
+    let (root, b) = (("lib.rs", "mod a; mod b;"), ("b.rs", "use crate::a::Kind; pub(crate) fn f(_: Kind) {}"));
+    let crate_with = |kinds: &str| circles_of(&[root, ("a.rs", kinds), b], 1);
     let defined = "macro_rules! kinds { ($($n:ident)*) => { pub enum Kind { $($n),* } } } kinds! { A B }";
     assert!(crate_with(defined).is_empty());
     assert_eq!(crate_with(&format!("{defined} fn g() {{ crate::b::f(Kind::A) }}")).len(), 1);

@@ -26,18 +26,19 @@ fn files(folder: &Utf8Path, is_named: &dyn Fn(&str) -> bool) -> Vec<Utf8PathBuf>
 fn unknown_packages(lock: &str) -> Vec<String> {
     let lock: Value = serde_json::from_str(lock).unwrap();
     let packages = lock["packages"].as_object().unwrap();
-    let is_known = |package: &Value| {
-        let is_address_known = package
-            .get("resolved")
-            .is_none_or(|address| address.as_str().is_some_and(|address| address.starts_with(REGISTRY)));
-        is_address_known && package["integrity"].as_str().is_some_and(|sum| sum.starts_with("sha512-"))
-    };
     // The package with the empty name is the owner of the lock file.
     packages
         .iter()
         .filter(|(name, package)| !name.is_empty() && !is_known(package))
         .map(|(name, _)| name.clone())
         .collect()
+}
+
+/// Whether the package is downloaded from the registry and has a checksum.
+fn is_known(package: &Value) -> bool {
+    let is_in_registry = |address: &Value| address.as_str().is_some_and(|address| address.starts_with(REGISTRY));
+    let has_checksum = package["integrity"].as_str().is_some_and(|sum| sum.starts_with("sha512-"));
+    has_checksum && package.get("resolved").is_none_or(is_in_registry)
 }
 
 /// Returns the actions in a workflow whose version the owner can move to another commit.
@@ -61,8 +62,11 @@ fn movable_images(workflow: &str) -> Vec<&str> {
         let line = line.trim();
         line.strip_prefix("container: ").or_else(|| line.strip_prefix("image: "))
     });
-    let is_digest = |digest: &str| digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
     images.filter(|image| !image.split_once("@sha256:").is_some_and(|(_, digest)| is_digest(digest))).collect()
+}
+
+fn is_digest(digest: &str) -> bool {
+    digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
 
 #[test]

@@ -96,12 +96,16 @@ impl ConfigFile {
 
 /// Returns the command that adds a folder to the user's list.
 pub fn trust_command(folder: &Utf8Path) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/\\:._-+@".contains(c);
     match folder.as_str() {
         "" => "val3 trust .".to_owned(),
         plain if plain.chars().all(is_plain) => format!("val3 trust {plain}"),
         other => format!("val3 trust '{}'", other.replace('\'', r"'\''")),
     }
+}
+
+/// Whether the character has no special meaning in a shell.
+fn is_plain(c: char) -> bool {
+    c.is_alphanumeric() || "/\\:._-+@".contains(c)
 }
 
 #[cfg(test)]

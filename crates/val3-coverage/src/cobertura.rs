@@ -80,10 +80,10 @@ fn class(file: &str, program: &ProgramCoverage, xml: &mut Xml<'_>) -> io::Result
 }
 
 fn lines(program: &ProgramCoverage, xml: &mut Xml<'_>) -> io::Result<()> {
-    program.lines.iter().try_for_each(|(number, hits)| line(program, (*number, *hits), xml))
+    program.lines.iter().try_for_each(|(number, hits)| line(program, *number, *hits, xml))
 }
 
-fn line(program: &ProgramCoverage, (number, hits): (u32, u64), xml: &mut Xml<'_>) -> io::Result<()> {
+fn line(program: &ProgramCoverage, number: u32, hits: u64, xml: &mut Xml<'_>) -> io::Result<()> {
     let shares: Vec<Share> =
         program.branches_at(number).map(|branch| Share::of(branch.sides.iter().map(|side| side.hits))).collect();
     let element = xml

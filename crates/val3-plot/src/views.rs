@@ -191,7 +191,10 @@ impl Panel<'_> {
             let (at, nearest) = (self.at(&gap.at), self.at(&gap.nearest));
             canvas.rule(at, nearest, "deviation");
             marks::deviation(canvas, at);
-            label(canvas, labels.place(at, &gap.label, LabelDistance::Far), (at, "deviation label"), &gap.label);
+            if let Some(place) = labels.place(at, &gap.label, LabelDistance::Far) {
+                leader(canvas, &place, at);
+                canvas.text(place.at, "deviation label", &gap.label);
+            }
         }
         for Named { point, origins, text } in Named::all(picture, |target| self.at(target)) {
             marks::target(canvas, point);
@@ -203,7 +206,9 @@ impl Panel<'_> {
             } else {
                 LabelDistance::Far
             };
-            if label(canvas, labels.place(point, &text, reach), (point, "label"), &text) {
+            if let Some(place) = labels.place(point, &text, reach) {
+                leader(canvas, &place, point);
+                canvas.text(place.at, "label", &text);
                 written.targets.extend(origins);
             }
         }
@@ -259,14 +264,6 @@ impl Panel<'_> {
         }
         labels
     }
-}
-
-/// Draws a label at its place near a point. Returns whether there is a place.
-fn label(canvas: &mut Canvas, place: Option<LabelPosition>, (point, class): ([f64; 2], &str), text: &str) -> bool {
-    let Some(place) = place else { return false };
-    leader(canvas, &place, point);
-    canvas.text(place.at, class, text);
-    true
 }
 
 /// Draws the leader line from a point to a label that is not next to it.

@@ -99,8 +99,8 @@ impl TraceReport<'_> {
         let mut moves = self.comparison.slower_or_faster();
         let (first, times) = moves.next()?;
         let source = self.source(first);
-        let sentence =
-            |one: &MoveComparison, times| format!("{} {}", name(one.number, self.source(one).as_ref()), takes(times));
+        let name = |one: &MoveComparison| name(one.number, self.source(one).as_ref());
+        let sentence = |one: &MoveComparison, times| format!("{} {}", name(one), takes(times));
         let others: Vec<String> = moves.by_ref().take(NAMED - 1).map(|(one, times)| sentence(one, times)).collect();
         let sentences: Vec<String> = [sentence(first, times)].into_iter().chain(others).collect();
         let left = match moves.count() {

@@ -15,12 +15,14 @@ impl CodeLines {
 
     /// Line number of `offset` within its code, from 1; `None` outside of code.
     pub(crate) fn line(&self, offset: usize, lines: &LineIndex) -> Option<usize> {
-        let around =
-            |code: &&CodeRange| usize::from(code.range.start()) <= offset && offset <= usize::from(code.range.end());
-        let code = self.0.iter().find(around)?;
+        let code = self.0.iter().find(|code| contains(code, offset))?;
         let before = lines.line(offset).checked_sub(lines.line(code.begin.into()))?;
         Some(before + 1)
     }
+}
+
+fn contains(code: &CodeRange, offset: usize) -> bool {
+    usize::from(code.range.start()) <= offset && offset <= usize::from(code.range.end())
 }
 
 #[cfg(test)]

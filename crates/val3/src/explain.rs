@@ -58,10 +58,14 @@ fn answer<'a>(topics: &'a [Topic], words: &[&str]) -> Result<Answer<'a>, UserErr
 /// Number in `error 123`, as in the log of a run or a controller.
 fn number_of_error<'w>(words: &[&'w str]) -> Option<&'w str> {
     let (number, before) = words.split_last()?;
-    let is_error = |word: &&str| ["error", "err", "run-time"].contains(&word.to_lowercase().as_str());
     let digits = number.trim_matches(['[', ']', ':']);
     let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-    (is_number && !before.is_empty() && before.iter().all(is_error)).then_some(digits)
+    (is_number && !before.is_empty() && before.iter().all(|word| is_error(word))).then_some(digits)
+}
+
+/// Whether the word precedes the number of a run-time error.
+fn is_error(word: &str) -> bool {
+    ["error", "err", "run-time"].contains(&word.to_lowercase().as_str())
 }
 
 fn unknown(topics: &[Topic], name: &str) -> UserError {

@@ -8,6 +8,8 @@ use val3_analysis::paths::normalise;
 use val3_analysis::system::{OverlayFs, System};
 use val3_files::{is_archive_name, unpack};
 
+use crate::paths::has_extension;
+
 /// Extensions of the cell files that a check reads.
 const EXTENSIONS: [&str; 9] = ["pjx", "pgx", "dtx", "cfx", "cf", "xml", "toml", "json", "html"];
 
@@ -40,6 +42,5 @@ pub(crate) fn archive_around(path: &Utf8Path) -> Option<&Utf8Path> {
 }
 
 fn is_of_cell(path: &Utf8Path) -> bool {
-    let is = |known: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(known));
-    EXTENSIONS.iter().any(|known| is(known))
+    EXTENSIONS.iter().any(|extension| has_extension(path, extension))
 }

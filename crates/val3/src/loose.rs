@@ -17,7 +17,7 @@ use val3_check::settings::WorkspaceSettings;
 use val3_files::is_archive_name;
 use val3_syntax::encoding::Encoding;
 
-use crate::paths::Paths;
+use crate::paths::{Paths, has_extension};
 pub(crate) use archives::UnreadArchive;
 
 /// Requested files without a project.
@@ -135,6 +135,6 @@ fn is_part(path: &Utf8Path) -> bool {
 
 /// Whether the file's folder contains a project file.
 fn has_project(system: &dyn System, path: &Utf8Path) -> bool {
-    let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|it| it.eq_ignore_ascii_case("pjx"));
-    path.parent().and_then(|folder| system.list(folder).ok()).is_some_and(|names| names.iter().any(is_project))
+    let names = path.parent().and_then(|folder| system.list(folder).ok());
+    names.is_some_and(|names| names.iter().any(|name| has_extension(name.as_ref(), "pjx")))
 }

@@ -156,6 +156,11 @@ pub(crate) fn from_here(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     Ok(Paths::new(&[], &current_folder()?).to_open(path).into())
 }
 
+/// Whether the path has this extension, in any letter case.
+pub(crate) fn has_extension(path: &Utf8Path, extension: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
+}
+
 /// Current folder, absolute.
 pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
     let path = std::env::current_dir()

@@ -22,8 +22,8 @@ pub(crate) struct ReportFilter {
 impl ReportFilter {
     /// Creates the scope for the requested absolute paths.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
-        let is_file = |path: &Utf8PathBuf| (is_program(path.as_str()) || is_data(path.as_str())) && !path.is_dir();
-        let (files, whole) = asked.iter().map(|path| normalise(path)).partition::<Vec<_>, _>(is_file);
+        let paths = asked.iter().map(|path| normalise(path));
+        let (files, whole): (Vec<_>, _) = paths.partition(|path| is_part(path) && !path.is_dir());
         Self { files: files.iter().map(|path| path_key(path.as_str())).collect(), whole }
     }
 
@@ -53,4 +53,9 @@ impl ReportFilter {
         }
         units
     }
+}
+
+/// Whether the name is that of a program or data file.
+fn is_part(path: &Utf8Path) -> bool {
+    is_program(path.as_str()) || is_data(path.as_str())
 }

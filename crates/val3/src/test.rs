@@ -60,6 +60,7 @@ use crate::watch::FolderWatch;
 pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, Suite, Suites, TestFile, chosen, suites};
 use human::Listing;
+use mutate::MutationRun;
 pub(crate) use order::Shard;
 pub(crate) use record::{ServedRun, record_served};
 use refused::RefusedTests;
@@ -130,14 +131,15 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     let bar = progress::DelayedProgress::new("testing", repeated.len(), args.format == TestFormat::Human);
     note_grants(&grants(args, &suites, &tests)?);
     let sockets = ClosedSockets::default();
+    let surroundings = Surroundings { sockets: &sockets, signals };
     if args.mutate {
         drop(bar);
-        return mutate::run(args, &tests, refused, &Surroundings { sockets: &sockets, signals }, (&paths, color));
+        let run = MutationRun { args, surroundings: &surroundings, paths: &paths, color };
+        return mutate::run(&run, &tests, refused);
     }
     let mut display = Display { args, paths: &paths, color, listing: Listing::default() };
     display.listing.is_quiet = args.quiet;
     let mut observer = |progress: &TestEvent<'_>| display.observe(progress, &bar);
-    let surroundings = Surroundings { sockets: &sockets, signals };
     let (mut results, counted) = workers::executed(args, &repeated, &surroundings, &mut observer)?;
     for tests in refused.into_iter().map(RefusedTests::into_tested) {
         // The reader may have closed the output. The exit code remains valid.

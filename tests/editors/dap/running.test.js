@@ -429,3 +429,29 @@ test("statements that are executed in the console are cancelled", async () => {
   });
   own.remove();
 });
+
+test("a run in which no task can continue stops, and continues after the input is forced", async () => {
+  const link = String.raw`BasicIO-1\%I0`;
+  const own = new Application("stuck", {
+    data: { "dio diIn": `link="${link}"`, "num nA": "" },
+    programs: "\nprogram start()\nbegin\n  nA=1\n  wait(diIn)\n  putln(\"on\")\n  nA=2\nend\n",
+  });
+  try {
+    await debug(own.folder(), {}, async (session) => {
+      const stop = await session.stopped("pause");
+      assert.match(stop.description, /no task can continue/);
+      assert.match(stop.text, /waits for a condition at start\(\) line/);
+      assert.match((await session.eventWhere("output", ({ category }) => category === "stderr")).output, /no task can continue/);
+      await session.run("stepBack", "step");
+      assert.equal(await session.evaluate("nA"), "1");
+      await session.run("next", "pause");
+      await session.ask("val3/ioForce", { link, value: true });
+      await session.ask("continue", { threadId: session.thread });
+      const printed = await session.eventWhere("output", ({ category }) => category === "stdout");
+      assert.deepEqual([printed.output, printed.line], ["on\n", own.line("start", "putln")]);
+      await session.event("terminated");
+    });
+  } finally {
+    own.remove();
+  }
+});

@@ -25,10 +25,7 @@ pub(super) fn sources(protocol: &Protocol) -> Vec<(&'static str, String)> {
         },
     ];
     let operations = operations.iter().map(OperationEnum::code).collect::<String>();
-    let types = |kind| {
-        let definitions = protocol.types.iter().filter(|(_, definition)| definition.kind == kind);
-        definitions.map(|(name, definition)| definition_code(name, definition, protocol)).collect::<String>()
-    };
+    let types = |kind| types_code(protocol, kind);
     vec![
         ("operations", source("All requests, responses and events.", &operations)),
         ("arguments", source("Arguments of requests.", &types(Kind::Arguments))),
@@ -37,6 +34,11 @@ pub(super) fn sources(protocol: &Protocol) -> Vec<(&'static str, String)> {
         ("types", source("Structures that several messages use.", &types(Kind::Shared))),
         ("enumerations", source("Enumerations.", &types(Kind::Enumeration))),
     ]
+}
+
+fn types_code(protocol: &Protocol, kind: Kind) -> String {
+    let definitions = protocol.types.iter().filter(|(_, definition)| definition.kind == kind);
+    definitions.map(|(name, definition)| definition_code(name, definition, protocol)).collect()
 }
 
 fn source(doc: &str, code: &str) -> String {
@@ -55,24 +57,17 @@ struct OperationEnum<'a> {
 impl OperationEnum<'_> {
     fn code(&self) -> String {
         let Self { name, doc, key, operations } = self;
-        let each = |line: &dyn Fn(&str, &Operation) -> String| {
-            operations.iter().map(|operation| line(&upper_first(&operation.name), operation)).collect::<String>()
-        };
-        let variants = each(&|variant, operation| match &operation.content {
-            Some(content) => format!("{variant}({content}),\n"),
-            None => format!("{variant},\n"),
-        });
-        let names = each(&|variant, operation| {
-            let pattern = if operation.content.is_some() { "(_)" } else { "" };
-            format!("Self::{variant}{pattern} => {:?},\n", operation.name)
-        });
-        let decoders = each(&|variant, operation| {
-            let value = match &operation.content {
-                Some(_) => format!("content(value).map(Self::{variant})"),
-                None => format!("Ok(Self::{variant})"),
+        let (mut variants, mut names, mut decoders) = (String::new(), String::new(), String::new());
+        for Operation { name, content, .. } in *operations {
+            let variant = upper_first(name);
+            let (fields, pattern, value) = match content {
+                Some(content) => (format!("({content})"), "(_)", format!("content(value).map(Self::{variant})")),
+                None => (String::new(), "", format!("Ok(Self::{variant})")),
             };
-            format!("{:?} => {value},\n", operation.name)
-        });
+            variants += &format!("{variant}{fields},\n");
+            names += &format!("Self::{variant}{pattern} => {name:?},\n");
+            decoders += &format!("{name:?} => {value},\n");
+        }
         format!(
             "/// {doc}
             ///
@@ -165,8 +160,8 @@ fn snake_case(name: &str) -> String {
     let letters = name.trim_start_matches('_').chars().collect::<Vec<_>>();
     let mut snake = String::new();
     for (index, letter) in letters.iter().enumerate() {
-        let is_upper = |index: usize| letters.get(index).is_some_and(char::is_ascii_uppercase);
-        let follows_word = index > 0 && !is_upper(index - 1);
+        let before = index.checked_sub(1).and_then(|index| letters.get(index));
+        let follows_word = before.is_some_and(|before| !before.is_ascii_uppercase());
         let begins_word = index > 0 && letters.get(index + 1).is_some_and(char::is_ascii_lowercase);
         if letter.is_ascii_uppercase() && (follows_word || begins_word) {
             snake.push('_');

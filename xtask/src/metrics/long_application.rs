@@ -21,11 +21,6 @@ pub(super) fn files() -> [(&'static str, String); 4] {
         <Parameters version=\"s7.7.2\" stackSize=\"5000\" millimeterUnit=\"true\" />\n  <Programs>\n    \
         <Program file=\"start.pgx\" />\n    <Program file=\"stop.pgx\" />\n  </Programs>\n  <Database>\n    \
         <Data file=\"long.dtx\" />\n  </Database>\n  <Libraries />\n</Project>";
-    let data = |name: &str, of: &str, size: usize, values: &str| {
-        format!(
-            "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{of}\" size=\"{size}\">{values}</Data>\n"
-        )
-    };
     let database = ["<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n".to_owned(),
         data("bReady", "bool", 1, "<Value key=\"0\" value=\"true\" />"),
         data("mFast", "mdesc", 1, ""),
@@ -33,11 +28,6 @@ pub(super) fn files() -> [(&'static str, String); 4] {
         data("pTray", "pointRx", 10, ""),
         data("tGripper", "tool", 1, ""),
         "  </Datas>\n</Database>".to_owned()].concat();
-    let program = |name: &str, locals: &str, code: &str| {
-        format!(
-            "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"{name}\">\n{locals}    <Code><![CDATA[begin\n{code}end]]></Code>\n  </Program>\n</Programs>"
-        )
-    };
     let locals = "    <Locals>\n      <Local name=\"l_i\" type=\"num\" xsi:type=\"array\" size=\"1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" />\n    </Locals>\n";
     [
         ("usr/usrapp/long/long.pjx", project.to_owned()),
@@ -45,4 +35,16 @@ pub(super) fn files() -> [(&'static str, String); 4] {
         (PROGRAM, program("start", locals, &BLOCK.repeat(LINES / LINES_OF_BLOCK))),
         ("usr/usrapp/long/stop.pgx", program("stop", "", "  resetMotion()\n")),
     ]
+}
+
+fn data(name: &str, ty: &str, size: usize, values: &str) -> String {
+    format!(
+        "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">{values}</Data>\n"
+    )
+}
+
+fn program(name: &str, locals: &str, code: &str) -> String {
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"{name}\">\n{locals}    <Code><![CDATA[begin\n{code}end]]></Code>\n  </Program>\n</Programs>"
+    )
 }

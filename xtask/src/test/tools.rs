@@ -33,12 +33,8 @@ impl Tools {
     pub(super) fn prepare(steps: &[&str]) -> anyhow::Result<Self> {
         let packages = requirements::missing(steps)?;
         let has_editors = steps.contains(&EDITORS);
-        let install = move || {
-            requirements::install(&packages)?;
-            let node = if has_editors { Node::find_or_install()? } else { Node { folder: None } };
-            node.path()
-        };
-        Ok(Self { state: State::Installing(thread::spawn(install)), has_editors, editors: None })
+        let installation = thread::spawn(move || install(&packages, has_editors));
+        Ok(Self { state: State::Installing(installation), has_editors, editors: None })
     }
 
     /// Starts the installation of editors as soon as the other tools are installed.
@@ -84,6 +80,13 @@ impl Tools {
         }
         Ok(())
     }
+}
+
+/// Installs packages and, for the editor tests, Node. Returns the search path for commands.
+fn install(packages: &[&str], has_editors: bool) -> anyhow::Result<OsString> {
+    requirements::install(packages)?;
+    let node = if has_editors { Node::find_or_install()? } else { Node { folder: None } };
+    node.path()
 }
 
 /// Begins to install the tools of the editor tests. The step waits for the end, and reports failures.

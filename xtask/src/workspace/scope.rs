@@ -95,10 +95,8 @@ impl Scope {
 
     /// Returns the name of a one-dimensional array.
     pub(super) fn array(&self, ty: Type, random: &mut Random) -> Option<String> {
-        let fits = |place: &&ValueRef| {
-            place.ty == ty && place.field.is_empty() && matches!(place.container, Container::Array(_))
-        };
-        let places: Vec<_> = self.places.iter().filter(fits).collect();
+        let whole = self.places.iter().filter(|place| place.ty == ty && place.field.is_empty());
+        let places: Vec<_> = whole.filter(|place| matches!(place.container, Container::Array(_))).collect();
         random.pick(&places).map(|place| place.name.clone())
     }
 

@@ -8,18 +8,21 @@ const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
 
 /// Returns all files of a project.
 pub(super) fn files(project: &Project) -> Vec<GeneratedFile> {
-    let file = |name: &str, text: String| GeneratedFile {
-        path: format!("usr/usrapp/{}/{name}", project.folder),
-        text: format!("\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\"?>\n{text}"),
-    };
-    let mut files = vec![
-        file(&format!("{}.pjx", project.name), project_file(project)),
-        file(&format!("{}.dtx", project.name), data_file(&project.data)),
+    let mut contents = vec![
+        (format!("{}.pjx", project.name), project_file(project)),
+        (format!("{}.dtx", project.name), data_file(&project.data)),
     ];
-    files.extend(
-        project.programs.iter().map(|program| file(&format!("{}.pgx", program.signature.name), program_file(program))),
-    );
-    files
+    let programs = project.programs.iter();
+    contents.extend(programs.map(|program| (format!("{}.pgx", program.signature.name), program_file(program))));
+    contents.into_iter().map(|(name, text)| file(&project.folder, &name, &text)).collect()
+}
+
+/// Returns a file of the application in the folder `folder`.
+fn file(folder: &str, name: &str, text: &str) -> GeneratedFile {
+    GeneratedFile {
+        path: format!("usr/usrapp/{folder}/{name}"),
+        text: format!("\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\"?>\n{text}"),
+    }
 }
 
 fn project_file(project: &Project) -> String {

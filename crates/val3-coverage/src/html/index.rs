@@ -1,7 +1,5 @@
 //! Index page with the table of all programs.
 
-use std::fmt::Write as _;
-
 use super::{cells, document, escaped};
 use crate::coverage::Coverage;
 use crate::share::Share;
@@ -16,19 +14,18 @@ pub(super) fn page(coverage: &Coverage, names: &[String]) -> String {
         .to_owned();
     for project in coverage.projects() {
         body.push_str("<tbody>\n");
-        row("project", &escaped(&project.name), (project.line_share(), project.branch_share()), &mut body);
+        body += &row("project", &escaped(&project.name), project.line_share(), project.branch_share());
         for (file, program) in project.programs {
             let name = format!("<a href=\"{}\">{}</a>", page_of(file), escaped(&program.program));
-            row("program", &name, (program.line_share(), program.branch_share()), &mut body);
+            body += &row("program", &name, program.line_share(), program.branch_share());
         }
         body.push_str("</tbody>\n");
     }
     body.push_str("<tfoot>\n");
-    row("total", "total", (coverage.line_share(), coverage.branch_share()), &mut body);
+    body += &row("total", "total", coverage.line_share(), coverage.branch_share());
     document("Coverage", &(body + "</tfoot>\n</table>\n"))
 }
 
-fn row(class: &str, name: &str, (lines, branches): (Share, Share), body: &mut String) {
-    let _ =
-        writeln!(body, "<tr class=\"{class}\"><th scope=\"row\">{name}</th>{}{}</tr>", cells(lines), cells(branches));
+fn row(class: &str, name: &str, lines: Share, branches: Share) -> String {
+    format!("<tr class=\"{class}\"><th scope=\"row\">{name}</th>{}{}</tr>\n", cells(lines), cells(branches))
 }

@@ -31,7 +31,9 @@ pub(super) fn draw(picture: &Picture, canvas: &mut Canvas, time: &Time, index: u
     chart.reference(canvas, &picture.reference, position);
     chart.at_limit(canvas, &positions, |_, value| value <= axis.min + TOUCH || value >= axis.max - TOUCH);
     chart.curve(canvas, AXES.get(index).copied().unwrap_or("#222"), positions.iter().copied());
-    beyond(axis, canvas, (time, &chart), &positions);
+    for (t, position) in beyond(axis, &positions) {
+        mark_beyond(canvas, [time.x(t), chart.y(position)], position);
+    }
 }
 
 /// Returns the lowest and the highest position of the strip.
@@ -55,21 +57,21 @@ fn limits(axis: &PictureAxis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bott
     }
 }
 
-/// Marks the position that is furthest beyond each limit.
-fn beyond(axis: &PictureAxis, canvas: &mut Canvas, (time, chart): (&Time, &Chart<'_>), positions: &[(f64, f64)]) {
+/// Returns the time and the position that is furthest beyond each limit.
+fn beyond(axis: &PictureAxis, positions: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> {
     let excess = [|axis: &PictureAxis, value: f64| axis.min - value, |axis: &PictureAxis, value: f64| value - axis.max];
-    for excess in excess {
-        let found =
+    excess.into_iter().filter_map(|excess| {
+        let furthest =
             positions.iter().max_by(|(_, left), (_, right)| excess(axis, *left).total_cmp(&excess(axis, *right)));
-        if let Some((t, value)) = found.filter(|(_, value)| excess(axis, *value) > TOUCH) {
-            let (x, y) = (time.x(*t), chart.y(*value));
-            canvas.circle([x, y], 4.0, "fill:none;stroke:#c00000;stroke-width:2");
-            let text = format!("{} beyond the limit", shown(*value));
-            let (x, class) =
-                if x > RIGHT - 180.0 { (x - 8.0, "deviation label right") } else { (x + 8.0, "deviation label") };
-            canvas.text([x, y + 4.0], class, &text);
-        }
-    }
+        furthest.filter(|(_, value)| excess(axis, *value) > TOUCH).copied()
+    })
+}
+
+fn mark_beyond(canvas: &mut Canvas, [x, y]: [f64; 2], position: f64) {
+    canvas.circle([x, y], 4.0, "fill:none;stroke:#c00000;stroke-width:2");
+    let text = format!("{} beyond the limit", shown(position));
+    let (x, class) = if x > RIGHT - 180.0 { (x - 8.0, "deviation label right") } else { (x + 8.0, "deviation label") };
+    canvas.text([x, y + 4.0], class, &text);
 }
 
 #[cfg(test)]

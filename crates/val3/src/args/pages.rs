@@ -103,9 +103,7 @@ fn page(command: &Command) -> String {
 /// Arguments grouped by heading; the global options are last.
 fn sections(command: &Command) -> Vec<(String, Vec<&Arg>)> {
     let mut sections: Vec<(String, Vec<&Arg>)> = Vec::new();
-    let is_shown =
-        |argument: &&Arg| !argument.is_hide_set() && !matches!(argument.get_id().as_str(), "help" | "version");
-    let mut arguments: Vec<&Arg> = command.get_arguments().filter(is_shown).collect();
+    let mut arguments: Vec<&Arg> = command.get_arguments().filter(|argument| is_listed(argument)).collect();
     arguments.sort_by_key(|argument| (argument.is_global_set(), !argument.is_positional()));
     for argument in arguments {
         let usual = if argument.is_positional() { "Arguments" } else { "Options" };
@@ -117,6 +115,11 @@ fn sections(command: &Command) -> Vec<(String, Vec<&Arg>)> {
         }
     }
     sections
+}
+
+/// Whether the page of a command lists the argument.
+fn is_listed(argument: &Arg) -> bool {
+    !argument.is_hide_set() && !matches!(argument.get_id().as_str(), "help" | "version")
 }
 
 /// Syntax of the argument, for example `-q, --quiet`, `--format <FORMAT>` or `[PATH]...`.

@@ -120,11 +120,14 @@ pub(crate) struct Keys(pub(crate) Vec<u16>);
 
 /// Parses a list of key codes and names, or a text as in the `keys` of a script.
 fn keys(text: &str) -> Result<Keys, String> {
-    let is_key = |part: &str| key_codes(part).is_ok_and(|codes| !codes.is_empty());
     let is_list = text.contains(',') && text.split(',').any(is_key);
     let codes = match key_codes(text) {
         Err(_) if !is_list => typed_keys(text),
         listed => listed,
     };
     codes.map(Keys)
+}
+
+fn is_key(part: &str) -> bool {
+    key_codes(part).is_ok_and(|codes| !codes.is_empty())
 }

@@ -105,9 +105,12 @@ fn axis_report(number: usize, unit: &str, times: &AxisTimes, out: &mut dyn Write
         let residual = times.residual * 1000.0;
         writeln!(out, "note: axis {number}: times differ from the model by {residual:.0} ms; its profile is smoother")?;
     }
-    let is_vague = |estimate: &Estimate| estimate.uncertainty > GOOD * estimate.value;
     if [&times.speed, &times.acceleration, &times.deceleration].into_iter().any(is_vague) {
         writeln!(out, "note: axis {number}: an uncertainty exceeds 1 %; a wider range (--range) reduces it")?;
     }
     Ok(())
+}
+
+fn is_vague(estimate: &Estimate) -> bool {
+    estimate.uncertainty > GOOD * estimate.value
 }

@@ -7,7 +7,7 @@ use val3_files::is_archive_name;
 
 use super::{ComparedVersions, folder};
 use crate::loose::archives_under;
-use crate::paths::{Paths, current_folder};
+use crate::paths::{Paths, current_folder, has_extension};
 use crate::user_error::UserError;
 
 /// File extensions by root element.
@@ -113,9 +113,8 @@ fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[FileTree; 
         return Err(UserError::new(format!("a file cannot be compared with a folder: `{}`", shown(file)?))
             .with_help("name two folders, or two files"));
     }
-    let read =
-        |path: &Utf8Path, is_file: bool| if is_file { application(path) } else { tree(path, Some(PathKind::Folder)) };
-    Ok([read(old, is_first_file)?, read(new, !is_first_file)?])
+    let folder = |path: &Utf8Path| tree(path, Some(PathKind::Folder));
+    Ok(if is_first_file { [application(old)?, folder(new)?] } else { [folder(old)?, application(new)?] })
 }
 
 /// Reads the folder of a project file.
@@ -125,7 +124,7 @@ fn application(path: &Utf8Path) -> Result<FileTree, UserError> {
 
 /// Path with the file extension of the content, because temporary files have other extensions.
 pub(super) fn named_by_content(path: &Utf8Path, bytes: &[u8]) -> Utf8PathBuf {
-    if FileTree::includes(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
+    if FileTree::includes(path) || has_extension(path, "cfx") {
         return path.to_owned();
     }
     let head = String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes));

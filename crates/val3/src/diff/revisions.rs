@@ -7,6 +7,7 @@ use val3_diff::FileTree;
 use super::ComparedVersions;
 use super::git::Repository;
 use crate::args::DiffArgs;
+use crate::paths::has_extension;
 use crate::user_error::UserError;
 
 /// The revisions and the path to compare.
@@ -27,7 +28,7 @@ enum NewVersion {
 pub(super) fn versions(current: &Utf8Path, args: &DiffArgs) -> Result<ComparedVersions, UserError> {
     let RevisionRequest { old, new, path } = request(current, args)?;
     let path = normalise(&current.join(path));
-    let is_project = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
+    let is_project = has_extension(&path, "pjx");
     let folder = if is_project { path.parent().unwrap_or(&path) } else { &path };
     let repository = Repository::around(folder)?;
     let old_tree = revision_files(&repository, &old)?;

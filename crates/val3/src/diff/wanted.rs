@@ -6,6 +6,8 @@ use std::collections::BTreeSet;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_diff::FileTree;
 
+use crate::paths::has_extension;
+
 /// Selects compared files.
 pub(super) struct Wanted {
     /// Folders that contain a project file.
@@ -15,8 +17,7 @@ pub(super) struct Wanted {
 impl Wanted {
     /// Finds the application folders among these paths.
     pub(super) fn among<'p>(paths: impl Iterator<Item = &'p Utf8Path>) -> Self {
-        let is_project = |path: &&Utf8Path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pjx"));
-        let folders = paths.filter(is_project).filter_map(Utf8Path::parent);
+        let folders = paths.filter(|path| has_extension(path, "pjx")).filter_map(Utf8Path::parent);
         Self { applications: folders.map(Utf8Path::to_owned).collect() }
     }
 

@@ -13,7 +13,10 @@ pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()
     for topic in topics {
         let place = (topic.kind, topic.group);
         if listed != Some(place) {
-            heading(place, listed, out)?;
+            if listed.is_some() {
+                writeln!(out)?;
+            }
+            heading(topic, out)?;
             listed = Some(place);
         }
         entry(topic, out)?;
@@ -22,14 +25,7 @@ pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()
 }
 
 /// Writes a group heading, for example `Instructions: Motion`.
-fn heading(
-    (kind, group): (TopicKind, &str),
-    before: Option<(TopicKind, &str)>,
-    out: &mut dyn WriteColor,
-) -> io::Result<()> {
-    if before.is_some() {
-        writeln!(out)?;
-    }
+fn heading(Topic { kind, group, .. }: &Topic, out: &mut dyn WriteColor) -> io::Result<()> {
     let title = if group.is_empty() { kind.heading().to_owned() } else { format!("{}: {group}", kind.heading()) };
     styled(&heading_style(), &title, out)?;
     writeln!(out)

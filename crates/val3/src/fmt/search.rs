@@ -9,7 +9,7 @@ use val3_config::{CodeLayout, ConfigError, ConfigFile};
 use val3_files::is_archive_name;
 use val3_fmt::CodeStyle;
 
-use crate::paths::Paths;
+use crate::paths::{Paths, has_extension};
 use crate::user_error::UserError;
 
 /// A program to format.
@@ -50,16 +50,15 @@ pub(super) fn programs(
 
 fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8PathBuf>, UserError> {
     let refused = |reason: &str| UserError::new(format!("`{}`: {reason}", paths.shown(path)));
-    let is = |extension: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
     match system.kind(path) {
         None => Err(refused("there is no such file or folder")),
-        Some(PathKind::File) if is("pgx") => Ok(vec![path.to_owned()]),
-        Some(PathKind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
+        Some(PathKind::File) if has_extension(path, "pgx") => Ok(vec![path.to_owned()]),
+        Some(PathKind::File) if has_extension(path, "pjx") => folder(system, path.parent().unwrap_or(path), paths),
         Some(PathKind::File) if is_archive_name(path) => {
             Err(refused("`val3 fmt` formats unpacked programs only; unpack the archive, and name its folder"))
         }
         Some(PathKind::File) => Err(refused("this is not a VAL 3 program; name a `.pgx`, or a folder with programs")),
-        Some(PathKind::Folder) if is("pgx") => {
+        Some(PathKind::Folder) if has_extension(path, "pgx") => {
             Err(UserError::new(format!("cannot read `{}`: it is a folder", paths.shown(path))))
         }
         Some(PathKind::Folder) => folder(system, path, paths),

@@ -4,6 +4,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_check::loose::ArchiveContent;
 use val3_files::archive_entries;
 
+use crate::paths::has_extension;
+
 /// An archive that was not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UnreadArchive {
@@ -36,5 +38,5 @@ fn content(path: &Utf8Path) -> Option<ArchiveContent> {
 
 /// Number of entries with the extension.
 fn count(entries: &[Utf8PathBuf], extension: &str) -> usize {
-    entries.iter().filter_map(|path| path.extension()).filter(|found| found.eq_ignore_ascii_case(extension)).count()
+    entries.iter().filter(|path| has_extension(path, extension)).count()
 }

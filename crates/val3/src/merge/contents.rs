@@ -43,11 +43,15 @@ pub(super) fn merge(kind: MergedKind, [base, ours, theirs]: &[Vec<u8>; 3]) -> Ou
     }
     let [base, our_text, theirs] = [base, ours, theirs].map(|bytes| decode(bytes.clone()));
     let merged = val3_merge::merge(kind, &base.text, &our_text.text, &theirs.text);
-    let is_beyond = |text: &str| text.chars().any(|character| u32::from(character) > 0xff && character != '\u{feff}');
-    if our_text.encoding == Encoding::Latin1 && is_beyond(&merged.text) {
+    if our_text.encoding == Encoding::Latin1 && !is_latin1(&merged.text) {
         return refused("OURS is ISO-8859-1, which has not all characters of THEIRS".to_owned());
     }
     Outcome { bytes: our_text.encoding.encode(&merged.text), merged: Ok(merged) }
+}
+
+/// Whether ISO-8859-1 has all characters of the text, apart from a byte order mark.
+fn is_latin1(text: &str) -> bool {
+    text.chars().all(|character| u32::from(character) <= 0xff || character == '\u{feff}')
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 use camino::Utf8Path;
 use val3_files::Unreadable;
 
+use crate::paths::has_extension;
 use crate::user_error::UserError;
 
 /// Output file kind.
@@ -62,9 +63,8 @@ impl OutputFileKind {
 /// # Errors
 /// The file is input of the tools, has other content, or cannot be read.
 pub(super) fn check_replaceable(path: &Utf8Path, content: OutputFileKind, what: &str) -> Result<(), UserError> {
-    let has_extension = |known: &str| path.extension().is_some_and(|found| known.eq_ignore_ascii_case(found));
-    let is_own = content == OutputFileKind::Program && has_extension(PROGRAM);
-    let is_input = !is_own && INPUTS.iter().any(|known| has_extension(known));
+    let is_own = content == OutputFileKind::Program && has_extension(path, PROGRAM);
+    let is_input = !is_own && INPUTS.iter().any(|known| has_extension(path, known));
     let is_replaceable = match val3_files::read_head(path, HEAD) {
         Ok(head) => !is_input && content.begins(&head),
         // Devices and pipes accept the output; a folder is reported when the file is created.

@@ -10,7 +10,7 @@ use val3_session::SessionError;
 
 use crate::args::{RunArgs, START};
 use crate::output::to_stderr;
-use crate::paths::{Paths, current_folder};
+use crate::paths::{Paths, current_folder, has_extension};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
@@ -59,8 +59,8 @@ pub(super) fn complete(args: &mut RunArgs) -> Result<Option<WrittenFiles>, UserE
 
 /// Whether the folder is not an application itself.
 fn is_around_applications(folder: &Utf8Path) -> bool {
-    let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("pjx"));
-    Disk.kind(folder) == Some(PathKind::Folder) && !Disk.list(folder).is_ok_and(|names| names.iter().any(is_project))
+    let has_project = |names: Vec<String>| names.iter().any(|name| has_extension(name.as_ref(), "pjx"));
+    Disk.kind(folder) == Some(PathKind::Folder) && !Disk.list(folder).is_ok_and(has_project)
 }
 
 /// Checks that no written path contains a link to a location elsewhere.
@@ -120,11 +120,15 @@ fn command(args: &RunArgs) -> String {
 
 /// Quotes a path for a shell.
 fn quoted(path: &Utf8Path) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-+@".contains(c);
     match one_line(path.as_str()).into_owned() {
         plain if plain.chars().all(is_plain) => plain,
         other => format!("'{}'", other.replace('\'', r"'\''")),
     }
+}
+
+/// Whether the character has no special meaning in a shell.
+fn is_plain(c: char) -> bool {
+    c.is_alphanumeric() || "/._-+@".contains(c)
 }
 
 impl WrittenFiles {

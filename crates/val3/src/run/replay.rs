@@ -37,6 +37,11 @@ pub(super) struct Divergence {
     found: Option<String>,
 }
 
+/// Whether the line is the beginning of a JSON value.
+fn is_cut(line: &str) -> bool {
+    serde_json::from_str::<Value>(line).is_err_and(|error| error.is_eof())
+}
+
 fn unusable(path: &Utf8Path, reason: &dyn Display) -> UserError {
     UserError::new(format!("cannot replay `{path}`: {reason}"))
         .with_help("name a file that `val3 run --events` has written")
@@ -63,7 +68,6 @@ impl RunRecording {
     fn parse(path: &Utf8Path, text: &str) -> Result<Self, String> {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         // If the recorded run was killed, its last line may be incomplete.
-        let is_cut = |line: &str| serde_json::from_str::<Value>(line).is_err_and(|error| error.is_eof());
         lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
         let last = lines.last().ok_or("the file has no events")?;
         let last: RecordingEnd =

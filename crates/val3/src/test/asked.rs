@@ -9,6 +9,7 @@ use val3_suite::{Scenario, TestCase, TestFileRole};
 
 use super::refused::RefusedTests;
 use super::script_file::program_beside;
+use crate::paths::has_extension;
 use crate::user_error::UserError;
 
 /// Paths in the arguments.
@@ -59,11 +60,14 @@ impl Asked {
 /// Removes `:LINE` from the end of the path, unless a file with this name exists.
 fn without_line(path: &Utf8Path) -> Utf8PathBuf {
     let split = path.as_str().rsplit_once(':').filter(|_| !path.exists());
-    let is_line = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     match split {
         Some((file, line)) if is_line(line) && Utf8Path::new(file).is_file() => file.into(),
         _ => path.to_owned(),
     }
+}
+
+fn is_line(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Whether the program is in the folder of an application whose tests are unknown.
@@ -73,15 +77,14 @@ fn is_below(program: &Utf8Path, refused: &[RefusedTests]) -> bool {
 
 /// Test program that the file is or belongs to.
 fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
-    let has_extension = |end: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
     if !path.is_file() {
         return None;
     }
-    if has_extension("pgx") {
+    if has_extension(path, "pgx") {
         return Some(path.to_owned());
     }
     let beside = program_beside(path);
-    (has_extension("toml") && beside.is_file() && !is_scenario(path)).then_some(beside)
+    (has_extension(path, "toml") && beside.is_file() && !is_scenario(path)).then_some(beside)
 }
 
 /// Whether the file can be read and is a scenario, which belongs to no test program.

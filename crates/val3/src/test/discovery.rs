@@ -23,7 +23,7 @@ use super::refused::{Refusal, RefusedTests};
 use super::selection::{TestSelection, is_called};
 use super::{identifiers, scenarios, script_file};
 use crate::args::{ControllerArgs, LIMITS, TestArgs};
-use crate::paths::{Paths, from_here};
+use crate::paths::{Paths, from_here, has_extension};
 use crate::user_error::UserError;
 
 /// Default timeout of a test, in seconds of the controller's clock.
@@ -49,11 +49,9 @@ impl Suite {
     /// Test program files in the application's folder that its project does not list, sorted.
     pub(super) fn unlisted_tests(&self) -> Vec<&Utf8Path> {
         let db = self.application.db();
-        let is_here = |path: &&Utf8Path| path.parent() == self.manifest.parent();
-        let is_program = |path: &&Utf8Path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pgx"));
         let unlisted = Sources::get(db).unlisted(db).values().map(|file| file.path(db).as_path());
-        let tests = unlisted.filter(is_here).filter(is_program).filter(|path| path.file_stem().is_some_and(is_test));
-        let mut tests: Vec<&Utf8Path> = tests.collect();
+        let programs = unlisted.filter(|path| path.parent() == self.manifest.parent() && has_extension(path, "pgx"));
+        let mut tests: Vec<&Utf8Path> = programs.filter(|path| path.file_stem().is_some_and(is_test)).collect();
         tests.sort_unstable();
         tests
     }

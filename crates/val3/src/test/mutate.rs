@@ -32,17 +32,24 @@ use original::originals;
 use report::MutationReport;
 use trial::Verdict;
 
+/// Trial of mistakes, with the output of its report.
+pub(super) struct MutationRun<'a> {
+    pub(super) args: &'a TestArgs,
+    pub(super) surroundings: &'a Surroundings<'a>,
+    pub(super) paths: &'a Paths,
+    pub(super) color: Color,
+}
+
 /// Executes the tests, tries the number of mistakes in the arguments, and reports the surviving mistakes.
 ///
 /// # Errors
 /// The report does not support the format, an application can no longer be read, or the report cannot be written.
 pub(super) fn run(
-    args: &TestArgs,
+    mutation_run: &MutationRun<'_>,
     tests: &[TestFile<'_>],
     refused: Vec<RefusedTests>,
-    surroundings: &Surroundings<'_>,
-    (paths, color): (&Paths, Color),
 ) -> Result<ExitCode, UserError> {
+    let MutationRun { args, surroundings, paths, color } = *mutation_run;
     if !matches!(args.format, TestFormat::Human | TestFormat::Json) {
         return Err(UserError::new("the mistakes of --mutate can be reported in the formats `human` and `json` alone")
             .with_help("val3 test --mutate --format json"));
@@ -52,7 +59,7 @@ pub(super) fn run(
     let (originals, mut results) = originals(conditions, tests);
     results.tested.extend(refused.into_iter().map(RefusedTests::into_tested));
     if results.early_end.is_some() || results.failed() > 0 {
-        return unmutated(&results, args, paths, color);
+        return unmutated(mutation_run, &results);
     }
     let mutants = mutants(&originals)?;
     if mutants.all.is_empty() {
@@ -91,7 +98,8 @@ fn code<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> u8 {
 }
 
 /// Reports tests that fail without a mistake, or an interruption by a signal.
-fn unmutated(results: &Results, args: &TestArgs, paths: &Paths, color: Color) -> Result<ExitCode, UserError> {
+fn unmutated(mutation_run: &MutationRun<'_>, results: &Results) -> Result<ExitCode, UserError> {
+    let MutationRun { args, paths, color, .. } = *mutation_run;
     to_stdout_as(args.format.content(), color, |out| match args.format {
         TestFormat::Json => json::write(results, paths, out),
         _ => human::write(results, true, paths, out),

@@ -1,5 +1,6 @@
 //! `--new`: writes a test into a test application.
 
+use std::fmt::Display;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -56,25 +57,27 @@ fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
 
 /// Writes new files, then edited files. Nothing is written if one of them cannot be written.
 fn write(db: &Database, change: &SourceChange, shown: &Paths) -> Result<(), UserError> {
-    let refused =
-        |path: &Utf8Path, reason: String| UserError::new(format!("cannot write `{}`: {reason}", shown.shown(path)));
     if let Some((path, _)) = change.creates.iter().find(|(path, _)| path.exists()) {
-        return Err(refused(path, "the file exists".to_owned()));
+        return Err(unwritable(&shown.shown(path), &"the file exists"));
     }
     let edits = change.edits.chunk_by(|one, other| one.file == other.file);
     let edited: Vec<(File, Vec<u8>)> = edits.map(|edits| edited(db, edits, shown)).collect::<Result<_, _>>()?;
     for (path, text) in &change.creates {
-        replace(path, text.as_bytes()).map_err(|error| refused(path, error.to_string()))?;
-        to_stderr(|out| writeln!(out, "wrote {}", shown.shown(path)));
+        let shown = shown.shown(path);
+        replace(path, text.as_bytes()).map_err(|error| unwritable(&shown, &error))?;
+        to_stderr(|out| writeln!(out, "wrote {shown}"));
     }
     for (file, bytes) in edited {
-        let path = file.path(db);
+        let (path, shown) = (file.path(db), shown.shown(file.path(db)));
         let before = encoding(db, file).encode(file.text(db));
-        replace_unchanged(path, FileClass::Program, &before, &bytes)
-            .map_err(|error| refused(path, error.to_string()))?;
-        to_stderr(|out| writeln!(out, "changed {}", shown.shown(path)));
+        replace_unchanged(path, FileClass::Program, &before, &bytes).map_err(|error| unwritable(&shown, &error))?;
+        to_stderr(|out| writeln!(out, "changed {shown}"));
     }
     Ok(())
+}
+
+fn unwritable(path: &str, reason: &dyn Display) -> UserError {
+    UserError::new(format!("cannot write `{path}`: {reason}"))
 }
 
 /// Returns a file and its bytes after edits.

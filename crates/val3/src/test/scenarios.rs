@@ -14,7 +14,7 @@ use super::discovery::{Opening, Suite, Suites, open};
 use super::refused::RefusedTests;
 use super::script_file::program_beside;
 use crate::args::TestArgs;
-use crate::paths::from_here;
+use crate::paths::{from_here, has_extension};
 use crate::run::read_script;
 use crate::user_error::UserError;
 
@@ -142,10 +142,6 @@ fn is_beside_programs(path: &Utf8Path) -> bool {
 
 fn has_file(folder: &Utf8Path, extension: &str) -> bool {
     Disk.list(folder).is_ok_and(|names| names.iter().any(|name| has_extension(name.as_str().into(), extension)))
-}
-
-fn has_extension(path: &Utf8Path, extension: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
 }
 
 /// Whether a `val3.toml` excludes a file from a search in `asked`.

@@ -39,8 +39,8 @@ impl<'a> TestSelection<'a> {
     fn has_name(&self, case: &TestCase) -> bool {
         let args = self.args;
         let is_named = args.exact.is_empty() || args.exact.iter().any(|exact| is_called(case, exact));
-        let contains =
-            |filter: &String| case.name().contains(filter.as_str()) || case.shown_name().contains(filter.as_str());
+        let names = [case.name(), case.shown_name()];
+        let contains = |filter: &String| names.iter().any(|name| name.contains(filter.as_str()));
         let is_filtered = args.filter.is_empty() || args.filter.iter().any(contains);
         is_named && is_filtered && !args.filter_out.iter().any(contains)
     }

@@ -5,6 +5,8 @@ use val3_files::FileClass;
 use val3_suite::FailureLocation;
 use val3_syntax::{decode_entities, encoding};
 
+use crate::paths::has_extension;
+
 /// Maximum number of displayed characters.
 const LONGEST: usize = 160;
 
@@ -15,8 +17,8 @@ const CDATA: &str = "<![CDATA[";
 /// and for the head of a table in a scenario.
 pub(super) fn source_line(place: &FailureLocation) -> Option<String> {
     let path = Utf8Path::new(&place.file);
-    let is_program = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pgx"));
-    let is_settings = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
+    let is_program = has_extension(path, "pgx");
+    let is_settings = has_extension(path, "toml");
     let class = if is_settings { FileClass::Settings } else { FileClass::Program };
     let bytes = val3_files::read(path, class).ok().filter(|_| is_program || is_settings)?;
     let text = encoding::decode(bytes).text;

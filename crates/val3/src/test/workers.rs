@@ -85,9 +85,8 @@ pub(super) fn executed(
     })?;
     done.end();
     done.show(observer)?;
-    let is_done = |number: &usize| done.tests.contains_key(number);
-    let not_run = tests.iter().enumerate().filter(|(number, _)| !is_done(number)).map(|(_, test)| test.case.clone());
-    let not_run: Vec<TestCase> = not_run.collect();
+    let not_run = tests.iter().enumerate().filter(|(number, _)| !done.tests.contains_key(number));
+    let not_run: Vec<TestCase> = not_run.map(|(_, test)| test.case.clone()).collect();
     let early_end = match surroundings.signals.exit_code() {
         Some(code) => EarlyEnd::Signal(code),
         None if is_read => EarlyEnd::FirstFailure,

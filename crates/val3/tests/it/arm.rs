@@ -183,18 +183,26 @@ impl Measured {
 
 /// Adds noise between -4 and 4 ms to each time of a log.
 fn noisy(log: &str) -> String {
-    let mut state: u64 = 42;
-    let mut noise = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        i64::try_from((state >> 33) % 9).unwrap() - 4
-    };
-    let line = |line: &str| {
+    let mut noise = Noise(42);
+    log.lines().map(|line| noise.line(line)).collect()
+}
+
+/// Pseudo-random noise that is the same in every run.
+struct Noise(u64);
+
+impl Noise {
+    fn line(&mut self, line: &str) -> String {
         let Some((before, times)) = line.split_once("ms=") else { return format!("{line}\n") };
-        let times = times.trim_end_matches(';').split(',').map(|time| time.parse::<i64>().unwrap() + noise());
-        let times: Vec<_> = times.map(|time| time.to_string()).collect();
+        let times = times.trim_end_matches(';').split(',');
+        let times: Vec<_> =
+            times.map(|time| (time.parse::<i64>().unwrap() + self.milliseconds()).to_string()).collect();
         format!("{before}ms={};\n", times.join(","))
-    };
-    log.lines().map(line).collect()
+    }
+
+    fn milliseconds(&mut self) -> i64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        i64::try_from((self.0 >> 33) % 9).unwrap() - 4
+    }
 }
 
 #[track_caller]
@@ -268,13 +276,7 @@ fn each_axis_moves_alone_and_stays_in_its_range() {
 #[test]
 fn the_operator_decides_about_each_axis() {
     let folder = SIX_AXIS.folder();
-    let moves = |keys: &str| {
-        let run = SIX_AXIS.run(&folder, keys, &["--trace", "trace.csv", "--screen"]);
-        let rows = joints(&folder.read("trace.csv"), 6);
-        let moved = |axis: &usize| rows.iter().any(|row| (row[*axis] - rows[0][*axis]).abs() > 0.01);
-        ((0..6).filter(moved).map(|axis| axis + 1).collect::<Vec<_>>(), run)
-    };
-    let (moved, run) = moves("Return");
+    let (moved, run) = moved_axes(&folder, "Return");
     assert_eq!((moved, run.code), (Vec::new(), 3));
     expect![[r#"
         log: USR val3arm begin arm=TX2-60L axes=6
@@ -296,8 +298,8 @@ fn the_operator_decides_about_each_axis() {
         +----------------------------------------+
     "#]]
     .assert_eq(&run.stdout);
-    assert_eq!(moves("F2,F2,F8").0, Vec::<usize>::new());
-    let (moved, run) = moves("F2,F1,F2,F8");
+    assert_eq!(moved_axes(&folder, "F2,F2,F8").0, Vec::<usize>::new());
+    let (moved, run) = moved_axes(&folder, "F2,F1,F2,F8");
     assert_eq!((moved, run.code), (vec![2], 0), "{}", run.stderr);
     assert!(!run.stdout.contains("times"), "{}", run.stdout);
     expect![[r#"
@@ -323,22 +325,33 @@ fn the_operator_decides_about_each_axis() {
     .assert_eq(&run.stdout);
 }
 
+/// Numbers of the axes that the keys of the operator move.
+fn moved_axes(folder: &Folder, keys: &str) -> (Vec<usize>, CommandOutput) {
+    let run = SIX_AXIS.run(folder, keys, &["--trace", "trace.csv", "--screen"]);
+    let rows = joints(&folder.read("trace.csv"), 6);
+    let moved = |axis: &usize| rows.iter().any(|row| (row[*axis] - rows[0][*axis]).abs() > 0.01);
+    ((0..6).filter(moved).map(|axis| axis + 1).collect(), run)
+}
+
 /// In manual mode and below full monitor speed, the times would be wrong, so nothing moves.
 #[test]
 fn the_controller_has_to_be_ready() {
     let folder = SIX_AXIS.folder();
-    let run = |more: &[&str]| {
-        let run = SIX_AXIS.run(&folder, "F1,F8", more);
-        assert!(!run.stdout.contains("times"), "{}", run.stdout);
-        run.stdout.lines().filter(|line| !line.contains("val3arm")).map(|line| format!("{line}\n")).collect::<String>()
-    };
     folder.write("manual.toml", "[[at]]\nt = 0\nmode = \"manual\"\n");
-    let messages = run(&["--monitor-speed", "50"]) + &run(&["--script", "manual.toml"]);
+    let messages = messages_at_start(&folder, &["--monitor-speed", "50"])
+        + &messages_at_start(&folder, &["--script", "manual.toml"]);
     expect![[r#"
         pop-up: Set the monitor speed to 100 %
         pop-up: Select local or remote mode
     "#]]
     .assert_eq(&messages);
+}
+
+/// Messages of a run that does not measure.
+fn messages_at_start(folder: &Folder, more: &[&str]) -> String {
+    let run = SIX_AXIS.run(folder, "F1,F8", more);
+    assert!(!run.stdout.contains("times"), "{}", run.stdout);
+    run.stdout.lines().filter(|line| !line.contains("val3arm")).map(|line| format!("{line}\n")).collect()
 }
 
 /// An axis outside its range is not moved.

@@ -82,17 +82,18 @@ impl Chance {
 
 /// Twelve programs, each with unique findings and with equal findings on several lines.
 fn mid_sized() -> String {
-    let program = |program: usize| {
-        let lines = (0..40).map(|line| match line % 8 {
-            0 => format!("nUnknown{program}_{line}={line}\n"),
-            1 | 5 => "nCount=\"text\"\n".to_owned(),
-            2 => format!("IF nCount=={line}\n  nCount=nCount+1\nendIf\n"),
-            _ => format!("nSum=nSum+{line}\n"),
-        });
-        format!("program work{program}()\nbegin\n{}end\n", lines.collect::<String>())
-    };
     let calls: String = (0..12).map(|program| format!("call work{program}()\n")).collect();
     format!("num nCount\nnum nSum\n{calls}{}", (0..12).map(program).collect::<String>())
+}
+
+fn program(program: usize) -> String {
+    let lines = (0..40).map(|line| match line % 8 {
+        0 => format!("nUnknown{program}_{line}={line}\n"),
+        1 | 5 => "nCount=\"text\"\n".to_owned(),
+        2 => format!("IF nCount=={line}\n  nCount=nCount+1\nendIf\n"),
+        _ => format!("nSum=nSum+{line}\n"),
+    });
+    format!("program work{program}()\nbegin\n{}end\n", lines.collect::<String>())
 }
 
 /// Edits a program at random. Returns the new text, and the text of the finding that the edit causes, if any.

@@ -119,13 +119,15 @@ fn instructions_of_other_languages_are_errors_in_every_version_with_their_remedy
 
 #[test]
 fn an_instruction_that_s8_may_have_is_a_warning() {
-    let level = |version: &str| {
-        let run =
-            Folder::with(&format!("version {version}\nsomethingElse(1)\n")).val3(&["check", "--format", "concise"]);
-        run.stdout.lines().find(|line| line.contains("V0103")).unwrap().split(' ').nth(1).unwrap().to_owned()
-    };
     assert_eq!(level("s7.11"), "error[V0103]");
     assert_eq!(level("s8.13"), "warning[V0103]");
+}
+
+/// Level of the finding about an unknown instruction, for example `error[V0103]`.
+fn level(version: &str) -> String {
+    let folder = Folder::with(&format!("version {version}\nsomethingElse(1)\n"));
+    let run = folder.val3(&["check", "--format", "concise"]);
+    run.stdout.lines().find(|line| line.contains("V0103")).unwrap().split(' ').nth(1).unwrap().to_owned()
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::os::unix::fs::{PermissionsExt as _, symlink};
 use std::os::unix::net::UnixListener;
-use std::process::Stdio;
+use std::process::{ChildStdin, Stdio};
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -208,12 +208,8 @@ fn assert_law(files: &[&str], commands: &[&[&str]]) {
             for args in commands {
                 let folder = damaged(file, damage);
                 let before = Folder::with(CELL);
-                let with_before = |arg: &&str| match *arg {
-                    "BEFORE" => before.path().to_str().unwrap().to_owned(),
-                    arg => arg.to_owned(),
-                };
-                let args: Vec<String> = args.iter().map(with_before).collect();
-                let args: Vec<&str> = args.iter().map(String::as_str).collect();
+                let before = before.path().to_str().unwrap();
+                let args: Vec<&str> = args.iter().map(|arg| if *arg == "BEFORE" { before } else { arg }).collect();
                 faults.extend(fault(file, damage, &args, &ends(&folder, &args)));
             }
         }
@@ -320,15 +316,10 @@ fn editors_are_told_the_file() {
 fn published(folder: &Folder, is_expected: impl Fn(&str) -> bool) -> bool {
     let mut server = folder.command(&["lsp"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     let mut input = server.stdin.take().unwrap();
-    let mut send = |message: Value| {
-        let message = message.to_string();
-        write!(input, "Content-Length: {}\r\n\r\n{message}", message.len()).unwrap();
-        input.flush().unwrap();
-    };
     let uri = format!("file://{}", folder.path().to_str().unwrap());
     let params = json!({ "processId": null, "capabilities": {}, "rootUri": uri });
-    send(json!({ "jsonrpc": "2.0", "id": 0, "method": "initialize", "params": params }));
-    send(json!({ "jsonrpc": "2.0", "method": "initialized", "params": {} }));
+    send(&mut input, &json!({ "jsonrpc": "2.0", "id": 0, "method": "initialize", "params": params }));
+    send(&mut input, &json!({ "jsonrpc": "2.0", "method": "initialized", "params": {} }));
     let mut output = BufReader::new(server.stdout.take().unwrap());
     let (sender, receiver) = mpsc::channel();
     std::thread::spawn(move || {
@@ -355,4 +346,10 @@ fn published(folder: &Folder, is_expected: impl Fn(&str) -> bool) -> bool {
     server.kill().unwrap();
     server.wait().unwrap();
     found
+}
+
+fn send(input: &mut ChildStdin, message: &Value) {
+    let message = message.to_string();
+    write!(input, "Content-Length: {}\r\n\r\n{message}", message.len()).unwrap();
+    input.flush().unwrap();
 }

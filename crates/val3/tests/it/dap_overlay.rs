@@ -167,17 +167,19 @@ end
 ",
     );
     folder.write("usrapp/main/large.txt", &"text\n".repeat(20_000));
-    let past = |memory: u64| {
-        let (mut session, task) = launched(&folder, json!({ "pastMemory": memory }));
-        go(&mut session, "continue", task);
-        let past = session.ask("val3/past", json!({}));
-        session.end();
-        past
-    };
     // 60 times 100,000 bytes, without the contents read after the last snapshot.
-    let whole = past(256);
+    let whole = past(&folder, 256);
     assert!(whole["isWhole"] == true && whole["bytes"].as_u64() > Some(4_500_000), "{whole}");
-    let bounded = past(2);
+    let bounded = past(&folder, 2);
     assert!(bounded["isWhole"] == false && bounded["bytes"].as_u64() < Some(2 << 20), "{bounded}");
     assert!(bounded["cycles"].as_u64() > Some(10), "{bounded}");
+}
+
+/// History of a run that keeps `memory` MB of it.
+fn past(folder: &Folder, memory: u64) -> Value {
+    let (mut session, task) = launched(folder, json!({ "pastMemory": memory }));
+    go(&mut session, "continue", task);
+    let past = session.ask("val3/past", json!({}));
+    session.end();
+    past
 }

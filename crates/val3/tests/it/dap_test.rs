@@ -36,12 +36,12 @@ fn break_at(session: &mut Session, folder: &Folder, program: &str, line: u32) {
 /// Names and lines of the stack frames, with `~` before subtle frames.
 fn frames(session: &mut Session, task: i64) -> Vec<String> {
     let trace = session.ask("stackTrace", json!({ "threadId": task }));
-    let frames = trace["stackFrames"].as_array().unwrap().iter();
-    let shown = |frame: &Value| {
-        let is_behind = frame["presentationHint"] == "subtle" && frame["source"]["presentationHint"] == "deemphasize";
-        format!("{}{} {}", if is_behind { "~" } else { "" }, frame["name"].as_str().unwrap(), frame["line"])
-    };
-    frames.map(shown).collect()
+    trace["stackFrames"].as_array().unwrap().iter().map(shown_frame).collect()
+}
+
+fn shown_frame(frame: &Value) -> String {
+    let is_subtle = frame["presentationHint"] == "subtle" && frame["source"]["presentationHint"] == "deemphasize";
+    format!("{}{} {}", if is_subtle { "~" } else { "" }, frame["name"].as_str().unwrap(), frame["line"])
 }
 
 #[test]
@@ -192,19 +192,21 @@ fn a_test_goes_back_and_begins_again() {
 #[test]
 fn tests_that_cannot_be_debugged_are_refused() {
     let folder = cell(&[("testSum", "")]);
-    let refused = |options: Value| {
-        let mut session = Session::new();
-        session.ask("initialize", json!({ "adapterID": "val3" }));
-        let mut launch = json!({ "program": folder.path().join("usrapp/mainTest") });
-        launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
-        let reason = session.refused("launch", launch);
-        session.end();
-        reason
-    };
-    let unknown = refused(json!({ "test": "testSun" }));
+    let unknown = launch_error(&folder, &json!({ "test": "testSun" }));
     assert!(unknown.contains("has no test `testSun`") && unknown.contains("`mainTest:testSum`"), "{unknown}");
-    assert!(refused(json!({ "test": "testSum", "script": "x.toml" })).contains("`script` is for runs"));
+    assert!(launch_error(&folder, &json!({ "test": "testSum", "script": "x.toml" })).contains("`script` is for runs"));
     folder.write("usrapp/mainTest/start.pgx", "");
     folder.write("usrapp/mainTest/testSum.pgx", &program("testSum", "nUnknown=1"));
-    assert!(refused(json!({ "test": "testSum" })).contains("the compiler rejects the application"));
+    assert!(launch_error(&folder, &json!({ "test": "testSum" })).contains("the compiler rejects the application"));
+}
+
+/// Reason why `launch` fails with these options.
+fn launch_error(folder: &Folder, options: &Value) -> String {
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let mut launch = json!({ "program": folder.path().join("usrapp/mainTest") });
+    launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
+    let reason = session.refused("launch", launch);
+    session.end();
+    reason
 }

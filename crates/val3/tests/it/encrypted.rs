@@ -123,9 +123,8 @@ fn a_plain_archive_is_refused() {
 #[test]
 fn a_hostile_archive_is_refused() {
     let files = secret();
-    let with = |name: &'static str, bytes: &'static [u8]| {
-        pack(files.iter().map(|(path, text)| (path.as_str(), text.as_bytes())).chain([(name, bytes)]))
-    };
+    let files = files.iter().map(|(path, text)| (path.as_str(), text.as_bytes()));
+    let with = |name: &'static str, bytes: &'static [u8]| pack(files.clone().chain([(name, bytes)]));
     static ZEROS: [u8; 64 << 20] = [0; 64 << 20];
     let mut cut = good();
     cut.truncate(cut.len() - 30);

@@ -138,14 +138,8 @@ fn cell() -> Folder {
          === /configs/arm.cfx\n<arm><String name=\"arm\" value=\"tx2-90l\" /></arm>\n",
         lines.join("\n")
     ));
-    let data = folder.read("usrapp/main/main.dtx");
-    let linked = |text: String, name: &str, link: &str| {
-        let (before, behind) = text.split_once(&format!("name=\"{name}\"")).unwrap();
-        let (head, rest) = behind.split_once("/>").unwrap();
-        format!("{before}name=\"{name}\"{head}><Value key=\"0\" link=\"{link}\" /></Data>{rest}")
-    };
-    let data = linked(data, "dKnown", "BasicIO-1\\%I0");
-    folder.write("usrapp/main/main.dtx", &linked(data, "siHost", "Socket\\host"));
+    folder.link("dKnown", "BasicIO-1\\%I0");
+    folder.link("siHost", "Socket\\host");
     folder.write(
         "val3.toml",
         "roots = { USB0 = \"stick\" }\n[run]\nmonitor-speed = 40\nprofile = \"operator\"\n\

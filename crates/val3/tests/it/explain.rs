@@ -79,13 +79,6 @@ fn an_unknown_word_gets_a_proposal() {
 
 #[test]
 fn pages_are_one_json_document() {
-    let pages = |words: &[&str]| {
-        let run = Folder::empty().val3(&[&["explain", "--format", "json"], words].concat());
-        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{words:?}: {run:?}");
-        let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
-        assert_eq!(document["version"], 1);
-        document["pages"].as_array().unwrap().clone()
-    };
     let rule = pages(&["V0203"]);
     assert_eq!(rule.len(), 1);
     assert!(rule[0]["names"].as_array().unwrap().contains(&"argument-type".into()), "{rule:?}");
@@ -98,4 +91,13 @@ fn pages_are_one_json_document() {
     assert!(hits[0]["names"][0] == "movel" && hits[0]["excerpt"].is_string(), "{hits:?}");
     let all = pages(&[]);
     assert!(all.len() > 300 && all.iter().all(|page| page["summary"] != ""), "{}", all.len());
+}
+
+/// Pages of `val3 explain --format json`.
+fn pages(words: &[&str]) -> Vec<serde_json::Value> {
+    let run = Folder::empty().val3(&[&["explain", "--format", "json"], words].concat());
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{words:?}: {run:?}");
+    let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(document["version"], 1);
+    document["pages"].as_array().unwrap().clone()
 }

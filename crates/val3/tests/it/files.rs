@@ -59,9 +59,7 @@ fn the_standard_input_replaces_the_file() {
     let folder = Folder::with(CLEAN);
     let faulty = Folder::with(FAULTY).read(PROGRAM);
     let stored = folder.read(PROGRAM);
-    let check = |path: &str, text: &str| {
-        piped(&folder, &["check", "--format", "concise", "-", "--stdin-path", path], text.as_bytes())
-    };
+    let check = |path: &str, text: &str| check_input(&folder, path, text);
     let run = check(PROGRAM, &faulty);
     assert_eq!((run.code, files(&run)), (1, vec!["start.pgx"]), "{run:?}");
     assert!(run.stdout.starts_with("usrapp/main/start.pgx:"), "{run:?}");
@@ -73,6 +71,10 @@ fn the_standard_input_replaces_the_file() {
     let manifest = folder.read("usrapp/main/main.pjx").replace("start.pgx", "gone.pgx");
     assert_eq!(check("usrapp/main/main.pjx", &manifest).code, 1);
     assert_eq!(folder.read(PROGRAM), stored);
+}
+
+fn check_input(folder: &Folder, path: &str, text: &str) -> CommandOutput {
+    piped(folder, &["check", "--format", "concise", "-", "--stdin-path", path], text.as_bytes())
 }
 
 #[test]

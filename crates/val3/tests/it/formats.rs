@@ -98,11 +98,7 @@ fn val3check_names_files_by_their_controller_path() {
 fn services_get_paths_relative_to_the_repository() {
     let folder = Folder::with(FAULTY);
     folder.write(".git/HEAD", "ref: refs/heads/main\n");
-    let below = |format: &str| {
-        let mut command = folder.command(&["check", "main", "--format", format]);
-        command.current_dir(folder.path().join("usrapp"));
-        run(command).stdout
-    };
+    let below = |format: &str| report_below(&folder, format);
     assert!(below("github").starts_with("::error file=usrapp/main/start.pgx,line="));
     assert!(below("azure").contains(";sourcepath=usrapp/main/start.pgx;"));
     assert!(below("checkstyle").contains("<file name=\"usrapp/main/start.pgx\">"));
@@ -112,17 +108,26 @@ fn services_get_paths_relative_to_the_repository() {
     assert_eq!(location["artifactLocation"]["uri"], "usrapp/main/start.pgx");
 }
 
+/// Report of a check in the folder `usrapp`.
+fn report_below(folder: &Folder, format: &str) -> String {
+    let mut command = folder.command(&["check", "main", "--format", format]);
+    command.current_dir(folder.path().join("usrapp"));
+    run(command).stdout
+}
+
 #[test]
 fn fingerprints_do_not_depend_on_line_numbers() {
     let folder = Folder::with(FAULTY);
-    let fingerprint = || {
-        let run = folder.val3(&["check", "--format", "sarif"]);
-        json(&run.stdout)["runs"][0]["results"][0]["partialFingerprints"].clone()
-    };
-    let before = fingerprint();
+    let before = fingerprint(&folder);
     let program = folder.read("usrapp/main/start.pgx");
     folder.write("usrapp/main/start.pgx", &program.replace("nCuont", "// new\n\n  nCuont"));
-    assert_eq!(fingerprint(), before);
+    assert_eq!(fingerprint(&folder), before);
+}
+
+/// Fingerprints of the first finding.
+fn fingerprint(folder: &Folder) -> Value {
+    let run = folder.val3(&["check", "--format", "sarif"]);
+    json(&run.stdout)["runs"][0]["results"][0]["partialFingerprints"].clone()
 }
 
 #[test]

@@ -97,24 +97,8 @@ public num nValue
 fn no_path_leaves_its_root() {
     let ways =
         ["Disk://../secret", "../../secret", "./../../secret", "USB0://../secret", "USB0://link", "Disk://../../etc"];
-    let code = |way: &str| {
-        [
-            format!("  ? secret:libLoad(\"{way}\")!=0"),
-            format!("  ? libList(\"{way}\",sList)"),
-            "  ? sList[0]".to_owned(),
-            format!("  ? libDelete(\"{way}\")!=0"),
-            format!("  ? $fileOpen(\"{way}/note.txt\",\"r\")"),
-            format!("  ? $fileOpen(\"{way}/new.txt\",\"w\")"),
-            format!("  ? $fileExists(\"{way}/note.txt\")"),
-            format!("  ? $copy(\"{way}/note.txt\",\"USB0://stolen.txt\")"),
-            format!("  ? $copy(\"USB0://readme.txt\",\"{way}/note.txt\")"),
-            format!("  ? $rename(\"{way}/note.txt\",\"USB0://stolen.txt\")"),
-            format!("  ? $delete(\"{way}/note.txt\")"),
-        ]
-        .join("\n")
-    };
     for way in ways {
-        let folder = beside_a_secret(&code(way));
+        let folder = beside_a_secret(&accesses(way));
         let stick = format!("--root=USB0={}", folder.path().join("stick").display());
         let refused = "true\nfalse\n\ntrue\n-1\n-1\nfalse\nfalse\nfalse\nfalse\nfalse\n";
         prints(&folder, &[&stick], refused);
@@ -122,6 +106,24 @@ fn no_path_leaves_its_root() {
         assert_eq!(fs::read_dir(folder.path().join("secret")).unwrap().count(), 2, "{way}");
         assert!(!folder.path().join("stick/stolen.txt").exists(), "{way}");
     }
+}
+
+/// Code that accesses a path in every way.
+fn accesses(way: &str) -> String {
+    [
+        format!("  ? secret:libLoad(\"{way}\")!=0"),
+        format!("  ? libList(\"{way}\",sList)"),
+        "  ? sList[0]".to_owned(),
+        format!("  ? libDelete(\"{way}\")!=0"),
+        format!("  ? $fileOpen(\"{way}/note.txt\",\"r\")"),
+        format!("  ? $fileOpen(\"{way}/new.txt\",\"w\")"),
+        format!("  ? $fileExists(\"{way}/note.txt\")"),
+        format!("  ? $copy(\"{way}/note.txt\",\"USB0://stolen.txt\")"),
+        format!("  ? $copy(\"USB0://readme.txt\",\"{way}/note.txt\")"),
+        format!("  ? $rename(\"{way}/note.txt\",\"USB0://stolen.txt\")"),
+        format!("  ? $delete(\"{way}/note.txt\")"),
+    ]
+    .join("\n")
 }
 
 const PASSWORD: &str = "k7#fjW-20q";

@@ -266,13 +266,17 @@ impl Ending {
         assert!(code.is_some_and(|code| (0..=3).contains(&code)), "`{command}` ends with {code:?}: {output}");
         assert!(!output.contains(SECRET), "`{command}` shows the secret: {output}");
         // Pipes receive the exact output of a program. The tests in `strangers` check the output at a terminal.
-        let is_raw = |character: char| character.is_control() && !matches!(character, '\n' | '\t' | '\r');
         let raw = output.find(is_raw).filter(|_| !command.starts_with("run"));
         let raw = raw.map(|at| output[at..].chars().take(20).collect::<String>());
         assert_eq!(raw, None, "`{command}` writes control characters: {output:?}");
         let injected = output.lines().find(|line| line.starts_with("::error file=a"));
         assert_eq!(injected, None, "`{command}`");
     }
+}
+
+/// Whether the character controls a terminal.
+fn is_raw(character: char) -> bool {
+    character.is_control() && !matches!(character, '\n' | '\t' | '\r')
 }
 
 /// Text printed at the end of the cell's program.

@@ -30,14 +30,9 @@ end
 /// follows `undo`.
 fn tries(act: &str, event: &str, undo: &str) -> String {
     let folder = Folder::with(&PROGRAM.replace("ACT", act));
-    let data = folder.read("usrapp/main/main.dtx");
-    let links = [("dOut", "BasicIO-1\\%Q0"), ("dIn", "BasicIO-1\\%I0"), ("aOut", "BasicIO-1\\%QW1")];
-    let link = |data: String, (name, link): &(&str, &str)| {
-        let (before, behind) = data.split_once(&format!("name=\"{name}\"")).unwrap();
-        let (head, rest) = behind.split_once("/>").unwrap();
-        format!("{before}name=\"{name}\"{head}><Value key=\"0\" link=\"{link}\" /></Data>{rest}")
-    };
-    folder.write("usrapp/main/main.dtx", &links.iter().fold(data, link));
+    folder.link("dOut", "BasicIO-1\\%Q0");
+    folder.link("dIn", "BasicIO-1\\%I0");
+    folder.link("aOut", "BasicIO-1\\%QW1");
     folder.write("script.toml", &format!("[[at]]\nt = 0.5\n{event}\n[[at]]\nt = 1.5\n{undo}\n"));
     let run = folder.val3(&["run", "--script", "script.toml", "usrapp/main"]);
     run.stdout.lines().filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")

@@ -28,20 +28,21 @@ fn findings(data: &[(&str, &str)], files: &[(&str, &str)]) -> String {
     let folder = Folder::with(
         "version s8.10\ncls()\n=== main/main.dtx\n\n=== /configs/arm.cfx\n<arm><String name=\"arm\" value=\"tx2_60-S1\"/></arm>\n",
     );
-    let value = |(number, (ty, link)): (usize, &(&str, &str))| {
-        format!(
-            "<Data name=\"io{number}\" access=\"public\" xsi:type=\"array\" type=\"{ty}\" size=\"1\"><Value key=\"0\" link=\"{link}\"/></Data>\n"
-        )
-    };
-    let data: String = data.iter().enumerate().map(value).collect();
+    let data: String = data.iter().zip(0..).map(|((ty, link), number)| variable(number, ty, link)).collect();
     let text = format!(
         "<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\"><Datas>\n{data}</Datas></Database>"
     );
     folder.write("usrapp/main/main.dtx", &text);
     files.iter().for_each(|(path, text)| folder.write(path, text));
     let run = folder.val3(&["check", "--format", "concise"]);
-    let is_link = |line: &&str| line.contains("V0525") || line.contains("V0526");
-    run.stdout.lines().filter(is_link).map(|line| format!("{line}\n")).collect()
+    let lines = run.stdout.lines().filter(|line| line.contains("V0525") || line.contains("V0526"));
+    lines.map(|line| format!("{line}\n")).collect()
+}
+
+fn variable(number: usize, ty: &str, link: &str) -> String {
+    format!(
+        "<Data name=\"io{number}\" access=\"public\" xsi:type=\"array\" type=\"{ty}\" size=\"1\"><Value key=\"0\" link=\"{link}\"/></Data>\n"
+    )
 }
 
 const TABLE: (&str, &str) = ("applicom/Modbus/modbus.xml", MODBUS);

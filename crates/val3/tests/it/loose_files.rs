@@ -142,18 +142,19 @@ fn every_format_names_what_was_not_read_or_not_checked_whole() {
 #[test]
 fn a_rule_that_is_off_and_an_excluded_folder_say_nothing() {
     let folder = mixed();
-    let quiet = |run: CommandOutput| {
-        assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
-        assert!(run.stderr.contains("no findings"), "{run:?}");
-    };
-    quiet(folder.val3(&["check", "--ignore", "V0543,V0544"]));
+    assert_quiet(&folder.val3(&["check", "--ignore", "V0543,V0544"]));
     folder.write("val3.toml", "[rules]\nV0543 = \"off\"\narchive-not-read = \"off\"\n");
-    quiet(folder.val3(&["check"]));
+    assert_quiet(&folder.val3(&["check"]));
     folder.write("val3.toml", "exclude = [\"old/**\", \"*.zip\"]\n");
-    quiet(folder.val3(&["check"]));
+    assert_quiet(&folder.val3(&["check"]));
     assert!(folder.val3(&["check", "old"]).stdout.contains("V0543"));
     folder.write("val3.toml", "[rules]\nV0544 = \"error\"\n");
     assert_eq!(folder.val3(&["check"]).code, 1);
+}
+
+fn assert_quiet(run: &CommandOutput) {
+    assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
+    assert!(run.stderr.contains("no findings"), "{run:?}");
 }
 
 #[test]
@@ -241,6 +242,11 @@ fn accountable(kind: Kind) -> usize {
     }
 }
 
+/// Whether a check finds something to read.
+fn is_checked(kind: Kind) -> bool {
+    !matches!(kind, Kind::Backup | Kind::OtherArchive | Kind::DamagedArchive | Kind::Text)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
@@ -252,12 +258,11 @@ proptest! {
         for (number, (below, kind)) in files.iter().enumerate() {
             write(&folder, below, number, *kind);
         }
-        let is_checked = |kind: &Kind| !matches!(kind, Kind::Backup | Kind::OtherArchive | Kind::DamagedArchive | Kind::Text);
         let run = folder.val3(&["check", "--format", "json"]);
-        if !files.iter().any(|(_, kind)| is_checked(kind)) {
+        if !files.iter().any(|(_, kind)| is_checked(*kind)) {
             prop_assert_eq!(run.code, 2);
-            let is_backup = |kind: &Kind| matches!(kind, Kind::Backup | Kind::DamagedArchive);
-            prop_assert_eq!(run.stderr.contains(".zip"), files.iter().any(|(_, kind)| is_backup(kind)));
+            let has_backup = files.iter().any(|(_, kind)| matches!(kind, Kind::Backup | Kind::DamagedArchive));
+            prop_assert_eq!(run.stderr.contains(".zip"), has_backup);
             return Ok(());
         }
         let report: Value = serde_json::from_str(&run.stdout).unwrap();

@@ -18,15 +18,18 @@ fn options_and_variables_decide_on_colours_also_of_the_help() {
     let folder = Folder::with(FAULTY);
     let force = ("FORCE_COLOR", "1");
     for args in [&["check", "--help"][..], &["--help"], &["check"], &["help", "run"]] {
-        let is_colored = |more: &[&str], variables: &[(&str, &str)]| {
-            with_variables(&folder, &[more, args].concat(), variables).contains('\u{1b}')
-        };
-        assert!(!is_colored(&[], &[]), "{args:?}");
-        assert!(is_colored(&[], &[force]) && is_colored(&[], &[("CLICOLOR_FORCE", "1")]), "{args:?}");
-        assert!(!is_colored(&[], &[force, ("NO_COLOR", "1")]), "{args:?}");
-        assert!(!is_colored(&["--color", "never"], &[force]), "{args:?}");
-        assert!(is_colored(&["--color=never", "--color=always"], &[("NO_COLOR", "1")]), "{args:?}");
+        let output =
+            |more: &[&str], variables: &[(&str, &str)]| with_variables(&folder, &[more, args].concat(), variables);
+        assert!(!is_colored(&output(&[], &[])), "{args:?}");
+        assert!(is_colored(&output(&[], &[force])) && is_colored(&output(&[], &[("CLICOLOR_FORCE", "1")])), "{args:?}");
+        assert!(!is_colored(&output(&[], &[force, ("NO_COLOR", "1")])), "{args:?}");
+        assert!(!is_colored(&output(&["--color", "never"], &[force])), "{args:?}");
+        assert!(is_colored(&output(&["--color=never", "--color=always"], &[("NO_COLOR", "1")])), "{args:?}");
     }
+}
+
+fn is_colored(output: &str) -> bool {
+    output.contains('\u{1b}')
 }
 
 #[test]

@@ -91,19 +91,17 @@ fn a_point_with_default_values_is_kept() {
 #[test]
 fn programs_of_both_branches_are_in_the_project() {
     let folder = repository();
-    let add = |name: &str| {
-        let entry = format!("    <Program file=\"{name}.pgx\" />\n  </Programs>");
-        let name = name.to_owned();
-        move |folder: &Folder| {
-            replace(folder, PROJECT, &[("  </Programs>", &entry)]);
-            folder.write(&format!("usrapp/main/{name}.pgx"), &folder.read(PROGRAM).replace("start", &name));
-        }
-    };
-    branches(&folder, add("left"), add("right"));
+    branches(&folder, |folder| add_program(folder, "left"), |folder| add_program(folder, "right"));
     assert_eq!(git(&folder, &["merge", "-q", "other"]).code, 0);
     let project = folder.read(PROJECT);
     assert!(project.contains("left.pgx") && project.contains("right.pgx"), "{project}");
     check_merged(&folder, &[]);
+}
+
+fn add_program(folder: &Folder, name: &str) {
+    let entry = format!("    <Program file=\"{name}.pgx\" />\n  </Programs>");
+    replace(folder, PROJECT, &[("  </Programs>", &entry)]);
+    folder.write(&format!("usrapp/main/{name}.pgx"), &folder.read(PROGRAM).replace("start", name));
 }
 
 #[test]
@@ -123,13 +121,7 @@ fn a_rebase_merges_in_the_same_way() {
 #[test]
 fn a_conflict_keeps_both_values_until_a_person_resolves_it() {
     let folder = repository();
-    let change = |x: &'static str, count: &'static str| {
-        move |folder: &Folder| {
-            replace(folder, DATA, &[("x=\"2\"", x)]);
-            replace(folder, PROGRAM, &[("nCount=2", count)]);
-        }
-    };
-    branches(&folder, change("x=\"20\"", "nCount=20"), change("x=\"30\"", "nCount=30"));
+    branches(&folder, |folder| change_values(folder, 20), |folder| change_values(folder, 30));
     let run = git(&folder, &["merge", "other"]);
     assert_eq!(run.code, 1, "{run:?}");
     assert!(
@@ -150,6 +142,12 @@ fn a_conflict_keeps_both_values_until_a_person_resolves_it() {
     let end = start + data[start..].find("-->\n").unwrap() + 4;
     folder.write(DATA, &(data[..start].to_owned() + &data[end..]));
     assert_eq!(folder.val3(&["check", "--format", "concise"]).stdout.matches("V0004").count(), 1);
+}
+
+/// Replaces the value 2 in the data and in the program.
+fn change_values(folder: &Folder, value: u32) {
+    replace(folder, DATA, &[("x=\"2\"", &format!("x=\"{value}\""))]);
+    replace(folder, PROGRAM, &[("nCount=2", &format!("nCount={value}"))]);
 }
 
 #[test]

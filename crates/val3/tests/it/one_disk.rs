@@ -59,13 +59,16 @@ fn copies_of_types_cause_no_findings() {
     let run = folder.val3(&["run", "cell/app"]);
     assert_eq!(run.code, 0, "{run:?}");
     let explained = folder.val3(&["check", "cell", "--explain-config"]).stdout;
-    let disk = |manifest: &str| {
-        let line = explained.lines().find(|line| line.contains(&format!("for {manifest}:"))).unwrap();
-        line.rsplit(' ').next().unwrap().to_owned()
-    };
+    let disk = |manifest: &str| explained_disk(&explained, manifest);
     assert_eq!(disk("cell/app/app.pjx"), "cell");
     assert_eq!(disk("cell/libs/B/B.pjx"), "cell");
     assert_eq!(disk("cell/libs/libs/B/B.pjx"), "cell/libs");
+}
+
+/// Disk of an application in the output of `--explain-config`.
+fn explained_disk<'o>(output: &'o str, manifest: &str) -> &'o str {
+    let line = output.lines().find(|line| line.contains(&format!("for {manifest}:"))).unwrap();
+    line.rsplit(' ').next().unwrap()
 }
 
 #[test]

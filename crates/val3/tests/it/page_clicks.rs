@@ -74,15 +74,9 @@ fn a_click_on_nothing_is_a_fault_of_the_script() {
 fn the_served_page_clicks_on_elements() {
     let mut run = ServedRun::of(APPLICATION, &[]);
     let mut viewer = Viewer::new(&run.operator);
-    let mut shown = || loop {
-        let page = viewer.next_of("page");
-        if page["html"] != Value::Null {
-            return page["html"].clone();
-        }
-    };
     let clicks = json!([{ "id": "btnAdd", "program": "clkAdd" }, { "id": "btnDone", "program": "clkDone" }]);
     let values = |count: &str| json!([{ "id": "lblCount", "attribute": "innerHTML", "value": count }]);
-    assert_eq!(shown(), json!({ "name": "main", "values": values("0"), "clicks": clicks }));
+    assert_eq!(html(&mut viewer), json!({ "name": "main", "values": values("0"), "clicks": clicks }));
     let click = |id: &str| json!({ "id": 1, "command": "operate", "keys": { "click": id } });
     assert_eq!(viewer.command(click("btnAdd"))["error"], Value::Null);
     while viewer.next_of("page")["html"]["values"] != values("1") {}
@@ -94,4 +88,14 @@ fn the_served_page_clicks_on_elements() {
     run.wait_for("the run has ended");
     assert_eq!(viewer.next_of("end")["exitCode"], 0);
     run.signal(rustix::process::Signal::INT);
+}
+
+/// HTML of the next page that has some.
+fn html(viewer: &mut Viewer) -> Value {
+    loop {
+        let page = viewer.next_of("page");
+        if page["html"] != Value::Null {
+            return page["html"].clone();
+        }
+    }
 }

@@ -110,16 +110,22 @@ fn a_server_is_recorded_and_replayed() {
 /// A server that reads one line and responds, for `calls` connections.
 fn host(listener: TcpListener, calls: usize) -> JoinHandle<Vec<String>> {
     spawn(move || {
-        let answer = |(stream, _): (TcpStream, _)| {
-            stream.set_read_timeout(Some(TIMEOUT)).unwrap();
-            let mut line = Vec::new();
-            BufReader::new(&stream).read_until(b'\r', &mut line).unwrap();
-            let mut out = &stream;
-            out.write_all(b"welcome\r").unwrap();
-            String::from_utf8(line).unwrap()
-        };
-        (0..calls).map(|_| answer(listener.accept().unwrap())).collect()
+        let mut lines = Vec::new();
+        for _ in 0..calls {
+            let (stream, _) = listener.accept().unwrap();
+            lines.push(respond(&stream));
+        }
+        lines
     })
+}
+
+/// Reads a line and responds to it. Returns the line.
+fn respond(mut stream: &TcpStream) -> String {
+    stream.set_read_timeout(Some(TIMEOUT)).unwrap();
+    let mut line = Vec::new();
+    BufReader::new(stream).read_until(b'\r', &mut line).unwrap();
+    stream.write_all(b"welcome\r").unwrap();
+    String::from_utf8(line).unwrap()
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL, piped};
 
 /// Writes a command's output to a file, and checks that it equals the standard output.
-fn same_in_file(folder: &Folder, (words, args): (&[&str], &[&str])) {
+fn same_in_file(folder: &Folder, words: &[&str], args: &[&str]) {
     let printed = folder.val3(&[words, args].concat());
     let written = folder.val3(&[words, &["--output", "out.txt"], args].concat());
     assert_eq!(
@@ -20,7 +20,7 @@ fn same_in_file(folder: &Folder, (words, args): (&[&str], &[&str])) {
 fn text_of_each_command_can_be_written_to_a_file() {
     let folder = Folder::with(UNUSUAL);
     folder.write("other/other.pjx", "<Project><Parameters version=\"s8.10\"/></Project>");
-    for args in [
+    for (words, args) in [
         (&["schema"][..], &[][..]),
         (&["schema"], &["--debugger"]),
         (&["explain"], &[]),
@@ -40,7 +40,7 @@ fn text_of_each_command_can_be_written_to_a_file() {
         (&["arm", "list"], &[]),
         (&["arm", "show"], &["tx2-60l"]),
     ] {
-        same_in_file(&folder, args);
+        same_in_file(&folder, words, args);
     }
 }
 

@@ -384,11 +384,7 @@ end
 "#,
     );
     let told = events(&folder, &[], "task");
-    let place = |event: &Value| {
-        let text = |key: &str| event[key].as_str().unwrap_or("-").to_owned();
-        format!("{} {} {} {} {}", text("task"), text("state"), text("name"), text("program"), event["line"])
-    };
-    let told: Vec<String> = told.iter().map(place).collect();
+    let told: Vec<String> = told.iter().map(shown_event).collect();
     let expected = [
         "- created main~ start 5",
         "main~ created work work 5",
@@ -398,6 +394,12 @@ end
         "main~ ended main~ start 9",
     ];
     assert_eq!(told[..6], expected);
+}
+
+/// Task, state, name, program and line in an event about a task.
+fn shown_event(event: &Value) -> String {
+    let words = ["task", "state", "name", "program"].map(|key| event[key].as_str().unwrap_or("-"));
+    format!("{} {}", words.join(" "), event["line"])
 }
 
 #[test]
@@ -514,22 +516,26 @@ fn each_example_has_equal_events_in_two_runs() {
         for application in std::fs::read_dir(format!("{examples}/{cell}/usr/usrapp")).unwrap() {
             let folder = Folder::empty();
             let path = application.unwrap().path();
-            let run = || {
-                let path = path.to_str().unwrap();
-                let arguments = ["run", path, "--until", "20", "--events", "events.jsonl"];
-                // The script is the host of the palletiser.
-                let script = ["--script", &format!("{examples}/palletiser/boxes.toml")];
-                let scripted = [&arguments[..], &script[..]].concat();
-                let run = folder.val3(if path.ends_with("/palletiser") { &scripted } else { &arguments });
-                let events = std::fs::read_to_string(folder.path().join("events.jsonl")).ok();
-                (run.code, run.stdout, run.stderr, events)
-            };
-            let first = run();
-            assert_eq!(first, run(), "{path:?}");
-            ran += usize::from(first.3.is_some_and(|events| events.contains("\"kind\":\"end\"")));
+            let path = path.to_str().unwrap();
+            let mut arguments = vec!["run", path, "--until", "20", "--events", "events.jsonl"];
+            // The script is the host of the palletiser.
+            let script = format!("{examples}/palletiser/boxes.toml");
+            if path.ends_with("/palletiser") {
+                arguments.extend(["--script", &script]);
+            }
+            let first = output_and_events(&folder, &arguments);
+            assert_eq!(first, output_and_events(&folder, &arguments), "{path}");
+            ran += usize::from(first.1.is_some_and(|events| events.contains("\"kind\":\"end\"")));
         }
     }
     assert!(ran > 0, "no example has run");
+}
+
+/// Exit code and output of a run, and its events if they were written.
+fn output_and_events(folder: &Folder, arguments: &[&str]) -> ((i32, String, String), Option<String>) {
+    let run = folder.val3(arguments);
+    let events = std::fs::read_to_string(folder.path().join("events.jsonl")).ok();
+    ((run.code, run.stdout, run.stderr), events)
 }
 
 /// `val3 run … | head -3` ends although the application is endless.
@@ -554,16 +560,12 @@ fn a_line_without_link_can_be_connected() {
 
 #[test]
 fn tasks_of_one_name_in_two_libraries_are_separate() {
-    let library = |tidy: &str| {
-        format!(
-            "num nZero\npublic program go()\nbegin\ntaskCreate \"t\",10,divide()\nend\nprogram divide()\nbegin\n\
-             nZero=1/nZero\nend\n{tidy}"
-        )
-    };
+    let library = "num nZero\npublic program go()\nbegin\ntaskCreate \"t\",10,divide()\nend\nprogram divide()\nbegin\n\
+                   nZero=1/nZero\nend\n";
     let tidy = "public program tidy()\nbegin\ntaskKill(\"t\")\nend\n";
     let main = "library a \"first\"\nlibrary b \"second\"\nprogram start()\nbegin\ncall a:go()\ncall b:go()\ndelay(1)\n\
                 call a:tidy()\nend\n";
-    let folder = Folder::with(&format!("--- main\n{main}--- first\n{}--- second\n{}", library(tidy), library("")));
+    let folder = Folder::with(&format!("--- main\n{main}--- first\n{library}{tidy}--- second\n{library}"));
     ends(&folder.val3(&["run", "usrapp/main"]), 1, "");
 }
 
@@ -571,10 +573,8 @@ fn tasks_of_one_name_in_two_libraries_are_separate() {
 fn an_application_without_stop_does_not_run() {
     let folder =
         Folder::with("program start()\nbegin\n  ? \"hello\"\nend\nprogram other()\nbegin\n  ? \"other\"\nend\n");
-    let val3 = |args: &[&str]| {
-        // `exact_command` does not add a program `stop`.
-        crate::support::run(folder.exact_command(args))
-    };
+    // `exact_command` does not add a program `stop`.
+    let val3 = |args: &[&str]| crate::support::run(folder.exact_command(args));
     let run = val3(&["run"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
     assert!(run.stderr.contains("the program `start` but no program `stop`"), "{run:?}");

@@ -402,16 +402,18 @@ fn a_speed_beyond_the_maximum_of_an_axis_is_a_warning() {
                  jB={30,0,0,0,0,0}\n  movej(jB,flange,m)\n  m.vel=160\n  for nI=1 to 3\n    movej(jA,flange,m)\n    \
                  movej(jB,flange,m)\n  endFor\n  m.vel=100\n  movej(jA,flange,m)\n  waitEndMove()\n";
     let folder = Folder::with(moves);
-    let warnings = |arm: &str| {
-        let run = folder.val3(&["run", "--arm", arm, "--events", "-"]);
-        assert_eq!(run.code, 0, "{run:?}");
-        let lines = run.stdout.lines().filter(|line| line.contains("warning"));
-        lines.map(|line| line.to_owned() + "\n").collect::<String>()
-    };
     expect![[r#"
         {"t":1.004012,"task":"main~","kind":"log","level":"warning","text":"movej at start:12: with vel = 160 axis 1 may move at 424 degrees/s, its maximum is 400 degrees/s; use vel = 150 at most"}
         {"t":1.004014,"task":"main~","kind":"log","level":"warning","text":"movej at start:13: with vel = 160 axis 1 may move at 424 degrees/s, its maximum is 400 degrees/s; use vel = 150 at most"}
-    "#]].assert_eq(&warnings("TX2-90"));
+    "#]].assert_eq(&warnings(&folder, "TX2-90"));
     // The maximum speeds of an RX60 are assumptions of the model.
-    assert_eq!(warnings("RX60"), "");
+    assert_eq!(warnings(&folder, "RX60"), "");
+}
+
+/// Events of a run that are warnings.
+fn warnings(folder: &Folder, arm: &str) -> String {
+    let run = folder.val3(&["run", "--arm", arm, "--events", "-"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let lines = run.stdout.lines().filter(|line| line.contains("warning"));
+    lines.map(|line| line.to_owned() + "\n").collect()
 }

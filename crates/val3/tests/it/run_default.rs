@@ -77,27 +77,29 @@ fn several_applications_without_a_default_are_listed() {
 
 #[test]
 fn a_cell_chooses_no_other_files_to_write() {
-    let written = |setting: &str| {
-        let folder = cell(&format!("[run.default]\napplication = \"usrapp/main\"\n{setting}\n"));
-        fs::create_dir(folder.path().join(".git")).unwrap();
-        let run = folder.val3(&["run"]);
-        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
-        run.stderr
-    };
     expect![[r#"
         error: `run.default.plot` writes `.git/hooks.svg`: name a file below the folder of this file, without `..` and hidden folders
          --> val3.toml:3
           |
         3 | plot = ".git/hooks.svg"
           | ^^^^
-    "#]].assert_eq(&written("plot = \".git/hooks.svg\""));
+    "#]].assert_eq(&setting_error("plot = \".git/hooks.svg\""));
     expect![[r#"
         error: `run.default.export` writes `../run.html`: name a file below the folder of this file, without `..` and hidden folders
          --> val3.toml:3
           |
         3 | export = "../run.html"
           | ^^^^^^
-    "#]].assert_eq(&written("export = \"../run.html\""));
+    "#]].assert_eq(&setting_error("export = \"../run.html\""));
+}
+
+/// Error of a default run with this setting.
+fn setting_error(setting: &str) -> String {
+    let folder = cell(&format!("[run.default]\napplication = \"usrapp/main\"\n{setting}\n"));
+    fs::create_dir(folder.path().join(".git")).unwrap();
+    let run = folder.val3(&["run"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+    run.stderr
 }
 
 #[cfg(unix)]

@@ -58,13 +58,10 @@ fn the_tool_keeps_250_mm_per_second_in_manual_mode_on_the_same_path() {
 #[test]
 fn the_cell_sets_the_speed_of_the_manual_mode() {
     let folder = Folder::with(MOVES);
-    let cell = |speed: &str| {
-        folder.write("configs/cell.cfx", &format!("<cell><Float name=\"maxManuCartSpeed\" value=\"{speed}\"/></cell>"));
-    };
-    cell("100");
+    set_speed_of_cell(&folder, "100");
     assert!((99.0..=100.001).contains(&fastest(&trace(&folder, "manual"))));
     assert!(fastest(&trace(&folder, "local")) > 1500.0);
-    cell("-1");
+    set_speed_of_cell(&folder, "-1");
     let run = folder.val3(&[
         "run",
         "--arm",
@@ -82,6 +79,10 @@ fn the_cell_sets_the_speed_of_the_manual_mode() {
         {"t":0.0,"kind":"log","level":"warning","text":"cell.cfx: maxManuCartSpeed is `-1`, not a speed above 0 in mm/s; it is not used"}
     "#]]
     .assert_eq(&(warnings.join("\n") + "\n"));
+}
+
+fn set_speed_of_cell(folder: &Folder, speed: &str) {
+    folder.write("configs/cell.cfx", &format!("<cell><Float name=\"maxManuCartSpeed\" value=\"{speed}\"/></cell>"));
 }
 
 /// A change of the mode cuts the power. If it is restored immediately, the arm brakes and continues slowly.

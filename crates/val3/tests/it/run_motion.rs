@@ -7,6 +7,7 @@ use std::process::Command;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use expect_test::{expect, expect_file};
 use flate2::read::GzDecoder;
+use serde_json::Value;
 
 use crate::support::{Folder, run};
 
@@ -62,7 +63,7 @@ fn an_exported_page_has_the_whole_run() {
     assert!(page.ends_with("</html>\n") || page.ends_with("</html>"), "{}", &page[page.len() - 40..]);
     let frames = frames(&page);
     let objects = frames.iter().filter(|(kind, _)| *kind == 0);
-    let objects: Vec<serde_json::Value> = objects.map(|(_, text)| serde_json::from_slice(text).unwrap()).collect();
+    let objects: Vec<Value> = objects.map(|(_, text)| serde_json::from_slice(text).unwrap()).collect();
     assert_eq!((&objects[0]["kind"], &objects[0]["role"]), (&"scene".into(), &"recording".into()));
     assert_eq!(objects.last().unwrap()["reason"], "finished");
     let samples = frames.iter().filter(|(kind, _)| *kind == 1);
@@ -89,14 +90,17 @@ fn the_times_of_a_run_are_those_of_its_lines() {
     let run = folder.val3(&["run", "--arm", "TX2-90", "--times"]);
     assert!(run.stderr.contains("start:9   nominal"), "{}", run.stderr);
     assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--times=times.json"]).code, 0);
-    let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
-    let sum = |part: &str| -> f64 {
-        report[part].as_array().unwrap().iter().map(|row| row["seconds"].as_f64().unwrap()).sum()
-    };
+    let report: Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    let sum = |part: &str| sum(&report[part], "seconds");
     let duration = report["duration"].as_f64().unwrap();
     assert!((sum("arm") - duration).abs() < 1e-9 && (sum("tasks") - duration).abs() < 0.01, "{report:#}");
     let delay = report["tasks"].as_array().unwrap().iter().find(|row| row["what"] == "time (`delay`)").unwrap();
     assert_eq!(delay["seconds"], 1.0, "{report:#}");
+}
+
+/// Sum of a field in an array.
+fn sum(rows: &Value, field: &str) -> f64 {
+    rows.as_array().unwrap().iter().map(|row| row[field].as_f64().unwrap()).sum()
 }
 
 /// The slow line is limited by its `tvel`; at 10 %, only the monitor speed limits the arm.
@@ -105,12 +109,6 @@ fn each_line_has_the_limits_of_its_speed() {
     let folder = Folder::with(&format!(
         "{MOVES}  mStop.tvel=50\n  pNear.trsf.z=pNear.trsf.z-100\n  movel(pNear,flange,mStop)\n  waitEndMove()\n"
     ));
-    let arm = |args: &[&str]| {
-        let run = folder.val3(&[&["run", "--arm", "TX2-90", "--times"], args].concat());
-        let lines = run.stderr.lines().skip_while(|line| !line.ends_with("arm"));
-        let without_tasks = lines.filter(|line| !line.contains("main~") && !line.ends_with("tasks"));
-        without_tasks.map(|line| line.trim_start().to_owned() + "\n").collect::<String>()
-    };
     expect![[r#"
         arm
         2.008 s  42.3 %            no move
@@ -119,7 +117,7 @@ fn each_line_has_the_limits_of_its_speed() {
         0.192 s   4.0 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
         0.004 s   0.1 %  ~main            computing
         73 % of the moving time is limited by tvel: raise it in the motion descriptor
-    "#]].assert_eq(&arm(&["--monitor-speed", "100"]));
+    "#]].assert_eq(&arm_times(&folder, "100"));
     expect![[r#"
         arm
         20.040 s  68.3 %  start:18  nominal  100 % monitor speed
@@ -129,15 +127,13 @@ fn each_line_has_the_limits_of_its_speed() {
         0.004 s   0.0 %  ~main            computing
         100 % of the moving time is limited by the monitor speed: raise it to 100 %
     "#]]
-    .assert_eq(&arm(&["--monitor-speed", "10"]));
+    .assert_eq(&arm_times(&folder, "10"));
 
     assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--times=times.json", "--trace", "trace.csv"]).code, 0);
-    let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    let report: Value = serde_json::from_str(&folder.read("times.json")).unwrap();
     for row in report["arm"].as_array().unwrap() {
-        let limits = row["limits"].as_array().unwrap();
-        let sum = |field: &str| limits.iter().map(|limit| limit[field].as_f64().unwrap()).sum::<f64>();
-        assert!((sum("seconds") - row["seconds"].as_f64().unwrap()).abs() < 1e-9, "{row:#}");
-        assert!((sum("share") - 100.0).abs() < 1e-9, "{row:#}");
+        assert!((sum(&row["limits"], "seconds") - row["seconds"].as_f64().unwrap()).abs() < 1e-9, "{row:#}");
+        assert!((sum(&row["limits"], "share") - 100.0).abs() < 1e-9, "{row:#}");
     }
     let trace = folder.read("trace.csv");
     let mut limits: Vec<&str> = rows(&trace).iter().map(|row| row[16]).collect();
@@ -154,6 +150,14 @@ fn each_line_has_the_limits_of_its_speed() {
         deceleration of axis 5
         end"#]]
     .assert_eq(&limits.join("\n"));
+}
+
+/// Times of the arm in the table of a run.
+fn arm_times(folder: &Folder, monitor_speed: &str) -> String {
+    let run = folder.val3(&["run", "--arm", "TX2-90", "--times", "--monitor-speed", monitor_speed]);
+    let lines = run.stderr.lines().skip_while(|line| !line.ends_with("arm"));
+    let without_tasks = lines.filter(|line| !line.contains("main~") && !line.ends_with("tasks"));
+    without_tasks.map(|line| line.trim_start().to_owned() + "\n").collect()
 }
 
 #[test]
@@ -269,7 +273,7 @@ fn blends_cut_short_are_told_with_their_reasons() {
     "#]].assert_eq(&notes.map(text).collect::<String>());
 
     assert_eq!(folder.val3(&[&args[..], &["--times=times.json"]].concat()).code, 0);
-    let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    let report: Value = serde_json::from_str(&folder.read("times.json")).unwrap();
     let row = &report["blends"][0];
     let reach = &row["reach"];
     assert_eq!(
@@ -322,11 +326,7 @@ fn a_run_can_start_with_power_and_anywhere_within_the_limits() {
 #[test]
 fn times_of_a_model_arm_are_noted_once() {
     let folder = Folder::with(MOVES);
-    let notes = |args: &[&str]| {
-        let run = folder.val3(&[&["run", "--arm", "TX2-90"], args].concat());
-        let lines = run.stderr.lines().filter(|line| line.contains("model arm"));
-        lines.map(|line| line.to_owned() + "\n").collect::<String>()
-    };
+    let notes = |args: &[&str]| model_notes(&folder, args);
     expect![[r#"
         note: times of a model arm: the speeds and accelerations of the TX2-90 are not measured; `val3 arm measure` measures yours
     "#]].assert_eq(&notes(&["--times", "--trace", "trace.csv"]));
@@ -344,4 +344,11 @@ fn times_of_a_model_arm_are_noted_once() {
     let run = folder.val3(&["run", "--arm", "mine.toml", "--times=times.json"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
     assert!(folder.read("times.json").contains("\"times\": \"measured\""));
+}
+
+/// Notes of a run about times of a model arm.
+fn model_notes(folder: &Folder, args: &[&str]) -> String {
+    let run = folder.val3(&[&["run", "--arm", "TX2-90"], args].concat());
+    let lines = run.stderr.lines().filter(|line| line.contains("model arm"));
+    lines.map(|line| line.to_owned() + "\n").collect()
 }

@@ -44,17 +44,19 @@ fn lines_and_circles_lead_to_their_points() {
 /// by 900° with 1584°/s and 7920°/s².
 #[test]
 fn joint_moves_take_the_time_of_their_slowest_axis() {
-    let timed = |from: &str, to: &str| {
-        format!(
-            "  j={from}\n  jEnd={to}\n  movej(j,flange,m)\n  waitEndMove()\n  nStart=clock()\n  \
-             movej(jEnd,flange,m)\n  waitEndMove()\n  ? clock()-nStart\n"
-        )
-    };
     check(&timed("{0,90,50,0}", "{90,90,100,90}"), "0.46\n");
     check(&format!("  m.vel=5\n{}", timed("{0,90,50,0}", "{90,90,100,90}")), "5.208\n");
     check(&timed("{0,90,50,-450}", "{0,90,50,450}"), "0.772\n");
     // A stroke of 150 mm with 1320 mm/s and 6600 mm/s² does not reach full speed: 2·√(150/6600).
     check(&timed("{0,90,20,0}", "{0,90,170,0}"), "0.304\n");
+}
+
+/// Code that prints the time of a joint move.
+fn timed(from: &str, to: &str) -> String {
+    format!(
+        "  j={from}\n  jEnd={to}\n  movej(j,flange,m)\n  waitEndMove()\n  nStart=clock()\n  \
+         movej(jEnd,flange,m)\n  waitEndMove()\n  ? clock()-nStart\n"
+    )
 }
 
 #[test]
@@ -78,17 +80,19 @@ fn the_stroke_and_the_screw_axis_have_limits() {
 
 #[test]
 fn corners_make_pick_and_place_faster() {
-    let cycle = |blend: &str| {
-        format!(
-            "  j={{-30,70,50,0}}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n  pEnd=p\n  \
-             pEnd.trsf.y=pEnd.trsf.y+250\n  m.blend={blend}\n  m.leave=30\n  m.reach=30\n  nStart=clock()\n  \
-             movel(appro(p,{{0,0,-60,0,0,0}}),flange,m)\n  movej(appro(pEnd,{{0,0,-60,0,0,0}}),flange,m)\n  \
-             movel(pEnd,flange,m)\n  waitEndMove()\n  ? clock()-nStart\n  ? distance(here(flange,world),pEnd)<1e-9\n"
-        )
-    };
     for (blend, seconds) in [("off", "0.656"), ("joint", "0.54"), ("Cartesian", "0.564")] {
         check(&cycle(blend), &format!("{seconds}\ntrue\n"));
     }
+}
+
+/// Code that prints the time of a pick-and-place cycle.
+fn cycle(blend: &str) -> String {
+    format!(
+        "  j={{-30,70,50,0}}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n  pEnd=p\n  \
+         pEnd.trsf.y=pEnd.trsf.y+250\n  m.blend={blend}\n  m.leave=30\n  m.reach=30\n  nStart=clock()\n  \
+         movel(appro(p,{{0,0,-60,0,0,0}}),flange,m)\n  movej(appro(pEnd,{{0,0,-60,0,0,0}}),flange,m)\n  \
+         movel(pEnd,flange,m)\n  waitEndMove()\n  ? clock()-nStart\n  ? distance(here(flange,world),pEnd)<1e-9\n"
+    )
 }
 
 #[test]

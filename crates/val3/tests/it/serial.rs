@@ -52,11 +52,7 @@ end
 /// The cell with the program, whose variable is linked to `Serial\port1`.
 fn cell() -> Folder {
     let folder = Folder::with(PROGRAM);
-    let data = folder.read("usrapp/main/main.dtx");
-    let (before, behind) = data.split_once("name=\"siLine\"").unwrap();
-    let (head, rest) = behind.split_once("/>").unwrap();
-    let value = r"<Value key='0' link='Serial\port1' /></Data>";
-    folder.write("usrapp/main/main.dtx", &format!("{before}name=\"siLine\"{head}>{value}{rest}"));
+    folder.link("siLine", r"Serial\port1");
     folder
 }
 

@@ -247,15 +247,17 @@ fn a_run_waits_for_its_operator() {
 #[test]
 fn usage_is_checked() {
     let folder = Folder::with("? 1\n");
-    let usage = |args: &[&str]| {
-        let run = folder.val3(&[&["run", "usrapp/main"], args].concat());
-        assert_eq!((run.code, run.stdout.as_str()), (2, ""));
-        run.stderr
-    };
+    let usage = |args: &[&str]| usage_error(&folder, args);
     assert!(usage(&["--serve", "--interactive"]).contains("cannot be used with"));
     assert!(usage(&["--open"]).contains("--serve"));
     assert!(usage(&["--serve", "somewhere"]).contains("ADDRESS:PORT"));
     let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let address = taken.local_addr().unwrap().to_string();
     assert!(usage(&["--serve", &address]).contains(&format!("cannot serve on {address}")));
+}
+
+fn usage_error(folder: &Folder, args: &[&str]) -> String {
+    let run = folder.val3(&[&["run", "usrapp/main"], args].concat());
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+    run.stderr
 }

@@ -20,11 +20,14 @@ fn in_xml() -> String {
 
 /// [`EVIL`] in a TOML string.
 fn toml() -> String {
-    let escape = |character: char| match character {
-        control if control.is_control() => format!("\\u{:04X}", u32::from(control)),
-        other => other.to_string(),
-    };
-    EVIL.chars().map(escape).collect()
+    let mut text = String::new();
+    for character in EVIL.chars() {
+        match character.is_control() {
+            true => text += &format!("\\u{:04X}", u32::from(character)),
+            false => text.push(character),
+        }
+    }
+    text
 }
 
 /// A VAL 3 expression for this string.
@@ -79,13 +82,6 @@ fn cell() -> Folder {
          </Datas>\n</Database>\n"
     );
     folder.write(&file("app.dtx"), &data);
-    let program = |name: &str, body: &str| {
-        format!(
-            "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n\
-             <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n<Program name=\"{name}\">\n\
-             <Code><![CDATA[begin\n{body}\nend]]></Code>\n</Program>\n</Programs>\n"
-        )
-    };
     let wrong = format!("  IF {code}\n  x{code}=1 //{code}\n  y=\"{code}\"\n::error::e\n##[error]f");
     folder.write(&file("start.pgx"), &program("start", &wrong));
     folder.write(&file("testOne.pgx"), &program(&name, &wrong.replace(['\u{1b}', '\u{7}', '\u{8}'], "")));
@@ -97,6 +93,14 @@ fn cell() -> Folder {
         folder.write(&path.replace("usrapp/", "good/"), &text);
     }
     folder
+}
+
+fn program(name: &str, body: &str) -> String {
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n\
+         <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n<Program name=\"{name}\">\n\
+         <Code><![CDATA[begin\n{body}\nend]]></Code>\n</Program>\n</Programs>\n"
+    )
 }
 
 /// Arguments of every command that outputs names, paths, texts or arguments.
@@ -197,14 +201,17 @@ fn no_command_shows_control_characters_on_a_terminal() {
 #[test]
 fn no_report_has_control_characters() {
     let folder = cell();
-    // The output of a program and a patch are exact unless written to a terminal.
-    let is_exact = |args: &[String]| args[0] == "run" || args[0] == "eval" || args.iter().any(|arg| arg == "--diff");
     for args in commands() {
         let output = in_a_service(&folder, &args).stdin(Stdio::null()).output().unwrap();
         let (out, errors) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
         check_output(&errors, &args, is_raw);
         check_output(&out, &args, |character| is_raw(character) && !is_exact(&args));
     }
+}
+
+/// Whether the output is that of a program or a patch, which are exact unless written to a terminal.
+fn is_exact(args: &[String]) -> bool {
+    args[0] == "run" || args[0] == "eval" || args.iter().any(|arg| arg == "--diff")
 }
 
 #[test]
@@ -226,8 +233,8 @@ fn commands_of_github_name_the_file() {
     let folder = cell();
     let output = folder.val3(&["check", &evil_folder(), "--format", "github"]);
     // After the service commands, `val3` writes one line about the limit.
-    let is_known = |line: &str| line.starts_with("::") || line.starts_with("GitHub shows 10 of ");
-    assert!(output.stdout.lines().all(is_known), "{output:?}");
+    let mut others = output.stdout.lines().filter(|line| !line.starts_with("::"));
+    assert!(others.all(|line| line.starts_with("GitHub shows 10 of ")), "{output:?}");
     let path =
         "file=usr␛]0;x␇<9B>2J<202E>␡␈%0D%3A%3Aerror%3A%3Aa%0A%3A%3Aerror%3A%3Ab ##[error]c ##vso[task]d/usrapp/app";
     assert!(output.stdout.contains(path), "{output:?}");
@@ -254,12 +261,9 @@ fn the_output_of_a_program_is_exact_in_pipes_and_files() {
     assert_eq!(printed(&folder, |_| ()), b"::error::a\n");
     assert_eq!(printed(&folder, |command| _ = command.env("GITHUB_ACTIONS", "true")), b":\\:error::a\n");
     let file = folder.path().join("out.txt");
-    let to_file = |command: &mut Command| {
-        command.env("GITHUB_ACTIONS", "true").stdout(std::fs::File::create(&file).unwrap());
-        command.spawn().unwrap().wait().unwrap();
-    };
     let mut command = folder.command(&["run", "usrapp/main"]);
-    to_file(&mut command);
+    command.env("GITHUB_ACTIONS", "true").stdout(std::fs::File::create(&file).unwrap());
+    command.spawn().unwrap().wait().unwrap();
     assert_eq!(std::fs::read(Path::new(&file)).unwrap(), b"::error::a\n");
 }
 

@@ -53,6 +53,16 @@ impl Folder {
         fs::read_to_string(self.path().join(path)).unwrap()
     }
 
+    /// Links a variable in `usrapp/main/main.dtx`, which has no values yet.
+    pub(crate) fn link(&self, name: &str, link: &str) {
+        let path = "usrapp/main/main.dtx";
+        let data = self.read(path);
+        let (before, after) = data.split_once(&format!("name=\"{name}\"")).unwrap();
+        let (head, rest) = after.split_once("/>").unwrap();
+        let value = format!("<Value key=\"0\" link=\"{link}\" /></Data>");
+        self.write(path, &format!("{before}name=\"{name}\"{head}>{value}{rest}"));
+    }
+
     /// Runs `val3` in the folder.
     pub(crate) fn val3(&self, args: &[&str]) -> CommandOutput {
         run(self.command(args))

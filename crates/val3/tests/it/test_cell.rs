@@ -59,13 +59,13 @@ fn cell(listing: &str, settings: &str) -> Folder {
 /// All tests' outputs, each after the test name.
 fn prints(run: &CommandOutput) -> String {
     let report: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{run:?}"));
-    let tests = report["tests"].as_array().unwrap();
-    let line = |test: &Value| {
-        let prints: Vec<&str> = test["prints"].as_array().unwrap().iter().map(|text| text.as_str().unwrap()).collect();
-        let failure = test["failure"]["message"].as_str().map(|text| format!(" FAILED {text}")).unwrap_or_default();
-        format!("{}: {}{failure}\n", test["program"].as_str().unwrap(), prints.join(" "))
-    };
-    tests.iter().map(line).collect()
+    report["tests"].as_array().unwrap().iter().map(prints_of_test).collect()
+}
+
+fn prints_of_test(test: &Value) -> String {
+    let prints: Vec<&str> = test["prints"].as_array().unwrap().iter().map(|text| text.as_str().unwrap()).collect();
+    let failure = test["failure"]["message"].as_str().map(|text| format!(" FAILED {text}")).unwrap_or_default();
+    format!("{}: {}{failure}\n", test["program"].as_str().unwrap(), prints.join(" "))
 }
 
 #[track_caller]
@@ -222,10 +222,6 @@ fn a_stand_in_can_use_the_library_that_it_replaces() {
 
 #[test]
 fn a_stand_in_is_held_against_the_interface() {
-    let stub = |program: &str| {
-        let (rest, _) = FEEDER.split_once("--- stubs/feeder").unwrap();
-        format!("{rest}--- stubs/feeder\nnum nDelivered\n{program}\nbegin\nend\n")
-    };
     refused(
         &stub("public program following(num& x_nParts)"),
         REPLACED,
@@ -287,6 +283,12 @@ fn a_stand_in_is_held_against_the_interface() {
             0 passed, 1 failed
         "#]],
     );
+}
+
+/// The cell with a stand-in that contains this program.
+fn stub(program: &str) -> String {
+    let (rest, _) = FEEDER.split_once("--- stubs/feeder").unwrap();
+    format!("{rest}--- stubs/feeder\nnum nDelivered\n{program}\nbegin\nend\n")
 }
 
 #[test]

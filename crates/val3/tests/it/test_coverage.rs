@@ -201,15 +201,7 @@ fn each_side_of_each_construct_is_counted() {
         elseIf x_nMode==9: true 0; false 2
     "#]]
     .assert_eq(&shown.collect::<String>());
-    let count = |text: &str| {
-        let line = code.iter().position(|line| line.trim() == text).unwrap() + 1;
-        work["lines"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .find(|counted| counted["line"] == line)
-            .map(|counted| counted["hits"].clone())
-    };
+    let count = |text: &str| hits(work, code.iter().position(|line| line.trim() == text).unwrap() + 1);
     assert_eq!(count("x_nSum=0"), Some(json!(3)));
     assert_eq!(count("x_nSum=5"), Some(json!(0)));
     assert_eq!(count("while x_nSum<4"), Some(json!(9)));
@@ -218,6 +210,12 @@ fn each_side_of_each_construct_is_counted() {
         (&report["version"], &work["application"], &work["program"]),
         (&json!(1), &json!("pal"), &json!("work"))
     );
+}
+
+/// Hits of a line in a program's report; `None` if the line is not counted.
+fn hits(program: &Value, line: usize) -> Option<Value> {
+    let mut lines = program["lines"].as_array().unwrap().iter();
+    Some(lines.find(|counted| counted["line"] == line)?["hits"].clone())
 }
 
 #[test]
@@ -278,20 +276,23 @@ fn stand_ins_are_left_out() {
 #[test]
 fn reports_are_the_same_with_any_number_of_jobs_and_in_any_order() {
     let folder = cell();
-    let outputs = ["lcov=lcov.info", "cobertura=cobertura.xml", "json=report.json", "html=pages"];
-    let outputs: Vec<&str> = outputs.into_iter().flat_map(|output| ["--coverage-output", output]).collect();
-    let run = |options: &[&str]| {
-        let run = folder.val3(&[&["test", "usrapp"], outputs.as_slice(), options].concat());
-        assert_eq!(run.code, 0, "{run:?}");
-        let files = ["lcov.info", "cobertura.xml", "report.json", "pages/index.html", "pages/pal.work.html"];
-        (run.stdout, files.map(|file| folder.read(file)))
-    };
+    let run = |options: &[&str]| output_and_reports(&folder, options);
     let first = run(&["--jobs", "1"]);
     assert!(first.0.contains("missing lines") && first.1.iter().all(|text| text.contains("work")), "{first:?}");
     for options in [["--jobs", "4"], ["--seed", "1"], ["--seed", "2"], ["--seed", "3"]] {
         assert_eq!(run(&options), first, "{options:?}");
     }
     assert_eq!(run(&["--jobs", "3", "--seed", "7"]), first);
+}
+
+/// Output of the tests, and all reports about the coverage.
+fn output_and_reports(folder: &Folder, options: &[&str]) -> (String, [String; 5]) {
+    let outputs = ["lcov=lcov.info", "cobertura=cobertura.xml", "json=report.json", "html=pages"];
+    let outputs: Vec<&str> = outputs.into_iter().flat_map(|output| ["--coverage-output", output]).collect();
+    let run = folder.val3(&[&["test", "usrapp"], outputs.as_slice(), options].concat());
+    assert_eq!(run.code, 0, "{run:?}");
+    let files = ["lcov.info", "cobertura.xml", "report.json", "pages/index.html", "pages/pal.work.html"];
+    (run.stdout, files.map(|file| folder.read(file)))
 }
 
 #[test]

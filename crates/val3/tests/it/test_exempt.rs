@@ -189,10 +189,7 @@ fn tests_are_chosen_by_tags_and_earlier_results() {
     let folder = folder();
     folder.write("usrapp/palTest/testAbout.toml", "tags = [\"slow\", \"sum\"]\n");
     folder.write("usrapp/palTest/testArray.toml", "tags = [\"slow\"]\n");
-    let listed = |args: &[&str]| {
-        let run = folder.val3(&[&["test", ".", "--list"], args].concat());
-        (run.code, run.stdout.lines().map(|line| line.replace("palTest:test", "")).collect::<Vec<_>>().join(" "))
-    };
+    let listed = |args: &[&str]| listed_tests(&folder, args);
     assert_eq!(listed(&["--tag", "slow"]), (0, "About Array".to_owned()));
     assert_eq!(listed(&["--tag", "slow", "--tag-out", "sum"]), (0, "Array".to_owned()));
     assert_eq!(listed(&["--tag-out", "slow"]), (0, "Contains Known Passes Skip".to_owned()));
@@ -212,6 +209,12 @@ fn tests_are_chosen_by_tags_and_earlier_results() {
     folder.write("report.json", "{}");
     let run = folder.val3(&["test", ".", "--failed-in", "report.json"]);
     assert!(run.code == 2 && run.stderr.contains("`report.json` is no report of tests"), "{run:?}");
+}
+
+/// Exit code of `--list`, and the short names of the listed tests.
+fn listed_tests(folder: &Folder, args: &[&str]) -> (i32, String) {
+    let run = folder.val3(&[&["test", ".", "--list"], args].concat());
+    (run.code, run.stdout.lines().map(|line| line.replace("palTest:test", "")).collect::<Vec<_>>().join(" "))
 }
 
 #[test]
@@ -251,9 +254,6 @@ end
 #[test]
 fn a_scenario_replaces_a_library() {
     let folder = Folder::with(FEEDER);
-    let scenario = |keys: &str, parts: u32| {
-        format!("application = \"../usrapp/main\"\n{keys}\n[expect]\ndata = {{ nParts = {parts} }}\n")
-    };
     folder.write("tests/own.toml", &scenario("", 1));
     folder.write("tests/stub.toml", &scenario("replace = { feeder = \"../usrapp/stubs/feeder\" }", 9));
     let run = folder.val3(&["test", ".", "--jobs", "1"]);
@@ -269,4 +269,8 @@ fn a_scenario_replaces_a_library() {
     folder.write("tests/stub.toml", &scenario("replace = { feedr = \"../usrapp/stubs/feeder\" }", 9));
     let run = folder.val3(&["test", "tests/stub.toml"]);
     assert!(run.code == 2 && run.stdout.contains("feedr"), "{run:?}");
+}
+
+fn scenario(keys: &str, parts: u32) -> String {
+    format!("application = \"../usrapp/main\"\n{keys}\n[expect]\ndata = {{ nParts = {parts} }}\n")
 }

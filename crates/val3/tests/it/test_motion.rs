@@ -300,13 +300,8 @@ fn a_changed_motion_is_recorded_again() {
 
 #[test]
 fn the_motion_of_teardown_does_not_belong_to_a_test() {
-    let moved = |name: &str, axis: u32| {
-        format!(
-            "program {name}()\nbegin\n  jTo={{0,0,{axis},0,90,0}}\n  movej(jTo,flange,mLine)\n  waitEndMove()\nend\n"
-        )
-    };
     let start = "num n\nn=1\n--- moveTest\nmdesc mLine\njoint jTo\nprogram start()\nbegin\nend\n";
-    let folder = Folder::with(&[start, &moved("testMove", 90), &moved("teardown", 45)].concat());
+    let folder = Folder::with(&[start, &moving("testMove", 90), &moving("teardown", 45)].concat());
     folder.write("usrapp/moveTest/testMove.toml", "[expect]\ntrace = \"move.csv\"\n");
     let tested =
         |options: &[&str]| folder.val3(&[&["test", "usrapp/moveTest", "--arm", "TX2-90", "--power"], options].concat());
@@ -315,6 +310,11 @@ fn the_motion_of_teardown_does_not_belong_to_a_test() {
     folder.write("usrapp/moveTest/teardown.pgx", &program.replace("0,0,45", "0,0,60"));
     let run = tested(&[]);
     assert_eq!(run.code, 0, "{run:?}");
+}
+
+/// Program that moves axis 3 to an angle.
+fn moving(name: &str, angle: u32) -> String {
+    format!("program {name}()\nbegin\n  jTo={{0,0,{angle},0,90,0}}\n  movej(jTo,flange,mLine)\n  waitEndMove()\nend\n")
 }
 
 #[test]

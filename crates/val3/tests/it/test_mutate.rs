@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use expect_test::expect;
 use serde_json::Value;
 
@@ -182,18 +182,19 @@ fn each_mistake_has_its_verdict() {
 #[test]
 fn a_seed_and_a_number_choose_mistakes() {
     let folder = cell(CELL);
-    let chosen = |options: &[&str]| {
-        let report = report(&folder, options);
-        let mutants = report["mutants"].as_array().unwrap().clone();
-        let of = |mutant: &Value| format!("{}{}{}", mutant["line"], mutant["found"], mutant["replacement"]);
-        mutants.iter().map(of).collect::<BTreeSet<String>>()
-    };
+    let chosen = |options: &[&str]| mistakes(&report(&folder, options));
     let all = chosen(&[]);
     let some = chosen(&["--mutations", "13"]);
     assert_eq!(some.len(), 13);
     assert!(some.is_subset(&all));
     assert_eq!(some, chosen(&["--mutations", "13", "--seed", "1", "--jobs", "1"]));
     assert_ne!(some, chosen(&["--mutations", "13", "--seed", "2"]));
+}
+
+/// Line, text and replacement of each mistake in the report.
+fn mistakes(report: &Value) -> BTreeSet<String> {
+    let mutants = report["mutants"].as_array().unwrap().iter();
+    mutants.map(|mutant| format!("{}{}{}", mutant["line"], mutant["found"], mutant["replacement"])).collect()
 }
 
 #[test]
@@ -220,18 +221,18 @@ fn tests_that_fail_get_no_mistakes() {
 #[test]
 fn no_file_is_changed() {
     let folder = cell(CELL);
-    let files = || {
-        let pal = Utf8Path::from_path(folder.path()).unwrap().join("usrapp");
-        let folders = ["pal", "palTest", "val3assert"].map(|name| pal.join(name));
-        let files = folders.iter().flat_map(|folder| folder.read_dir_utf8().unwrap());
-        files
-            .map(|file| file.unwrap().into_path())
-            .map(|path| (path.clone(), fs::read(path).unwrap()))
-            .collect::<Vec<_>>()
-    };
-    let before = files();
+    let before = files(&folder);
     mutated(&folder, &[]);
-    assert!(files() == before);
+    assert!(files(&folder) == before);
+}
+
+/// All files of the applications.
+fn files(folder: &Folder) -> Vec<(Utf8PathBuf, Vec<u8>)> {
+    let applications = Utf8Path::from_path(folder.path()).unwrap().join("usrapp");
+    let folders = ["pal", "palTest", "val3assert"].map(|name| applications.join(name));
+    let files = folders.iter().flat_map(|folder| folder.read_dir_utf8().unwrap());
+    let paths = files.map(|file| file.unwrap().into_path());
+    paths.map(|path| (path.clone(), fs::read(path).unwrap())).collect()
 }
 
 #[test]

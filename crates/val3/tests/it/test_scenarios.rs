@@ -240,13 +240,9 @@ fn test_programs_have_expectations_too() {
     let (head, rest) = program.split_once("begin").unwrap();
     let (_, tail) = rest.split_once("\nend").unwrap();
     folder.write("usrapp/mainTest/testFirst.pgx", &format!("{head}begin\n? \"said\"\n? sqrt(-1)\nend{tail}"));
-    let tested = |expectations: &str| {
-        folder.write("usrapp/mainTest/testFirst.toml", expectations);
-        folder.val3(&["test", "usrapp"])
-    };
-    let run = tested("[expect]\nprint = [\"said\"]\nerrors = [{ code = 11 }]\n");
+    let run = expecting(&folder, "[expect]\nprint = [\"said\"]\nerrors = [{ code = 11 }]\n");
     assert_eq!(run.code, 0, "{run:?}");
-    let run = tested("[expect]\nprint = [\"unsaid\"]\nerrors = [{ code = 20 }]\n");
+    let run = expecting(&folder, "[expect]\nprint = [\"unsaid\"]\nerrors = [{ code = 20 }]\n");
     expect![[r#"
         mainTest
           FAIL  testFirst (0.004 s)
@@ -266,8 +262,14 @@ fn test_programs_have_expectations_too() {
         0 passed, 1 failed
     "#]]
     .assert_eq(&run.stdout);
-    let run = tested("application = \"../main\"\n");
+    let run = expecting(&folder, "application = \"../main\"\n");
     assert_eq!((run.code, run.stdout.contains("`application` is a key of scenarios")), (2, true), "{run:?}");
+}
+
+/// Executes the tests with these expectations of the first test.
+fn expecting(folder: &Folder, expectations: &str) -> CommandOutput {
+    folder.write("usrapp/mainTest/testFirst.toml", expectations);
+    folder.val3(&["test", "usrapp"])
 }
 
 #[test]

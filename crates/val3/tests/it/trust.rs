@@ -175,21 +175,8 @@ fn shapes_are_no_other_files() {
 
 #[test]
 fn programs_cannot_use_names_that_steer_tools() {
-    let code = |name: &str| {
-        [
-            format!("  ? $fileOpen(\"{name}\",\"w\")"),
-            format!("  ? $fileOpen(\"{name}\",\"r\")"),
-            format!("  ? $fileExists(\"{name}\")"),
-            format!("  ? $delete(\"{name}\")"),
-            format!("  ? $copy(\"Disk://note.txt\",\"{name}\")"),
-            format!("  ? $copy(\"{name}\",\"Disk://stolen.txt\")"),
-            format!("  ? $rename(\"Disk://note.txt\",\"{name}\")"),
-            format!("  ? libDelete(\"{name}\")!=0"),
-        ]
-        .join("\n")
-    };
     for name in ["Disk://.git/config", "Disk://VAL3.toml", "./val3.toml", "Disk://sub/.envrc", "cell.toml"] {
-        let folder = cell(&format!("program start()\nbegin\n{}\nend\n", code(name)));
+        let folder = cell(&format!("program start()\nbegin\n{}\nend\n", accesses(name)));
         folder.write("cell/usrapp/.git/config", "[core]\n");
         folder.write("cell/usrapp/note.txt", "");
         fs::create_dir(folder.path().join("cell/usrapp/sub")).unwrap();
@@ -203,6 +190,21 @@ fn programs_cannot_use_names_that_steer_tools() {
     folder.write("cell/usrapp/sub/deep/.git/config", "[core]\n");
     assert_eq!(folder.val3(&["run", "cell/usrapp/main"]).stdout, "false\nfalse\n");
     assert_eq!(folder.read("cell/usrapp/sub/deep/.git/config"), "[core]\n");
+}
+
+/// Code that accesses a file in every way.
+fn accesses(name: &str) -> String {
+    [
+        format!("  ? $fileOpen(\"{name}\",\"w\")"),
+        format!("  ? $fileOpen(\"{name}\",\"r\")"),
+        format!("  ? $fileExists(\"{name}\")"),
+        format!("  ? $delete(\"{name}\")"),
+        format!("  ? $copy(\"Disk://note.txt\",\"{name}\")"),
+        format!("  ? $copy(\"{name}\",\"Disk://stolen.txt\")"),
+        format!("  ? $rename(\"Disk://note.txt\",\"{name}\")"),
+        format!("  ? libDelete(\"{name}\")!=0"),
+    ]
+    .join("\n")
 }
 
 /// Application data with a line.

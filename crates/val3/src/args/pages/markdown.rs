@@ -23,16 +23,19 @@ pub(super) fn prose(text: &str) -> String {
 
 /// Formats a word outside of code spans.
 fn word(word: &str) -> String {
-    let is_part = |letter: char| letter.is_alphanumeric() || "-=<>,".contains(letter);
     let start = word.find("--").filter(|start| word[..*start].chars().all(|letter| !letter.is_alphanumeric()));
     if let Some((before, rest)) = start.and_then(|start| word.split_at_checked(start)) {
-        let end = rest.find(|letter: char| !is_part(letter)).unwrap_or(rest.len());
+        let end = rest.find(|letter: char| !is_part_of_option(letter)).unwrap_or(rest.len());
         let end = rest.get(..end).map_or(end, |option| option.trim_end_matches(',').len());
         if let Some((option, after)) = rest.split_at_checked(end).filter(|(option, _)| option.len() > 2) {
             return format!("{before}`{option}`{after}");
         }
     }
     word.replace('<', "\\<").replace('*', "\\*").replace('|', "\\|")
+}
+
+fn is_part_of_option(letter: char) -> bool {
+    letter.is_alphanumeric() || "-=<>,".contains(letter)
 }
 
 /// Whether the line is a heading: at most three words and a colon.

@@ -106,11 +106,9 @@ impl TimesRow {
 
 impl RunTimes {
     pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
-        let open =
-            |path: &Utf8Path| file::create(path, OutputFileKind::Json, "times").map(|file| (file, path.to_owned()));
-        let file = path.map(open).transpose()?;
+        let file = path.map(|path| file::create(path, OutputFileKind::Json, "times")).transpose()?;
         Ok(Self {
-            file,
+            file: file.zip(path.map(Utf8Path::to_owned)),
             origin,
             arm: BTreeMap::new(),
             tasks: BTreeMap::new(),

@@ -71,8 +71,10 @@ impl SiteCollector<'_> {
 
     /// Adds the negation of a condition, unless another mistake has the same effect.
     fn negate(&mut self, statement: View<'_>) {
-        let is_part = |node: &View<'_>| !matches!(node.kind(), BLOCK | CASE_CLAUSE | ELSE_IF_CLAUSE);
-        let Some(condition) = statement.children().find(is_part) else { return };
+        let mut children = statement.children();
+        let Some(condition) = children.find(|node| !matches!(node.kind(), BLOCK | CASE_CLAUSE | ELSE_IF_CLAUSE)) else {
+            return;
+        };
         let is_equation =
             condition.kind() == BIN_EXPR && condition.tokens().any(|token| matches!(token.kind(), EQ2 | NEQ));
         if condition.kind() != LITERAL && !is_equation {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use val3_coverage::Coverage;
+use val3_coverage::{Coverage, ProgramCoverage};
 use val3_lang::ports::Time;
 use val3_suite::FinalState;
 
@@ -91,9 +91,11 @@ pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) 
 
 fn original(test: TestFile<'_>, execution: Execution) -> Original<'_> {
     let Execution { result, state, coverage, used, limit } = execution;
-    let executed =
-        |lines: &BTreeMap<u32, u64>| lines.iter().filter(|(_, hits)| **hits > 0).map(|(line, _)| *line).collect();
-    let lines = coverage.programs().map(|(file, program)| (file.to_owned(), executed(&program.lines))).collect();
+    let lines = coverage.programs().map(|(file, program)| (file.to_owned(), executed_lines(program))).collect();
     let limit = result.duration.saturating_mul(SLOWNESS).max(LEAST).min(limit);
     Original { test, limit, state, used, lines }
+}
+
+fn executed_lines(program: &ProgramCoverage) -> BTreeSet<u32> {
+    program.lines.iter().filter(|(_, hits)| **hits > 0).map(|(line, _)| *line).collect()
 }

@@ -57,12 +57,15 @@ pub(crate) fn record_served(run: &ServedRun, name: &str) -> Result<Recorded, Use
 
 /// Checks that a name is a file name on each system.
 fn check_name(name: &str) -> Result<(), UserError> {
-    let is_part = |character: char| character.is_ascii_alphanumeric() || matches!(character, '_' | '-');
-    if !name.is_empty() && name.len() <= LONGEST && name.chars().all(is_part) {
+    if !name.is_empty() && name.len() <= LONGEST && name.chars().all(is_part_of_name) {
         return Ok(());
     }
     Err(UserError::new(format!("`{name}` is not the name of a scenario"))
         .with_help(format!("write 1 to {LONGEST} letters, digits, `_` and `-`")))
+}
+
+fn is_part_of_name(character: char) -> bool {
+    character.is_ascii_alphanumeric() || matches!(character, '_' | '-')
 }
 
 /// Folder for an application's scenarios: the nearest folder `tests` next to the application or above it in the cell,

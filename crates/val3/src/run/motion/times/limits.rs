@@ -140,9 +140,7 @@ mod tests {
         let advice =
             |limit| times(&[(limit, 300), (SpeedLimit::Corner, 100), (SpeedLimit::End, 900)]).advice().unwrap();
         let all = SpeedLimit::all().filter(|limit| *limit != SpeedLimit::End);
-        let is_first_axis =
-            |limit: &SpeedLimit| !limit.to_string().contains("axis") || limit.to_string().ends_with('2');
-        let sentences: Vec<String> = all.filter(is_first_axis).map(|limit| advice(limit) + "\n").collect();
+        let sentences: Vec<String> = all.filter(has_one_axis).map(|limit| advice(limit) + "\n").collect();
         expect![[r#"
             75 % of the moving time is limited by the acceleration of axis 2: raise accel, or shorten the way of axis 2
             75 % of the moving time is limited by the deceleration of axis 2: raise decel, or shorten the way of axis 2
@@ -162,5 +160,11 @@ mod tests {
         "#]]
         .assert_eq(&sentences.concat());
         assert_eq!(times(&[(SpeedLimit::End, 900)]).advice(), None);
+    }
+
+    /// Whether the limit belongs to axis 2 or to no axis.
+    fn has_one_axis(limit: &SpeedLimit) -> bool {
+        let text = limit.to_string();
+        !text.contains("axis") || text.ends_with('2')
     }
 }
