@@ -1,6 +1,8 @@
 //! `record` command of pages: scenarios of a served run.
 
-use std::thread::{self, JoinHandle};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 
 use camino::Utf8PathBuf;
 use serde_json::{Map, Value};
@@ -24,7 +26,8 @@ pub(super) struct ScenarioRecorder {
     events: Vec<Event>,
     /// Whether there were more than `MAX_EVENTS` events.
     is_full: bool,
-    writer: Option<JoinHandle<()>>,
+    /// Whether a thread writes a scenario.
+    is_writing: Arc<AtomicBool>,
 }
 
 impl ScenarioRecorder {
@@ -35,7 +38,7 @@ impl ScenarioRecorder {
     pub(super) fn new(args: &RunArgs) -> Result<Self, UserError> {
         let application = current_folder()?.join(&args.application);
         let controller = args.controller.clone();
-        Ok(Self { application, controller, events: Vec::new(), is_full: false, writer: None })
+        Ok(Self { application, controller, events: Vec::new(), is_full: false, is_writing: Arc::default() })
     }
 
     /// Adds events of a cycle that began at `start`. Later events, from which a debugger has gone back, are discarded.
@@ -61,7 +64,7 @@ impl ScenarioRecorder {
             );
             return command.answer(Err(reason));
         }
-        if self.writer.as_ref().is_some_and(|writer| !writer.is_finished()) {
+        if self.is_writing.swap(true, Ordering::AcqRel) {
             return command.answer(Err("a scenario is being recorded; wait until it is written".to_owned()));
         }
         let run = ServedRun {
@@ -70,7 +73,13 @@ impl ScenarioRecorder {
             events: self.events.clone(),
             now: seconds(now),
         };
-        self.writer = Some(thread::spawn(move || command.answer(recorded(&run, &name))));
+        let is_writing = Arc::clone(&self.is_writing);
+        thread::spawn(move || {
+            let result = recorded(&run, &name);
+            // The next command may follow the answer immediately.
+            is_writing.store(false, Ordering::Release);
+            command.answer(result);
+        });
     }
 }
 

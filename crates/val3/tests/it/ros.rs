@@ -22,7 +22,7 @@ impl Server {
         let [feedback, motion] = free_ports();
         let line = |name: &str, port: u16| format!(r"--line=Socket\{name}=server:{port}");
         let (first, second) = (line("Feedback", feedback), line("Motion", motion));
-        let mut command = folder.command(&["run", "usrapp/main", "--time", "real", "--until", "120", &first, &second]);
+        let mut command = folder.command(&["run", "usrapp/main", "--time", "real", "--until", "600", &first, &second]);
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
         Self { child: command.spawn().unwrap(), _folder: folder, feedback, motion }
     }

@@ -11,7 +11,7 @@ import struct
 import sys
 import time
 
-TIMEOUT = 20
+TIMEOUT = 120
 HEADER = struct.Struct("<4i")
 BODIES = {
     10: ("joints", struct.Struct("<i10f")),
