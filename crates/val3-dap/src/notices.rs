@@ -44,13 +44,8 @@ impl Notices {
     /// Compares the tasks with the reported tasks.
     pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<StandardEvent> {
         let present: BTreeSet<TaskNumber> = controller.vm.tasks().iter().map(|task| task.id).collect();
-        let changed = |reason: ThreadEventReason| {
-            move |task: &TaskNumber| {
-                StandardEvent::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) })
-            }
-        };
-        let ended = self.tasks.difference(&present).map(changed(ThreadEventReason::Exited));
-        let started = present.difference(&self.tasks).map(changed(ThreadEventReason::Started));
+        let ended = self.tasks.difference(&present).map(|task| thread_event(ThreadEventReason::Exited, *task));
+        let started = present.difference(&self.tasks).map(|task| thread_event(ThreadEventReason::Started, *task));
         let changes = ended.chain(started).collect();
         self.tasks = present;
         changes
@@ -149,4 +144,8 @@ fn error_text(code: u16, task: Option<&str>) -> String {
     let short = runtime_errors::find(code).map_or("unknown run-time error", |error| error.short);
     let task = task.map(|task| format!(" (task `{task}`)")).unwrap_or_default();
     format!("error {code}: {short}{task}")
+}
+
+fn thread_event(reason: ThreadEventReason, task: TaskNumber) -> StandardEvent {
+    StandardEvent::Thread(ThreadEvent { reason, thread_id: thread(task) })
 }
