@@ -58,11 +58,12 @@ impl Counting {
 
     /// Assigns the counter for a side with these statements. `None` if the clause is not counted.
     pub(crate) fn side(&mut self, branch: BranchId, name: &str, block: &[Stmt]) -> Option<u16> {
-        let first = block.first().map(|first| first.range.start());
-        // A comment above the first statement excludes only this statement.
-        let is_left_out = |range: &TextRange| first.is_some_and(|first| range.start() < first && range.contains(first));
-        if self.uncovered.iter().flatten().any(is_left_out) {
-            return None;
+        if let Some(first) = block.first().map(|first| first.range.start()) {
+            // A comment above the first statement excludes only this statement.
+            let mut excluded = self.uncovered.iter().flatten();
+            if excluded.any(|range| range.start() < first && range.contains(first)) {
+                return None;
+            }
         }
         let counter = self.counter();
         let branch = self.counters.branches.get_mut(branch.0)?;

@@ -82,15 +82,15 @@ fn compile(
 fn declare(statements: &mut Statements<'_, '_>, variables: &[FrameVariable]) -> Result<Vec<FrameVariable>> {
     let frame = statements.out().frame_mut();
     frame.is_fragment = true;
-    let reference = |variable: &FrameVariable| {
+    let references = variables.iter().map(|variable| {
         let storage = match variable.storage {
             Storage::Value(_) | Storage::Place(_) => Storage::Place(frame.lasting_place()?),
             Storage::Part(_) | Storage::View(_) => Storage::View(frame.lasting_view()?),
         };
         frame.declare(SmolStr::from(&variable.name), storage);
         Ok(FrameVariable { storage, ..variable.clone() })
-    };
-    variables.iter().map(reference).collect()
+    });
+    references.collect()
 }
 
 fn finished(statements: &mut Statements<'_, '_>, variables: Vec<FrameVariable>) -> Result<Program> {

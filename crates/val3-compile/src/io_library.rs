@@ -18,14 +18,16 @@ pub(crate) fn is_io_library(db: &dyn Db, project: Project) -> bool {
 /// in the cell declares is simulated.
 pub(crate) fn link(db: &dyn Db, project: Project, name: &str, base: Base) -> Option<LoadedLink> {
     let Base::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) = base else { return None };
-    let is_serial = || {
-        let devices = project.cell(db).map(|cell| &cell.config(db).io.devices);
-        devices.and_then(|devices| devices.get("Serial")).is_some_and(|serial| serial.contains_key(name))
-    };
     let path = match base {
-        BaseType::Sio if is_serial() => format!("Serial\\{name}"),
+        BaseType::Sio if is_serial_line(db, project, name) => format!("Serial\\{name}"),
         BaseType::Sio => format!("Socket\\{name}"),
         _ => name.to_owned(),
     };
     Some(LoadedLink { path: Vec::new(), value: 0, link: 0, target: LinkTarget::Port(base, path) })
+}
+
+/// Whether the cell declares a serial line with this name.
+fn is_serial_line(db: &dyn Db, project: Project, name: &str) -> bool {
+    let devices = project.cell(db).map(|cell| &cell.config(db).io.devices);
+    devices.and_then(|devices| devices.get("Serial")).is_some_and(|serial| serial.contains_key(name))
 }

@@ -86,12 +86,15 @@ fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileE
     Ok(CompileError { variable: Some(name.to_string()), ..CompileError::at(file.path(db).as_str(), row, limit) })
 }
 
+fn is_built_in_variable(name: &str) -> bool {
+    builtins::find(name).is_some_and(|builtin| builtin.is_variable)
+}
+
 /// Returns global data with their links. Built-in variables are omitted, although files of s5 and s6 declare them.
 fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), DataError> {
-    let is_builtin = |name: &str| builtins::find(name).is_some_and(|builtin| builtin.is_variable);
     let (mut data, mut links) = (Vec::new(), Vec::new());
     let is_io_library = io_library::is_io_library(kinds.db, project);
-    for (decl, base, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
+    for (decl, base, loaded) in kinds.data_of(project, |decl| !is_built_in_variable(&decl.name))? {
         let number = u16::try_from(data.len()).map_err(|_| CompileLimit::Containers)?;
         ContainerRef::new(ContainerKind::Data(number)).ok_or(CompileLimit::Containers)?;
         if is_io_library && loaded.links.is_empty() {

@@ -113,12 +113,12 @@ impl Declarations<'_, '_, '_> {
     }
 
     fn program_calls(&self) -> Vec<ExprId> {
-        let call = |kind: &StmtKind| match kind {
+        let calls = self.body.stmts().into_iter().filter_map(|stmt| match &stmt.kind {
             StmtKind::Call(call) => Some(*call),
             StmtKind::TaskCreate { arguments, .. } => arguments.last().copied(),
             _ => None,
-        };
-        self.body.stmts().into_iter().filter_map(|stmt| call(&stmt.kind)).collect()
+        });
+        calls.collect()
     }
 
     fn program_shapes(&self, call: ExprId) -> Vec<ArgumentForm> {

@@ -243,13 +243,9 @@ impl BreakpointTable {
     /// Removes the breakpoints on data, because an application that is opened again has new data.
     pub(crate) fn remove_data(&mut self) -> Vec<protocol::Breakpoint> {
         self.known_data.clear();
-        let removed = |id| protocol::Breakpoint {
-            id: Some(number(id)),
-            message: Some("the application was opened again: set the breakpoint again".to_owned()),
-            reason: Some(BreakpointReason::Failed),
-            ..protocol::Breakpoint::default()
-        };
-        std::mem::take(&mut self.data).into_iter().map(removed).collect()
+        let message = "the application was opened again: set the breakpoint again";
+        let removed = std::mem::take(&mut self.data).into_iter();
+        removed.map(|id| unplaced(id, BreakpointReason::Failed, message)).collect()
     }
 
     /// An identity that no breakpoint has.
@@ -259,16 +255,22 @@ impl BreakpointTable {
     }
 }
 
+/// Breakpoint without a place, and the reason.
+fn unplaced(id: BreakpointId, reason: BreakpointReason, message: &str) -> protocol::Breakpoint {
+    protocol::Breakpoint {
+        id: Some(number(id)),
+        message: Some(message.to_owned()),
+        reason: Some(reason),
+        ..protocol::Breakpoint::default()
+    }
+}
+
 impl SourceBreakpoints {
     fn place(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
         let Some(file) = file_of(&self.source, &run.debugger.controller) else {
-            let unknown = |(id, _): &(BreakpointId, _)| protocol::Breakpoint {
-                id: Some(number(*id)),
-                message: Some("the application has loaded no program of this file yet".to_owned()),
-                reason: Some(BreakpointReason::Pending),
-                ..protocol::Breakpoint::default()
-            };
-            return self.breakpoints.iter().map(unknown).collect();
+            let message = "the application has loaded no program of this file yet";
+            let pending = self.breakpoints.iter();
+            return pending.map(|(id, _)| unplaced(*id, BreakpointReason::Pending, message)).collect();
         };
         let parsed =
             self.breakpoints.iter().map(|(id, breakpoint)| (*id, parse(*id, breakpoint, (&file, run), conventions)));

@@ -67,12 +67,6 @@ pub(crate) fn of_attached_runs() -> Capabilities {
 
 /// The filters for errors.
 pub(crate) fn filters() -> Vec<ExceptionBreakpointsFilter> {
-    let filter = |filter: &str, label: &str, description: &str| ExceptionBreakpointsFilter {
-        filter: filter.to_owned(),
-        label: label.to_owned(),
-        description: Some(description.to_owned()),
-        ..ExceptionBreakpointsFilter::default()
-    };
     vec![
         filter(ALL_ERRORS, "All run-time errors", "Stop at each run-time error"),
         ExceptionBreakpointsFilter {
@@ -94,4 +88,13 @@ pub(crate) fn filters() -> Vec<ExceptionBreakpointsFilter> {
             ..filter(LISTED_ERRORS, "Run-time errors with a number", "Stop at run-time errors with these numbers")
         },
     ]
+}
+
+fn filter(filter: &str, label: &str, description: &str) -> ExceptionBreakpointsFilter {
+    ExceptionBreakpointsFilter {
+        filter: filter.to_owned(),
+        label: label.to_owned(),
+        description: Some(description.to_owned()),
+        ..ExceptionBreakpointsFilter::default()
+    }
 }

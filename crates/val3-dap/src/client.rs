@@ -101,13 +101,6 @@ impl Client {
     /// the run.
     pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
         self.queue.extend(self.inbox.try_iter());
-        let is_end = |incoming: &Incoming| match incoming {
-            Incoming::End => true,
-            Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) => {
-                ["disconnect", "terminate", "restart"].contains(&command.as_str())
-            }
-            Incoming::Message(_) | Incoming::Garbage(_) => false,
-        };
         self.queue.iter().any(|incoming| is_end(incoming) || is_cancel(incoming, request, progress))
     }
 
@@ -172,5 +165,16 @@ fn is_cancel(incoming: &Incoming, request: i64, progress: &str) -> bool {
 impl fmt::Debug for Client {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Client").field("is_connected", &self.is_connected).finish_non_exhaustive()
+    }
+}
+
+/// Whether a message ends the run or the connection.
+fn is_end(incoming: &Incoming) -> bool {
+    match incoming {
+        Incoming::End => true,
+        Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) => {
+            ["disconnect", "terminate", "restart"].contains(&command.as_str())
+        }
+        Incoming::Message(_) | Incoming::Garbage(_) => false,
     }
 }

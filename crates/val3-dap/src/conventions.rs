@@ -86,11 +86,10 @@ impl Conventions {
 }
 
 fn uri(file: &str) -> String {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/:".contains(&byte);
     let slash = if file.starts_with('/') { "" } else { "/" };
     let path = file.bytes().map(|byte| match byte {
         b'\\' => "/".to_owned(),
-        _ if is_plain(byte) => char::from(byte).to_string(),
+        _ if byte.is_ascii_alphanumeric() || b"-._~/:".contains(&byte) => char::from(byte).to_string(),
         _ => format!("%{byte:02X}"),
     });
     format!("{FILE_URI}{slash}{}", path.collect::<String>())

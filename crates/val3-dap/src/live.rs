@@ -149,10 +149,7 @@ impl Subscriptions {
         if self.has_io && !levels.is_empty() {
             changes.push(("val3/io", json!({ "changes": levels })));
         }
-        let is_page = |event: &Event| {
-            matches!(event.kind, EventKind::Put { .. } | EventKind::Title { .. } | EventKind::Cls { .. })
-        };
-        if self.has_user_page && events.iter().any(is_page) {
+        if self.has_user_page && events.iter().any(changes_user_page) {
             changes.push(("val3/userPage", json!(ShownUserPage::new(controller))));
         }
         changes
@@ -161,14 +158,19 @@ impl Subscriptions {
 
 /// The body of `val3/view`. Samples are bytes in base 64.
 fn messages(feed: &mut Feed) -> Option<Value> {
-    let object = |message| match message {
+    let messages = feed.take().into_iter().map(|message| match message {
         ViewerMessage::Object(object) => object,
         ViewerMessage::Samples(bytes) => {
             json!(wire::Message::Samples(wire::Samples { base64: BASE64_STANDARD.encode(bytes) }))
         }
-    };
-    let messages: Vec<Value> = feed.take().into_iter().map(object).collect();
+    });
+    let messages: Vec<Value> = messages.collect();
     (!messages.is_empty()).then(|| json!({ "messages": messages }))
+}
+
+/// Whether an event changes the user page.
+fn changes_user_page(event: &Event) -> bool {
+    matches!(event.kind, EventKind::Put { .. } | EventKind::Title { .. } | EventKind::Cls { .. })
 }
 
 impl MotionSampling {

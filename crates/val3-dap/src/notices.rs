@@ -74,13 +74,8 @@ impl Notices {
     /// Compares the tasks with the reported tasks.
     pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<StandardEvent> {
         let present: BTreeSet<TaskNumber> = controller.vm.tasks().iter().map(|task| task.id).collect();
-        let changed = |reason: ThreadEventReason| {
-            move |task: &TaskNumber| {
-                StandardEvent::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) })
-            }
-        };
-        let ended = self.tasks.difference(&present).map(changed(ThreadEventReason::Exited));
-        let started = present.difference(&self.tasks).map(changed(ThreadEventReason::Started));
+        let ended = self.tasks.difference(&present).map(|task| thread_event(ThreadEventReason::Exited, *task));
+        let started = present.difference(&self.tasks).map(|task| thread_event(ThreadEventReason::Started, *task));
         let changes = ended.chain(started).collect();
         self.tasks = present;
         changes
@@ -181,6 +176,10 @@ fn error_text(code: u16, task: Option<&str>) -> String {
     format!("error {code}: {short}{task}")
 }
 
+fn thread_event(reason: ThreadEventReason, task: TaskNumber) -> StandardEvent {
+    StandardEvent::Thread(ThreadEvent { reason, thread_id: thread(task) })
+}
+
 #[cfg(test)]
 mod tests {
     use serde_json::{Value, json};
@@ -194,9 +193,12 @@ mod tests {
         events.into_iter().filter(|(event, _)| event == "output").map(|(_, body)| body).collect()
     }
 
+    fn expected(text: &str, category: &str, line: u64) -> Value {
+        json!({ "output": text, "category": category, "line": FIRST_LINE + line, "source": source("start") })
+    }
+
     #[test]
     fn output_of_programs_has_its_line() {
-        let expected = |text: &str, category: &str, line: u64| json!({ "output": text, "category": category, "line": FIRST_LINE + line, "source": source("start") });
         let shown = outputs(json!({}));
         assert_eq!(shown[..2], [expected("a", "stdout", 0), expected("b\n", "stdout", 1)]);
         assert_eq!((&shown[2]["line"], &shown[2]["category"]), (&json!(FIRST_LINE + 2), &json!("console")));

@@ -248,12 +248,12 @@ fn own_arguments<T: DeserializeOwned>(arguments: Option<Value>) -> serde_json::R
 
 /// Returns the argument without which the reason is another one, or none.
 fn wrong_argument<'a, T: DeserializeOwned>(arguments: &'a Map<String, Value>, reason: &str) -> Option<&'a str> {
-    let is_wrong = |name: &&String| {
+    let wrong = arguments.keys().find(|name| {
         let mut others = arguments.clone();
         others.remove(*name);
         serde_json::from_value::<T>(Value::Object(others)).err().is_none_or(|error| error.to_string() != reason)
-    };
-    arguments.keys().find(is_wrong).map(String::as_str)
+    });
+    wrong.map(String::as_str)
 }
 
 #[cfg(test)]

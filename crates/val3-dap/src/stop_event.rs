@@ -69,11 +69,7 @@ fn first_task(controller: &Controller) -> Option<TaskNumber> {
 }
 
 fn data(stop: &DataStop, controller: &Controller) -> StoppedEvent {
-    let change = |change: &DataChange| match change.is_write {
-        true => format!("{} -> {}", change.old, change.new),
-        false => format!("read: {}", change.new),
-    };
-    let changes: Vec<String> = stop.changes.iter().map(change).collect();
+    let changes: Vec<String> = stop.changes.iter().map(described).collect();
     let line = stop.line.as_ref().map(|line| format!(" ({}:{}(), line {})", line.application, line.program, line.row));
     StoppedEvent {
         hit_breakpoint_ids: Some(stop.changes.iter().map(|change| number(change.id)).collect()),
@@ -117,6 +113,11 @@ fn path_fault(fault: &MotionFault, controller: &Controller) -> StoppedEvent {
     }
 }
 
+/// A change of watched data: the old and new value, or the value that was read.
+fn described(change: &DataChange) -> String {
+    if change.is_write { format!("{} -> {}", change.old, change.new) } else { format!("read: {}", change.new) }
+}
+
 /// The task that is in the program of the move.
 fn mover(stop: &MotionStop, controller: &Controller) -> Option<TaskNumber> {
     task_in(stop.piece.as_ref()?.source.as_ref()?, controller)
@@ -124,8 +125,8 @@ fn mover(stop: &MotionStop, controller: &Controller) -> Option<TaskNumber> {
 
 /// The task that is in the program of a line.
 fn task_in(source: &CodeSource, controller: &Controller) -> Option<TaskNumber> {
-    let is_in = |task: TaskNumber| frames(&controller.vm, task).iter().any(|frame| frame.file == source.file);
-    controller.vm.tasks().iter().map(|task| task.id).find(|task| is_in(*task))
+    let mut tasks = controller.vm.tasks().iter().map(|task| task.id);
+    tasks.find(|task| frames(&controller.vm, *task).iter().any(|frame| frame.file == source.file))
 }
 
 /// The run as a process of this machine.

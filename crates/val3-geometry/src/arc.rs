@@ -99,12 +99,14 @@ fn turns(
 ) -> Result<[Vector3<f64>; 2], ArcError> {
     let first = rotation::to_vector(&(start.rotation.inverse() * intermediate.rotation));
     let second = rotation::to_vector(&(intermediate.rotation.inverse() * end.rotation));
-    let undetermined = |(turn, arc): (&Vector3<f64>, f64)| {
-        let angle = turn.norm();
-        angle >= HALF_TURN || (arc >= HALF_TURN && angle > SAME_ORIENTATION)
-    };
     let turns = [first, second];
-    if turns.iter().zip(arcs).any(undetermined) { Err(ArcError::Orientation) } else { Ok(turns) }
+    let mut angles = turns.iter().map(Vector3::norm).zip(arcs);
+    if angles.any(|(turn, arc)| is_undetermined(turn, arc)) { Err(ArcError::Orientation) } else { Ok(turns) }
+}
+
+/// Whether the direction of a rotation by an angle is undetermined over an arc.
+fn is_undetermined(turn: f64, arc: f64) -> bool {
+    turn >= HALF_TURN || (arc >= HALF_TURN && turn > SAME_ORIENTATION)
 }
 
 /// Returns the vector for `rotation`, plus or minus whole turns, that is nearest to `expected`.

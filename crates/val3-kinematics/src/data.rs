@@ -198,14 +198,7 @@ impl ArmTableReader<'_> {
                 return Err(self.error(length.span().start, &format!("geometry.{name}"), message));
             }
         }
-        let read = |name: &str, length: &Option<Spanned<f64>>, sign| {
-            let key = format!("geometry.{name}");
-            let Some(length) = length else {
-                let message = format!("{} needs this length, add it in mm", file.kind.described());
-                return Err(self.error(file.geometry.span().start, &key, message));
-            };
-            self.number(*length.get_ref(), sign).map_err(|message| self.error(length.span().start, &key, message))
-        };
+        let read = |name, length: &Option<Spanned<f64>>, sign| self.length(file, name, length.as_ref(), sign);
         let height = match lengths.height {
             Some(_) => read("height", &lengths.height, Sign::NotNegative)?,
             None => 0.0,
@@ -227,11 +220,27 @@ impl ArmTableReader<'_> {
         Ok((geometry, height))
     }
 
+    /// Reads a length that the kind of arm needs, in mm.
+    fn length(
+        &self,
+        file: &ArmDataFile,
+        name: &str,
+        length: Option<&Spanned<f64>>,
+        sign: Sign,
+    ) -> Result<f64, ArmError> {
+        let key = format!("geometry.{name}");
+        let Some(length) = length else {
+            let message = format!("{} needs this length, add it in mm", file.kind.described());
+            return Err(self.error(file.geometry.span().start, &key, message));
+        };
+        self.number(*length.get_ref(), sign).map_err(|message| self.error(length.span().start, &key, message))
+    }
+
     fn axes(&self, file: &ArmDataFile) -> Result<Vec<AxisLimits>, ArmError> {
         let columns = file.axes.get_ref();
         let count = file.kind.axes();
         let read = |name: &str, column: &Spanned<Vec<f64>>, sign| self.column(file.kind, name, column, sign);
-        let optional = |name: &str, column: &Option<Spanned<Vec<f64>>>| {
+        let optional = |name, column: &Option<Spanned<Vec<f64>>>| {
             column.as_ref().map(|column| read(name, column, Sign::Positive)).transpose()
         };
         let min = read("min", &columns.min, Sign::Any)?;
@@ -294,17 +303,17 @@ impl ArmTableReader<'_> {
     }
 
     fn payload(&self, loads: Option<&Loads>) -> Result<Payload, ArmError> {
-        let read = |name: &str, load: Option<&Spanned<f64>>| {
-            let checked = |load: &Spanned<f64>| {
-                let error = |message| self.error(load.span().start, &format!("payload.{name}"), message);
-                self.number(*load.get_ref(), Sign::Positive).map_err(error)
-            };
-            load.map(checked).transpose()
-        };
         Ok(Payload {
-            nominal: read("nominal", loads.and_then(|loads| loads.nominal.as_ref()))?,
-            maximum: read("maximum", loads.and_then(|loads| loads.maximum.as_ref()))?,
+            nominal: self.load("nominal", loads.and_then(|loads| loads.nominal.as_ref()))?,
+            maximum: self.load("maximum", loads.and_then(|loads| loads.maximum.as_ref()))?,
         })
+    }
+
+    /// Reads a load, in kg.
+    fn load(&self, name: &str, load: Option<&Spanned<f64>>) -> Result<Option<f64>, ArmError> {
+        let Some(load) = load else { return Ok(None) };
+        let number = self.number(*load.get_ref(), Sign::Positive);
+        number.map(Some).map_err(|message| self.error(load.span().start, &format!("payload.{name}"), message))
     }
 
     fn number(&self, value: f64, sign: Sign) -> Result<f64, String> {

@@ -102,17 +102,21 @@ impl AddOnOverload {
     #[must_use]
     pub fn known(&self, name: &str) -> Option<(&'static Instruction, &'static Overload)> {
         let instruction = instructions::find(name)?;
-        let found = |same: fn(ArgumentForm, ArgumentForm) -> bool| {
-            instruction.overloads.iter().find(|form| {
-                let mut pairs = form.params.iter().zip(&self.params);
-                form.on_library == self.on_library
-                    && form.params.len() == self.params.len()
-                    && pairs.all(|(known, own)| known.ty == own.ty && same(known.shape, own.shape))
-            })
-        };
-        let form = found(|known, own| known == own)
-            .or_else(|| found(|known, own| known.is_by_reference() == own.is_by_reference()))?;
+        let mut forms = instruction.overloads.iter();
+        let exact = forms.clone().find(|form| self.has_arguments_of(form, |known, own| known == own));
+        let form = exact.or_else(|| {
+            forms
+                .find(|form| self.has_arguments_of(form, |known, own| known.is_by_reference() == own.is_by_reference()))
+        })?;
         Some((instruction, form))
+    }
+
+    /// Whether a form of the catalogue has the same arguments, if `same` compares the argument forms.
+    fn has_arguments_of(&self, form: &Overload, same: fn(ArgumentForm, ArgumentForm) -> bool) -> bool {
+        let mut pairs = form.params.iter().zip(&self.params);
+        form.on_library == self.on_library
+            && form.params.len() == self.params.len()
+            && pairs.all(|(known, own)| known.ty == own.ty && same(known.shape, own.shape))
     }
 
     /// Syntax line of this form; `name` is the instruction's name.

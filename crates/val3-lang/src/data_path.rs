@@ -147,17 +147,17 @@ mod tests {
         (name(), prop::option::of("[0-9]{1,3}(,[0-9]{1,3}){0,2}"))
     }
 
+    fn step_text((name, index): &(String, Option<String>)) -> String {
+        index.as_ref().map_or_else(|| name.clone(), |index| format!("{name}[{index}]"))
+    }
+
     proptest! {
         #[test]
         fn a_path_contains_the_parts_that_it_was_built_of(
             library in prop::option::of(name()),
             parts in prop::collection::vec(part(), 1..5),
         ) {
-            let shown = |(name, index): &(String, Option<String>)| match index {
-                Some(index) => format!("{name}[{index}]"),
-                None => name.clone(),
-            };
-            let inside = parts.iter().map(shown).collect::<Vec<_>>().join(".");
+            let inside = parts.iter().map(step_text).collect::<Vec<_>>().join(".");
             let text = library.as_ref().map_or(inside.clone(), |library| format!("{library}:{inside}"));
             let path = DataPath::new(&text);
             let names: Vec<&str> = parts.iter().map(|(name, _)| name.as_str()).collect();

@@ -19,11 +19,12 @@ pub fn attribute(file: FileKind, element: &str, name: &str) -> Option<&'static s
     if name == "xmlns" || name == "xmlns:xsi" {
         return Some("Namespace of the file format. The controller refuses a file with another one.");
     }
-    let old_data = || {
-        let of_file = file == FileKind::Data;
-        OLD_DATA_ATTRIBUTES.iter().find(|(known, _)| of_file && *known == name).map(|(_, page)| *page)
-    };
-    find(file, element, name).or_else(old_data)
+    find(file, element, name).or_else(|| old_data_attribute(file, name))
+}
+
+fn old_data_attribute(file: FileKind, name: &str) -> Option<&'static str> {
+    let attributes: &[_] = if file == FileKind::Data { OLD_DATA_ATTRIBUTES } else { &[] };
+    attributes.iter().find(|(known, _)| *known == name).map(|(_, page)| *page)
 }
 
 fn find(file: FileKind, element: &str, attribute: &str) -> Option<&'static str> {

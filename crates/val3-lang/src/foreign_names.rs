@@ -9,8 +9,9 @@
 /// ```
 #[must_use]
 pub fn remedy(name: &str) -> Option<&'static str> {
-    let is_it = |(names, _): &&(&[&str], &str)| names.iter().any(|known| known.eq_ignore_ascii_case(name));
-    REMEDIES.iter().find(is_it).map(|(_, remedy)| *remedy)
+    let mut remedies = REMEDIES.iter();
+    let (_, remedy) = remedies.find(|(names, _)| names.iter().any(|known| known.eq_ignore_ascii_case(name)))?;
+    Some(remedy)
 }
 
 /// All names of other languages with a VAL 3 equivalent.

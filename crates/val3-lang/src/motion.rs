@@ -115,8 +115,8 @@ pub fn missing_reference(ty: BaseType) -> Option<u16> {
 #[must_use]
 pub fn needs_reference(instruction: &Instruction, param: &InstructionParam) -> bool {
     let Some(error) = param.ty.and_then(missing_reference) else { return false };
-    let is_move = || matches!(instruction.role, Some(MotionRole::Move(_)));
-    param.shape == ArgumentForm::Value && (instruction.errors.contains(&error) || is_move())
+    let is_move = matches!(instruction.role, Some(MotionRole::Move(_)));
+    param.shape == ArgumentForm::Value && (instruction.errors.contains(&error) || is_move)
 }
 
 #[cfg(test)]
@@ -152,11 +152,6 @@ mod tests {
 
     #[test]
     fn references_that_are_needed() {
-        let needs = |name: &str| {
-            let instruction = instructions::find(name).unwrap();
-            let form = instruction.overloads.last().unwrap();
-            form.params.iter().map(|param| needs_reference(instruction, param)).collect::<Vec<_>>()
-        };
         assert_eq!(needs("movel"), [true, true, false]);
         assert_eq!(needs("movelf"), [true, true, false, false]);
         assert_eq!(needs("setFrame"), [true, true, true, false]);
@@ -164,13 +159,21 @@ mod tests {
         assert_eq!(needs("here"), [true, true]);
     }
 
+    /// Whether each parameter of an instruction's last form needs a reference.
+    fn needs(name: &str) -> Vec<bool> {
+        let instruction = instructions::find(name).unwrap();
+        let form = instruction.overloads.last().unwrap();
+        form.params.iter().map(|param| needs_reference(instruction, param)).collect()
+    }
+
     #[test]
     fn choices() {
-        let names = |is: fn(&Enumerator) -> bool| {
-            ENUMERATORS.iter().filter(|row| is(row)).map(|row| row.name).collect::<Vec<_>>()
-        };
         assert_eq!(names(is_blend), ["joint", "Cartesian"]);
         assert_eq!(names(is_definite), ["lefty", "righty", "epositive", "enegative", "wpositive", "wnegative"]);
+    }
+
+    fn names(is: fn(&Enumerator) -> bool) -> Vec<&'static str> {
+        ENUMERATORS.iter().filter(|row| is(row)).map(|row| row.name).collect()
     }
 
     #[test]

@@ -60,7 +60,6 @@ impl NumberFunction {
     /// Function for an instruction form in a version; `None` if it does not compute a number only from numbers.
     #[must_use]
     pub fn of(instruction: &Instruction, form: &Overload, version: Version) -> Option<Self> {
-        let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));
         let takes_numbers = form.params.iter().all(|param| param.shape == ArgumentForm::Value && is_number(param.ty));
         let (function, ..) = ALL.iter().find(|(_, name, _)| *name == instruction.name)?;
         let function = match function {
@@ -93,6 +92,10 @@ impl NumberFunction {
     }
 }
 
+fn is_number(ty: Option<BaseType>) -> bool {
+    matches!(ty, Some(BaseType::Num | BaseType::Bool))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,18 +117,18 @@ mod tests {
         let versions = [Version::DEFAULT, Version::new(8, 0, 0)];
         for ((function, name, _), version) in ALL.iter().flat_map(|row| versions.map(|version| (row, version))) {
             let instruction = crate::instructions::find(name).unwrap();
-            let is_meant = |form: &&Overload| NumberFunction::of(instruction, form, version) == Some(*function);
-            let Some(params) = instruction.overloads.iter().find(is_meant).map(|form| form.params) else {
+            let mut forms = instruction.overloads.iter();
+            let form = forms.find(|form| NumberFunction::of(instruction, form, version) == Some(*function));
+            let Some(params) = form.map(|form| form.params) else {
                 assert!(matches!(function, NumberFunction::Power | NumberFunction::SignedPower), "{name}");
                 continue;
             };
             for (a, b, c) in NUMBERS.iter().flat_map(|a| NUMBERS.map(|b| (*a, b, 7.0))) {
-                let spoken = |(value, param): (f64, &crate::instruction::InstructionParam)| match param.ty {
+                let arguments = [a, b, c].into_iter().zip(params).map(|(value, param)| match param.ty {
                     Some(BaseType::Bool) => (value != 0.0).to_string(),
                     _ => value.to_string(),
-                };
-                let arguments: Vec<String> = [a, b, c].into_iter().zip(params).map(spoken).collect();
-                let call = format!("{name}({})", arguments.join(","));
+                });
+                let call = format!("{name}({})", arguments.collect::<Vec<_>>().join(","));
                 let expected = function.compute([a, b, c]);
                 let expected =
                     expected.map_or_else(|fault| format!("error {}", fault.0), |value| significant(value).to_string());
@@ -138,11 +141,10 @@ mod tests {
 
     #[test]
     fn other_forms_are_no_functions() {
-        let of = |name: &str| {
+        for (name, functions) in [("abs", 1), ("sqrt", 1), ("clock", 0), ("len", 0)] {
             let instruction = crate::instructions::find(name).unwrap();
             let of = |form| NumberFunction::of(instruction, form, Version::DEFAULT);
-            instruction.overloads.iter().filter_map(of).count()
-        };
-        assert_eq!((of("abs"), of("sqrt"), of("clock"), of("len")), (1, 1, 0, 0));
+            assert_eq!(instruction.overloads.iter().filter_map(of).count(), functions, "{name}");
+        }
     }
 }

@@ -51,11 +51,10 @@ pub enum NameFault {
 /// A name has 1 to 15 characters up to s7 (5.10). Applications of s8 use longer names.
 #[must_use]
 pub fn name_fault(name: &str, version: Version) -> Option<NameFault> {
-    let is_allowed = |character: &char| character.is_ascii_alphanumeric() || *character == '_';
-    let odd = name.chars().find(|character| !is_allowed(character)).map(NameFault::Character);
+    let odd = name.chars().find(|character| !character.is_ascii_alphanumeric() && *character != '_');
     let limit = version.identifier_limit().filter(|limit| name.chars().count() > *limit);
     let empty = name.is_empty().then_some(NameFault::Empty);
-    empty.or(odd).or(limit.map(NameFault::Long))
+    empty.or(odd.map(NameFault::Character)).or(limit.map(NameFault::Long))
 }
 
 #[cfg(test)]

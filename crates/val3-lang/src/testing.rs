@@ -165,11 +165,11 @@ impl Bench {
 
     fn form(&self, line: &WrittenCall<'_>) -> (&'static Instruction, &'static Overload) {
         let instruction = instructions::find(line.name).unwrap();
-        let fits = |form: &&Overload| {
+        let form = instruction.overloads.iter().find(|form| {
             form.params.len() == line.arguments.len()
                 && form.params.iter().zip(&line.arguments).all(|(param, spoken)| self.fits(param, spoken))
-        };
-        (instruction, instruction.overloads.iter().find(fits).unwrap_or_else(|| panic!("no form of {}", line.name)))
+        });
+        (instruction, form.unwrap_or_else(|| panic!("no form of {}", line.name)))
     }
 
     fn fits(&self, param: &InstructionParam, spoken: &WrittenArgument<'_>) -> bool {

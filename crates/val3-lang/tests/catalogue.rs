@@ -135,13 +135,15 @@ fn every_page_has_its_sections() {
 /// Whether the page names the error directly or within `100 to 106`, or refers to another page.
 fn explains_error(page: &str, error: u16) -> bool {
     let words: Vec<&str> = page.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
-    let is_within = |window: &[&str]| match window {
-        [first, "to", last] => {
-            first.parse().is_ok_and(|first| error >= first) && last.parse().is_ok_and(|last| error <= last)
-        }
-        _ => false,
-    };
-    page.contains("- Errors: as for") || words.contains(&error.to_string().as_str()) || words.windows(3).any(is_within)
+    page.contains("- Errors: as for")
+        || words.contains(&error.to_string().as_str())
+        || words.windows(3).any(|window| is_within(error, window))
+}
+
+/// Whether three words are a range with the error, for example `100 to 106`.
+fn is_within(error: u16, words: &[&str]) -> bool {
+    let [first, "to", last] = words else { return false };
+    first.parse().is_ok_and(|first| error >= first) && last.parse().is_ok_and(|last| error <= last)
 }
 
 #[test]

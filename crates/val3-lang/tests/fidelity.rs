@@ -28,11 +28,12 @@ fn quoted(cell: &'static str) -> impl Iterator<Item = &'static str> {
 
 /// Pairs of section and instruction that the page lists; other texts in backticks are operators.
 fn listed() -> BTreeSet<(&'static str, &'static str)> {
-    let of = |row: [&'static str; 3]| {
-        let names: Vec<_> = quoted(row[1]).filter(|text| text.chars().all(char::is_alphanumeric)).collect();
-        row[0].split(", ").flat_map(|section| names.iter().map(move |name| (section, *name))).collect::<Vec<_>>()
-    };
-    rows().into_iter().flat_map(of).collect()
+    let mut listed = BTreeSet::new();
+    for [sections, texts, _] in rows() {
+        let names: Vec<_> = quoted(texts).filter(|text| text.chars().all(char::is_alphanumeric)).collect();
+        listed.extend(sections.split(", ").flat_map(|section| names.iter().map(move |name| (section, *name))));
+    }
+    listed
 }
 
 /// Whether the instruction is implemented. The compiler converts `wait`, `watch` and task creation to operations.

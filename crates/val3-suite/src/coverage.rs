@@ -32,11 +32,12 @@ pub fn executed(controller: &Controller) -> Coverage {
 #[must_use]
 pub fn tested_projects(application: &Application) -> Vec<Project> {
     let db = application.db();
-    let is_tested = |project: &Project| {
-        let name = project_name(db, *project);
-        name != NAME && !project.is_below_tests(db) && !is_test_application(name)
-    };
-    Sources::get(db).projects(db).values().copied().filter(is_tested).collect()
+    Sources::get(db).projects(db).values().copied().filter(|project| is_tested_project(db, *project)).collect()
+}
+
+fn is_tested_project(db: &Database, project: Project) -> bool {
+    let name = project_name(db, project);
+    name != NAME && !project.is_below_tests(db) && !is_test_application(name)
 }
 
 /// Returns the name of a project: its file name without the extension.

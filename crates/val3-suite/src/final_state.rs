@@ -72,18 +72,19 @@ impl FinalState {
     /// First value that differs from another run.
     #[must_use]
     pub fn first_difference(&self, other: &Self) -> Option<Difference> {
-        let of = |state: &Self, name: &str| {
-            state.values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
-        };
         let same = self.values.iter().zip(&other.values).take_while(|(one, other)| one == other).count();
         let (mine, theirs) = (self.values.get(same), other.values.get(same));
         let name = mine.or(theirs).map(|(name, _)| name.clone())?;
         // A value that exists only in the other run comes first if the remaining values follow it under the same names.
         let name = match theirs {
-            Some((known, _)) if of(self, known).is_none() => known.clone(),
+            Some((known, _)) if self.value(known).is_none() => known.clone(),
             _ => name,
         };
-        Some(Difference { value: of(self, &name), instead_of: of(other, &name), name })
+        Some(Difference { value: self.value(&name), instead_of: other.value(&name), name })
+    }
+
+    fn value(&self, name: &str) -> Option<String> {
+        self.values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
     }
 }
 

@@ -45,8 +45,9 @@ impl Journal {
     /// Records an event as the last event. It replaces an equal event. If there are many similar events, the oldest
     /// ones are merged.
     fn note(&mut self, event: &Event) {
-        let is_equal = |known: &RepeatedEvent| known.event.task == event.task && known.event.kind == event.kind;
-        let equal = self.events.iter().position(is_equal).and_then(|at| self.events.remove(at));
+        let mut events = self.events.iter().map(|known| &known.event);
+        let equal = events.position(|known| known.task == event.task && known.kind == event.kind);
+        let equal = equal.and_then(|at| self.events.remove(at));
         let (count, since) = equal.map_or((0, event.t), |known| (known.count, known.since));
         keep(&mut self.events, EVENTS, &RepeatedEvent { event: event.clone(), count: count.saturating_add(1), since });
         let alike: Vec<usize> =

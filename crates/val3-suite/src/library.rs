@@ -26,12 +26,15 @@ pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
 /// Files of the library for an application with positions of this kind of arm: name and content.
 #[must_use]
 pub fn files(arm: Arm) -> Vec<(&'static str, String)> {
-    let text = |name: &str, text: &str| match (arm, name) {
-        (Arm::Scara, "equalJoint.pgx") => include_str!("../library/val3assert/scara/equalJoint.pgx").to_owned(),
-        (Arm::Scara, "equalPose.pgx") => text.replace("type=\"point\"", "type=\"pointRs\""),
-        _ => text.to_owned(),
-    };
-    FILES.iter().map(|(name, content)| (*name, text(name, content))).collect()
+    let files = FILES.iter().map(|(name, content)| {
+        let content = match (arm, *name) {
+            (Arm::Scara, "equalJoint.pgx") => include_str!("../library/val3assert/scara/equalJoint.pgx").to_owned(),
+            (Arm::Scara, "equalPose.pgx") => content.replace("type=\"point\"", "type=\"pointRs\""),
+            _ => (*content).to_owned(),
+        };
+        (*name, content)
+    });
+    files.collect()
 }
 
 /// Files of the library for six axes: name and content.
@@ -89,17 +92,21 @@ impl TestApplication<'_> {
     #[must_use]
     pub fn files(&self, (test, program): (&str, &str)) -> Vec<(String, String)> {
         let name = self.name();
-        let filled = |text: &str| {
-            let text = text.replace("{version}", &self.version.to_string()).replace("{test}", test);
-            text.replace("{name}", &name).replace("{alias}", self.alias).replace("{application}", self.application)
-        };
-        vec![
-            (format!("{name}.pjx"), filled(include_str!("../library/first/first.pjx"))),
-            (format!("{name}.dtx"), filled(include_str!("../library/first/first.dtx"))),
-            ("start.pgx".to_owned(), filled(include_str!("../library/first/start.pgx"))),
-            ("stop.pgx".to_owned(), filled(include_str!("../library/first/stop.pgx"))),
-            (format!("{test}.pgx"), filled(program)),
-        ]
+        let templates = [
+            (format!("{name}.pjx"), include_str!("../library/first/first.pjx")),
+            (format!("{name}.dtx"), include_str!("../library/first/first.dtx")),
+            ("start.pgx".to_owned(), include_str!("../library/first/start.pgx")),
+            ("stop.pgx".to_owned(), include_str!("../library/first/stop.pgx")),
+            (format!("{test}.pgx"), program),
+        ];
+        templates.into_iter().map(|(file, template)| (file, self.filled(template, test))).collect()
+    }
+
+    /// Replaces the placeholders in a file's text. `test` is the name of the test program.
+    fn filled(&self, template: &str, test: &str) -> String {
+        let text = template.replace("{version}", &self.version.to_string()).replace("{test}", test);
+        let text = text.replace("{name}", &self.name()).replace("{alias}", self.alias);
+        text.replace("{application}", self.application)
     }
 }
 

@@ -41,8 +41,7 @@ pub(crate) fn table(application: &Application, image: &Image, program: &Program)
     let (db, project) = (application.db(), application.project());
     let file = items(db, project).programs.get(program.name.as_str()).copied();
     let names = file.map(|file| columns(body(db, file))).unwrap_or_default();
-    let is_local = |name: &str| program.variables.iter().any(|variable| variable.name == name);
-    let global = names.into_iter().filter(|name| !is_local(name));
+    let global = names.into_iter().filter(|name| !program.variables.iter().any(|variable| variable.name == *name));
     let lengths: BTreeMap<&str, u32> = global.filter_map(|name| Some((name, length(image, name)?))).collect();
     let mut distinct: Vec<u32> = lengths.values().copied().collect();
     distinct.sort_unstable();
@@ -64,13 +63,11 @@ fn is_number(param: &ProgramParam) -> bool {
 
 /// Variables that are read with the row number as index.
 fn columns(body: &Body) -> Vec<&str> {
-    let column = |expr| match expr {
-        &Expr::Index(base, ref indexes) if indexes.first().is_some_and(|index| is_row(body, *index)) => {
-            name(body, base)
-        }
-        _ => None,
-    };
-    body.exprs().filter_map(|(_, expr, _)| column(expr)).collect()
+    let columns = body.exprs().filter_map(|(_, expr, _)| {
+        let Expr::Index(base, indexes) = expr else { return None };
+        is_row(body, *indexes.first()?).then(|| name(body, *base))?
+    });
+    columns.collect()
 }
 
 fn is_row(body: &Body, id: ExprId) -> bool {

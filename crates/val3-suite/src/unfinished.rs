@@ -1,6 +1,6 @@
 //! Failure of a program that does not end, and call stacks of tasks.
 
-use val3_debug::{TaskFrame, frames};
+use val3_debug::frames;
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::shown_seconds;
@@ -63,12 +63,12 @@ fn activity(controller: &Controller, task: TaskNumber) -> Option<Activity> {
 /// Call stack of a task, without programs of the library `val3assert`.
 pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<FailureLocation> {
     let frames = frames(&controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
-    let place = |frame: TaskFrame| FailureLocation {
+    let places = frames.map(|frame| FailureLocation {
         program: format!("{}:{}", frame.application, frame.program),
         file: frame.file,
         line: frame.row,
-    };
-    frames.map(place).collect()
+    });
+    places.collect()
 }
 
 /// Call stack of the task with this name; empty if it has ended.

@@ -222,13 +222,16 @@ mod tests {
 
     #[test]
     fn keys_are_texts_in_quotes() {
-        let keys = |line| match data(line, &[]).unwrap().shape {
-            FixtureBrackets::Collection(keys) => keys,
-            FixtureBrackets::Array(_) => panic!("`{line}` is an array"),
-        };
         assert_eq!(keys("num nA[\"a,b\", \"c]=\"]"), ["a,b", "c]="]);
         assert_eq!(keys("num nA[ \"\" ]"), [""; 0]);
         assert_eq!(data("num nA[\"a,]\"] = 2", &[]).unwrap().value.unwrap(), "2");
+    }
+
+    fn keys(line: &str) -> Vec<String> {
+        match data(line, &[]).unwrap().shape {
+            FixtureBrackets::Collection(keys) => keys,
+            FixtureBrackets::Array(_) => panic!("`{line}` is an array"),
+        }
     }
 
     #[test]

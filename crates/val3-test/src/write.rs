@@ -182,11 +182,13 @@ fn stored_type(ty: &str) -> String {
 /// Index texts of all elements in an array.
 fn indexes(sizes: &[usize]) -> Vec<String> {
     sizes.iter().fold(vec![String::new()], |keys, &size| {
-        let longer = |key: &String, index: usize| {
-            if key.is_empty() { index.to_string() } else { format!("{key},{index}") }
-        };
         keys.iter().flat_map(|key| (0..size).map(move |index| longer(key, index))).collect()
     })
+}
+
+/// An index text with one more index.
+fn longer(key: &str, index: usize) -> String {
+    if key.is_empty() { index.to_string() } else { format!("{key},{index}") }
 }
 
 fn first_index(sizes: &[usize]) -> String {

@@ -23,16 +23,16 @@ pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> ArmChain {
         })
         .collect();
     let flange = offsets.pop();
-    let axis = |(index, axis): (usize, &val3_kinematics::AxisLimits)| wire::Axis {
+    let axes = arm.limits().iter().enumerate().map(|(index, axis)| wire::Axis {
         is_linear: arm.is_stroke(index),
         min: axis.min,
         max: axis.max,
         speed: arm.nominal_speed(index),
-    };
+    });
     ArmChain {
         name: arm.name().to_owned(),
         times_note: arm.times_note(),
-        axes: arm.limits().iter().enumerate().map(axis).collect(),
+        axes: axes.collect(),
         links: offsets.into_iter().map(|offset| Link { offset, axis: [0, 0, 1] }).collect(),
         flange,
         shapes: shapes.iter().map(|shape| shape.as_ref().map(described)).collect(),

@@ -79,14 +79,16 @@ impl Operator {
         Ok(())
     }
 
+    /// Whether a value is a changed point.
+    fn has_changed(&self, datum: &GlobalValue) -> bool {
+        datum.base == BaseType::Point
+            && self.changed.contains(&PointName { name: datum.name.clone(), key: datum.key.clone() })
+    }
+
     /// Writes the changed points to their files, without points that the program has removed meanwhile.
     fn save(&mut self, save: &Save, controller: &mut Controller) -> Result<Saved, CommandError> {
-        let is_changed = |datum: &GlobalValue| {
-            let name = || PointName { name: datum.name.clone(), key: datum.key.clone() };
-            datum.base == BaseType::Point && self.changed.contains(&name())
-        };
-        let places: Vec<_> =
-            positions::data(controller).into_iter().filter(is_changed).map(|datum| datum.place).collect();
+        let data = positions::data(controller).into_iter();
+        let places: Vec<_> = data.filter(|datum| self.has_changed(datum)).map(|datum| datum.place).collect();
         let saved = controller.devices.save_values(&controller.vm.space, &places, save.overwrite);
         Ok(match saved.map_err(not_saved)? {
             SavedValues::Conflict(files) => Saved::Conflict(files),
@@ -136,8 +138,8 @@ pub fn response(response: &impl Serialize) -> Map<String, Value> {
 /// Finds the point that a command names.
 fn point(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result<GlobalValue, CommandError> {
     let key = key.map(ElementKey::into_text);
-    let is_meant = |datum: &GlobalValue| datum.base == BaseType::Point && datum.name == name && datum.key == key;
-    let found = positions::data(controller).into_iter().find(is_meant);
+    let mut points = positions::data(controller).into_iter().filter(|datum| datum.base == BaseType::Point);
+    let found = points.find(|point| point.name == name && point.key == key);
     found.ok_or_else(|| {
         CommandError(match key {
             Some(key) => format!("there is no point `{name}[{key}]`"),

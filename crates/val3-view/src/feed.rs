@@ -91,8 +91,7 @@ impl Feed {
         if !events.is_empty() {
             self.tell(&wire::Message::Events(EventsMessage { events: events.to_vec() }));
         }
-        let is_signal = |event: &Event| matches!(event.kind, EventKind::Io { .. });
-        if events.iter().any(is_signal) {
+        if events.iter().any(|event| matches!(event.kind, EventKind::Io { .. })) {
             self.see_signals(controller.now(), controller);
         }
     }

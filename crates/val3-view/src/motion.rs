@@ -69,11 +69,11 @@ fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
 /// Path of the tool centre point to the last destination, in mm, by piece.
 fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     let pieces = controller.arm().motion().way_ahead(PIECES);
-    let piece = |PieceAhead { phase, points }: &PieceAhead| {
+    let pieces = pieces.iter().map(|PieceAhead { phase, points }| {
         let points = simplified(points, TOLERANCE).iter().map(rounded).collect();
         WayPiece { phase: phase.word().to_owned(), points }
-    };
-    pieces.iter().map(piece).collect()
+    });
+    pieces.collect()
 }
 
 fn rounded(point: &Vector3<f64>) -> [f64; 3] {
@@ -84,12 +84,8 @@ fn rounded(point: &Vector3<f64>) -> [f64; 3] {
 /// (Douglas-Peucker).
 fn simplified(points: &[Vector3<f64>], tolerance: f64) -> Vec<Vector3<f64>> {
     let [first, inner @ .., last] = points else { return points.to_vec() };
-    let along = last - first;
-    let away = |point: &Vector3<f64>| {
-        let share = ((point - first).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        (point - first - along * share).norm()
-    };
-    let widest = inner.iter().map(away).enumerate().max_by(|(_, one), (_, other)| one.total_cmp(other));
+    let distances = inner.iter().map(|point| distance_to_chord(point, first, last));
+    let widest = distances.enumerate().max_by(|(_, one), (_, other)| one.total_cmp(other));
     match widest {
         Some((index, distance)) if distance > tolerance => {
             let (before, after) = (points.get(..=index + 1), points.get(index + 1..));
@@ -100,6 +96,12 @@ fn simplified(points: &[Vector3<f64>], tolerance: f64) -> Vec<Vector3<f64>> {
         }
         _ => vec![*first, *last],
     }
+}
+
+fn distance_to_chord(point: &Vector3<f64>, first: &Vector3<f64>, last: &Vector3<f64>) -> f64 {
+    let along = last - first;
+    let share = ((point - first).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (point - first - along * share).norm()
 }
 
 #[cfg(test)]

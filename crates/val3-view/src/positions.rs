@@ -77,10 +77,9 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
         return Some("flange".to_owned());
     }
     let mut poses = Poses::new(&controller.vm.space.memory);
-    let is_meant = |datum: &&GlobalValue| {
-        datum.base == BaseType::Tool && poses.of_tool(ToolRef(datum.place)).is_ok_and(|pose| is_there(&numbers(&pose)))
-    };
-    data(controller).iter().find(is_meant).map(GlobalValue::whole_name)
+    let mut tools = data(controller).into_iter().filter(|datum| datum.base == BaseType::Tool);
+    let tool = tools.find(|tool| poses.of_tool(ToolRef(tool.place)).is_ok_and(|pose| is_there(&numbers(&pose))));
+    tool.as_ref().map(GlobalValue::whole_name)
 }
 
 /// Computes names and poses of all values; the time per value does not depend on its chain length.
@@ -128,11 +127,12 @@ impl<'a> PositionComputer<'a> {
 
 /// Joint positions.
 pub(crate) fn joints(data: &[GlobalValue], memory: &Memory) -> Vec<JointValue> {
-    let value = |GlobalValue { name, key, place, .. }: &GlobalValue| {
+    let joints = data.iter().filter(|datum| datum.base == BaseType::Joint);
+    let values = joints.filter_map(|GlobalValue { name, key, place, .. }| {
         let axes = memory.store(place.store).ok()?.kind.size.num;
         Some(JointValue { name: name.clone(), key: key.clone(), values: nums(memory, *place, axes)? })
-    };
-    data.iter().filter(|datum| datum.base == BaseType::Joint).filter_map(value).collect()
+    });
+    values.collect()
 }
 
 /// Enumerators of a point's configuration: shoulder, elbow, wrist; a SCARA arm has only a shoulder.
@@ -141,13 +141,14 @@ fn configuration(memory: &Memory, place: Place) -> String {
         .store(place.store)
         .is_ok_and(|store| matches!(store.kind.base, KindBase::Builtin(_, Some(val3_lang::types::Arm::Scara))));
     let fields = [BaseType::Shoulder, BaseType::Elbow, BaseType::Wrist];
-    let word = |(lane, field): (u32, BaseType)| {
+    let fields = (6..).zip(fields).take(if is_scara { 1 } else { 3 });
+    let names = fields.filter_map(|(lane, field)| {
         let number = memory.num(place, lane).ok()?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the place of an enumerator")]
         let place = number as usize;
         enumerations::values(field).nth(place).map(|row| row.name)
-    };
-    (6..).zip(fields).take(if is_scara { 1 } else { 3 }).filter_map(word).collect::<Vec<_>>().join(" ")
+    });
+    names.collect::<Vec<_>>().join(" ")
 }
 
 /// First numbers of a value.

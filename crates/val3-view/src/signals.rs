@@ -26,7 +26,7 @@ pub fn direction(direction: Direction) -> &'static str {
 
 /// Signals of the cell. `names` contains the data linked to each signal.
 pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) -> Vec<SignalInfo> {
-    let described = |id: SignalId| {
+    let signals = io.signals().filter_map(|id| {
         let signal = io.signal(id)?;
         let board = signal.path.rsplit_once('\\').map_or("", |(board, _)| board);
         Some(SignalInfo {
@@ -38,8 +38,8 @@ pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) 
             unit: io.unit(id).map(str::to_owned),
             description: signal.description.clone(),
         })
-    };
-    io.signals().filter_map(described).collect()
+    });
+    signals.collect()
 }
 
 /// Serial lines and sockets.

@@ -36,19 +36,14 @@ pub(crate) fn message(t: f64, controller: &Controller) -> PageMessage {
 
 /// Bindings of the HTML page: element values and click actions.
 fn html(page: &screen::HtmlPage, controller: &Controller) -> HtmlPage {
-    let value = |bound: &screen::HtmlValue| HtmlValue {
+    let values = page.values.iter().map(|bound| HtmlValue {
         id: bound.element.clone(),
         attribute: bound.attribute.clone(),
         value: controller.shown_value(&bound.path),
-    };
+    });
     let clicks = page.callbacks.iter().filter(|callback| callback.event == "click");
-    let click =
-        |callback: &screen::HtmlCallback| HtmlClick { id: callback.element.clone(), program: callback.program.clone() };
-    HtmlPage {
-        name: page.name.clone(),
-        values: page.values.iter().map(value).collect(),
-        clicks: clicks.map(click).collect(),
-    }
+    let clicks = clicks.map(|callback| HtmlClick { id: callback.element.clone(), program: callback.program.clone() });
+    HtmlPage { name: page.name.clone(), values: values.collect(), clicks: clicks.collect() }
 }
 
 /// Runs of equal text modes, each with its number of columns.

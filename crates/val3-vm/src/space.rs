@@ -186,8 +186,8 @@ impl Space {
             let library = match &init.target {
                 LinkTarget::Father(named) => named.library.as_ref(),
                 LinkTarget::Signal(named) => {
-                    let is_declared = |alias: &&String| image.libraries.iter().any(|library| library.alias == **alias);
-                    named.library.as_ref().filter(is_declared)
+                    let mut declared = image.libraries.iter().map(|library| &library.alias);
+                    named.library.as_ref().filter(|alias| declared.any(|known| known == *alias))
                 }
                 LinkTarget::Port(..) => None,
             };

@@ -56,13 +56,13 @@ impl Stops {
             return Vec::new();
         }
         let lines: BTreeSet<usize> = rows.into_iter().flatten().filter_map(|row| program.line_from(*row)).collect();
-        let wanted = |(op, step): (u32, &val3_bytecode::Opcode)| {
+        let marks = (0..).zip(&program.code).filter_map(|(op, step)| {
             let is_entry = begins_with_stop == Some(&true) && program.entry() == Some(op);
             let is_stop = is_entry || program.line_of(op).is_some_and(|line| lines.contains(&line));
             let mark = if is_stop { LineMark::Stop } else { LineMark::Line };
             let is_kept = !step.mark.begins_line() || (!is_stop && step.mark.counter().is_some());
             (!is_kept && step.mark != mark).then_some((op as usize, mark))
-        };
-        (0..).zip(&program.code).filter_map(wanted).collect()
+        });
+        marks.collect()
     }
 }

@@ -213,12 +213,11 @@ impl Vm {
     #[must_use]
     pub fn begins_program(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
-        let is_entry = |thread: &Thread| {
-            let entry = self.program(thread).and_then(Program::entry);
+        task.is_some_and(|task| {
+            let (thread, entry) = (&task.thread, self.program(&task.thread).and_then(Program::entry));
             // No line of the program was executed.
             thread.line == 0 && (thread.next == 0 || Some(thread.next) == entry) && thread.waiting.is_none()
-        };
-        task.is_some_and(|task| is_entry(&task.thread))
+        })
     }
 
     /// Returns the innermost program.
@@ -234,9 +233,8 @@ impl Vm {
 
     /// Resets tasks whose stop mark was removed, so that they stop at the next mark.
     fn forget_removed_stops(&mut self) {
-        let is_stop = |task: &Task| self.mark(&task.thread) == Some(LineMark::Stop);
-        let tasks = self.roster.tasks.iter();
-        let at_stops: BTreeSet<TaskNumber> = tasks.filter(|task| is_stop(task)).map(|task| task.id).collect();
+        let tasks = self.roster.tasks.iter().filter(|task| self.mark(&task.thread) == Some(LineMark::Stop));
+        let at_stops: BTreeSet<TaskNumber> = tasks.map(|task| task.id).collect();
         for task in &mut self.roster.tasks {
             task.thread.is_at_stop &= at_stops.contains(&task.id);
         }
@@ -255,11 +253,7 @@ impl Vm {
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return false };
         let instance = task.thread.frames.last().and_then(|frame| Some((frame, self.space.instance(frame.instance)?)));
         let program = instance.and_then(|(frame, instance)| instance.image.programs.get(usize::from(frame.program)));
-        let begins_line = |program: &Program| {
-            let end = program.code.len().checked_sub(1);
-            program.lines.iter().any(|line| line.op == op) || end == Some(op as usize)
-        };
-        if task.state == TaskState::Killed || !program.is_some_and(begins_line) {
+        if task.state == TaskState::Killed || !program.is_some_and(|program| begins_line(program, op)) {
             return false;
         }
         task.thread.go_to_line(op);
@@ -276,4 +270,10 @@ impl Vm {
         }
         self.sweep();
     }
+}
+
+/// Whether a line of the program begins with operation `op`, or the program ends there.
+fn begins_line(program: &Program, op: u32) -> bool {
+    let end = program.code.len().checked_sub(1);
+    program.lines.iter().any(|line| line.op == op) || end == Some(op as usize)
 }

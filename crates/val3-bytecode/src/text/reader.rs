@@ -203,7 +203,6 @@ const STACK_SIZE: u32 = 5000;
 
 /// Returns the length of the token or comment at the beginning of a text.
 fn token(text: &str) -> usize {
-    let is_word = |other: char| other.is_alphanumeric() || other == '_' || other == '.';
     let rest = text.get(1..).unwrap_or_default();
     match text.chars().next() {
         Some(';') => text.find('\n').unwrap_or(text.len()),
@@ -238,4 +237,9 @@ fn unescaped(text: &str) -> String {
         }
     }
     plain
+}
+
+/// Whether a character belongs to a word or number.
+fn is_word(character: char) -> bool {
+    character.is_alphanumeric() || character == '_' || character == '.'
 }

@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_bytecode::{ArgumentSite, Callee, InstructionSite, Op, Operand};
+use val3_bytecode::{ArgumentSite, Callee, InstructionSite, Op, Operand, Register};
 use val3_lang::instruction::{Instruction, InstructionParam, Overload};
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
@@ -42,15 +42,18 @@ impl ChosenForm {
 
     /// Returns the operation that replaces the call, if it is a function of numbers.
     fn operation(&self) -> Option<Op> {
-        let number =
-            |operand: &Operand| if let Operand::Frame(lanes) = operand { Some(num_register(*lanes)) } else { None };
-        let argument = |at: usize| match self.site.arguments.get(at) {
-            Some(ArgumentSite::Value(operand, base)) if is_number(*base) => number(operand),
-            _ => None,
-        };
-        let (function, to, a) = (self.function?, number(&self.site.result.as_ref()?.0)?, argument(0)?);
-        let or_first = |at: usize| if at < self.formals.len() { argument(at) } else { Some(a) };
+        let (function, to) = (self.function?, register(&self.site.result.as_ref()?.0)?);
+        let a = self.number_argument(0)?;
+        let or_first = |at: usize| if at < self.formals.len() { self.number_argument(at) } else { Some(a) };
         Some(Op::Function { function, to, a, b: or_first(1)?, c: or_first(2)? })
+    }
+
+    /// Returns the register of a number argument; `None` for any other argument.
+    fn number_argument(&self, at: usize) -> Option<Register> {
+        match self.site.arguments.get(at)? {
+            ArgumentSite::Value(operand, base) if is_number(*base) => register(operand),
+            _ => None,
+        }
     }
 }
 
@@ -163,4 +166,9 @@ fn only_form(instruction: &'static Instruction) -> Option<&'static Overload> {
         [form] => Some(form),
         _ => None,
     }
+}
+
+/// Returns the register of a number on the frame.
+fn register(operand: &Operand) -> Option<Register> {
+    if let Operand::Frame(lanes) = operand { Some(num_register(*lanes)) } else { None }
 }

@@ -114,11 +114,12 @@ impl Cell {
 
     /// Runs `main`, and returns the events about libraries.
     pub(crate) fn library_events(&self) -> String {
-        let shown = |event: Event| match event.kind {
+        let events = run(&mut self.controller(), |_| {}).into_iter();
+        let lines = events.filter_map(|event| match event.kind {
             EventKind::Lib { op, alias, path, code } => Some(format!("{op} {alias}:{path} {code}\n")),
             _ => None,
-        };
-        run(&mut self.controller(), |_| {}).into_iter().filter_map(shown).collect()
+        });
+        lines.collect()
     }
 }
 
@@ -140,10 +141,10 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
 
 /// Returns the printed lines and the errors.
 pub(crate) fn shown(events: &[Event]) -> String {
-    let shown = |event: &Event| match &event.kind {
+    let lines = events.iter().filter_map(|event| match &event.kind {
         EventKind::Print { text } => Some(format!("{text}\n")),
         EventKind::Error { code, program, .. } => Some(format!("error {code} in {program}\n")),
         _ => None,
-    };
-    events.iter().filter_map(shown).collect()
+    });
+    lines.collect()
 }

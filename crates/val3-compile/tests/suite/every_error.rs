@@ -119,17 +119,20 @@ public dio dioInput
 "#;
 
 fn connect(devices: &mut Devices) {
-    let output = |path: &str, protected| Signal {
+    devices.state.io.declare(Signal { direction: Direction::Input, ..output("Io\\in", false) });
+    devices.state.io.declare(output("Io\\system", true));
+    devices.state.io.declare(output("Bus\\out", false));
+    devices.state.io.set_device_fault("Bus", Some(5));
+}
+
+fn output(path: &str, protected: bool) -> Signal {
+    Signal {
         path: path.to_owned(),
         description: String::new(),
         kind: SignalKind::Digital,
         direction: Direction::Output,
         protected,
-    };
-    devices.state.io.declare(Signal { direction: Direction::Input, ..output("Io\\in", false) });
-    devices.state.io.declare(output("Io\\system", true));
-    devices.state.io.declare(output("Bus\\out", false));
-    devices.state.io.set_device_fault("Bus", Some(5));
+    }
 }
 
 /// Runs a program with these lines, and returns the first error.

@@ -316,13 +316,12 @@ fn errors_stop_at_their_line() {
 
 #[test]
 fn powers_of_negative_numbers() {
-    let powers = |version: &str| {
-        run(&format!(
+    for (version, output) in [("s8.10", "-27\n0\nerror 11 in line 8\n"), ("s7.11", "error 11 in line 6\n")] {
+        let listing = format!(
             "version {version}\nnum nX\nprogram start()\nbegin\n  nX=-3\n  ? power(nX,3)\n  ? power(nX+3,2)\n  ? power(nX,0.5)\nend"
-        ))
-    };
-    assert_eq!(powers("s8.10"), "-27\n0\nerror 11 in line 8\n");
-    assert_eq!(powers("s7.11"), "error 11 in line 6\n");
+        );
+        assert_eq!(run(&listing), output);
+    }
 }
 
 /// An index is rounded as floor(x + 0.5) without rounding errors: the largest number below one half is index 0.

@@ -211,19 +211,10 @@ fn items_of_another_type_are_missing() {
 
 #[test]
 fn the_whole_interface_is_compared() {
-    let cell = |loaded: &str| {
-        let listing = format!(
-            "library part \"Disk://part/part.pjx\" autoload=false\nprogram start()\nbegin\n  \
-             ? part:libLoad(\"loaded\")\n  ? part:nUsed\nend\n\
-             --- part\npublic num nUsed\npublic num nUnused[2]\nnum nPrivate\n\
-             public program work(num x_nValue)\nbegin\nend\nprogram hidden()\nbegin\nend\n--- loaded\n{loaded}"
-        );
-        Cell::new(&listing).run()
-    };
     let work = "public program work(num x_nOther)\nbegin\nend\n";
     let same = format!("public num nUsed=1\npublic num nUnused[7]\n{work}");
-    assert_eq!(cell(&same), "0\n1\n");
-    assert_eq!(cell(&format!("{same}public num nMore\npublic program more()\nbegin\nend\n")), "0\n1\n");
+    assert_eq!(run_with_loaded(&same), "0\n1\n");
+    assert_eq!(run_with_loaded(&format!("{same}public num nMore\npublic program more()\nbegin\nend\n")), "0\n1\n");
     for other in [
         format!("public num nUsed=1\n{work}"),
         format!("public num nUsed=1\nnum nUnused[2]\n{work}"),
@@ -232,8 +223,19 @@ fn the_whole_interface_is_compared() {
         "public num nUsed=1\npublic num nUnused[2]\nprogram work(num x_nOther)\nbegin\nend\n".to_owned(),
         "public num nUsed=1\npublic num nUnused[2]\npublic program work()\nbegin\nend\n".to_owned(),
     ] {
-        assert_eq!(cell(&other), "11\n1\n", "{other}");
+        assert_eq!(run_with_loaded(&other), "11\n1\n", "{other}");
     }
+}
+
+/// Output of an application that loads another library than the library of its interface.
+fn run_with_loaded(loaded: &str) -> String {
+    let listing = format!(
+        "library part \"Disk://part/part.pjx\" autoload=false\nprogram start()\nbegin\n  \
+         ? part:libLoad(\"loaded\")\n  ? part:nUsed\nend\n\
+         --- part\npublic num nUsed\npublic num nUnused[2]\nnum nPrivate\n\
+         public program work(num x_nValue)\nbegin\nend\nprogram hidden()\nbegin\nend\n--- loaded\n{loaded}"
+    );
+    Cell::new(&listing).run()
 }
 
 #[test]

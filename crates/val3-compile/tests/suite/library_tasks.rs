@@ -132,13 +132,13 @@ fn tasks_of_libraries_end_with_the_application_the_newest_first() {
         end
         "#,
     );
-    let line = |kind: &EventKind| match kind {
+    let events = run(&mut cell.controller(), |_| {});
+    let lines = events.iter().filter_map(|event| match &event.kind {
         EventKind::Task { state, name, .. } => Some(format!("{name} {state}\n")),
         EventKind::Print { text } => Some(format!("{text}\n")),
         _ => None,
-    };
-    let events = run(&mut cell.controller(), |_| {});
-    let story: String = events.iter().filter_map(|event| line(&event.kind)).collect();
+    });
+    let story: String = lines.collect();
     expect![[r#"
         main~ created
         z created

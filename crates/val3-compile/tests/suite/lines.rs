@@ -174,7 +174,7 @@ fn other_tasks_run_while_one_waits() {
 /// Two tasks send while the peer receives nothing: the task that exceeds the limit fails.
 #[test]
 fn the_bytes_that_tasks_have_to_send_are_limited() {
-    let lines = |bytes: usize| {
+    let [within, beyond] = [20, 19].map(|bytes| {
         let cell = Cell::new(&format!(
             "program other()\nbegin\nsiHost=\"123456789\"\nend\nprogram start()\nbegin\n\
              taskCreate \"o\",10,other()\ndelay(0)\nsiHost=\"123456789\"\nend\n{DATA}"
@@ -184,9 +184,9 @@ fn the_bytes_that_tasks_have_to_send_are_limited() {
         peer.stall_after(0);
         (0..10).for_each(|_| _ = controller.step());
         shown(&controller.devices.take_events())
-    };
-    assert_eq!(lines(20), "");
-    assert!(lines(19).starts_with("error 40"), "{}", lines(19));
+    });
+    assert_eq!(within, "");
+    assert!(beyond.starts_with("error 40"), "{beyond}");
 }
 
 /// If the events of a cycle need too much memory, it stops until the caller has read them. The events are the same.

@@ -102,16 +102,17 @@ fn a_project_is_its_programs_libraries_and_settings() {
 
 #[test]
 fn the_length_unit_is_that_of_the_project_file() {
-    let unit = |parameter: &str| {
+    for (parameter, unit) in [
+        ("millimeterUnit=\"false\"", LengthUnit::Inch),
+        ("millimeterUnit=\"true\"", LengthUnit::Millimetre),
+        ("", LengthUnit::Millimetre),
+    ] {
         let listing = format!(
             "return\n=== main/main.pjx\n<Project xmlns=\"ProjectNameSpace\"><Parameters version=\"s7.11\" {parameter} />\
              <Programs><Program file=\"start.pgx\" /></Programs></Project>"
         );
-        image(&listing).unit
-    };
-    assert_eq!(unit("millimeterUnit=\"false\""), LengthUnit::Inch);
-    assert_eq!(unit("millimeterUnit=\"true\""), LengthUnit::Millimetre);
-    assert_eq!(unit(""), LengthUnit::Millimetre);
+        assert_eq!(image(&listing).unit, unit, "{parameter}");
+    }
 }
 
 #[test]

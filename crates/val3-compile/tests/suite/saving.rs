@@ -322,13 +322,12 @@ fn the_second_save_of_the_same_values_changes_nothing() {
 
 #[test]
 fn too_much_data_for_a_medium_are_not_saved() {
-    let code = |bytes: u64| {
+    for (bytes, code) in [(100_000, "0\n"), (500, "38\n")] {
         let cell = Cell::new("num nA[100]\nprogram start()\nbegin\n? libSave()\nend\n");
         let mut controller = cell.controller();
         controller.devices.limits.saved = bytes;
-        shown(&run(&mut controller, |_| {}))
-    };
-    assert_eq!((code(100_000), code(500)), ("0\n".to_owned(), "38\n".to_owned()));
+        assert_eq!(shown(&run(&mut controller, |_| {})), code, "{bytes}");
+    }
 }
 
 #[test]

@@ -58,12 +58,13 @@ mod tests {
     #[test]
     fn stack_frames_are_returned_page_by_page() {
         let mut client = client();
-        let mut page = |start, levels| {
-            client.body("stackTrace", json!({ "threadId": MAIN_THREAD, "startFrame": start, "levels": levels }))
-        };
-        assert_eq!(page(0, 1), json!({ "stackFrames": [frame(1, "work")], "totalFrames": 2 }));
-        assert_eq!(page(1, 0), json!({ "stackFrames": [frame(2, "start")], "totalFrames": 2 }));
-        assert_eq!(page(2, 1), json!({ "stackFrames": [], "totalFrames": 2 }));
+        for (start, levels, frames) in
+            [(0, 1, vec![frame(1, "work")]), (1, 0, vec![frame(2, "start")]), (2, 1, Vec::new())]
+        {
+            let arguments = json!({ "threadId": MAIN_THREAD, "startFrame": start, "levels": levels });
+            let page = json!({ "stackFrames": frames, "totalFrames": 2 });
+            assert_eq!(client.body("stackTrace", arguments), page, "{levels} from {start}");
+        }
     }
 
     #[test]

@@ -79,24 +79,22 @@ mod tests {
         let array = client.body("variables", json!({ "variablesReference": globals }))["variables"][0].clone();
         assert_eq!((&array["type"], &array["indexedVariables"]), (&json!("num[3]"), &json!(3)));
         let reference = &array["variablesReference"];
-        let mut page = |start, count| {
+        for (start, count, page) in [(1, 1, vec![element(1)]), (1, 0, vec![element(1), element(2)]), (3, 1, Vec::new())]
+        {
             let arguments = json!({ "variablesReference": reference, "start": start, "count": count });
-            client.body("variables", arguments)["variables"].clone()
-        };
-        assert_eq!(page(1, 1), json!([element(1)]));
-        assert_eq!(page(1, 0), json!([element(1), element(2)]));
-        assert_eq!(page(3, 1), json!([]));
+            assert_eq!(client.body("variables", arguments)["variables"], json!(page), "{count} from {start}");
+        }
     }
 
     #[test]
     fn a_filter_selects_indexed_or_named_variables() {
         let mut client = TestClient::stopped(COUNTER);
         let globals = client.scope("Globals");
-        let mut count = |filter| {
+        for (filter, count) in [("named", 1), ("indexed", 0)] {
             let arguments = json!({ "variablesReference": globals, "filter": filter });
-            client.body("variables", arguments)["variables"].as_array().unwrap().len()
-        };
-        assert_eq!((count("named"), count("indexed")), (1, 0));
+            let variables = client.body("variables", arguments)["variables"].clone();
+            assert_eq!(variables.as_array().unwrap().len(), count, "{filter}");
+        }
     }
 
     #[test]

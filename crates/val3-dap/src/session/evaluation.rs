@@ -45,11 +45,10 @@ impl DebugSession {
         let controller = &mut run.debugger.controller;
         let (client, request) = (&mut self.client, self.request);
         let mut is_cancelled = false;
-        let mut may_go_on = || {
+        let evaluated = run.evaluator.evaluate_while(controller, context, code, how, &mut || {
             is_cancelled = client.has_cancelled(request, "");
             !is_cancelled
-        };
-        let evaluated = run.evaluator.evaluate_while(controller, context, code, how, &mut may_go_on);
+        });
         let changes_run = match &evaluated {
             Ok(evaluation) => evaluation.changes_run,
             Err(error) => error.done().is_some_and(|done| done.changes_run),

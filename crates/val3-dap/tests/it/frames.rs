@@ -73,12 +73,12 @@ fn read_all(input: impl Read) -> Vec<Result<ProtocolMessage, ReadError>> {
 
 /// Returns an input's messages and errors as texts.
 fn outcomes(input: &[u8]) -> Vec<String> {
-    let outcome = |result| match result {
+    let outcomes = read_all(input).into_iter().map(|result| match result {
         Ok(ProtocolMessage { content: MessageContent::Event { event, .. }, .. }) => event,
         Ok(message) => format!("{message:?}"),
         Err(error) => format!("{error}"),
-    };
-    read_all(input).into_iter().map(outcome).collect()
+    });
+    outcomes.collect()
 }
 
 #[test]

@@ -29,12 +29,11 @@ impl Schema {
 
     /// The names and definitions of all messages, without their envelopes.
     fn messages(&self) -> Vec<(&str, &Value)> {
-        let is_message = |definition: &Value| {
-            let base = definition["allOf"][0]["$ref"].as_str().and_then(|base| base.rsplit('/').next());
-            matches!(base, Some("Request" | "Response" | "Event"))
-        };
         let definitions = self.0["definitions"].as_object().unwrap().iter();
-        let messages = definitions.filter(|(name, definition)| *name != "ErrorResponse" && is_message(definition));
+        let messages = definitions.filter(|(name, definition)| {
+            let base = definition["allOf"][0]["$ref"].as_str().and_then(|base| base.rsplit('/').next());
+            *name != "ErrorResponse" && matches!(base, Some("Request" | "Response" | "Event"))
+        });
         messages.map(|(name, definition)| (name.as_str(), definition)).collect()
     }
 

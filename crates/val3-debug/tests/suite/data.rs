@@ -21,13 +21,13 @@ fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
 
 fn watch_access(debugger: &mut Debugger, paths: &[(&str, Option<&str>)], access: DataAccess) {
     let task = debugger.controller.vm.tasks()[0].id;
-    let breakpoint = |(id, (path, hits)): (u32, &(&str, Option<&str>))| DataBreakpoint {
+    let breakpoints = (20..).zip(paths).map(|(id, (path, hits))| DataBreakpoint {
         id: BreakpointId(id),
         data: WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path).unwrap(),
         access,
         hits: hits.map(|hits| hits.parse().unwrap()),
-    };
-    let breakpoints = (20..).zip(paths).map(breakpoint).collect();
+    });
+    let breakpoints = breakpoints.collect();
     debugger.set_data_breakpoints(breakpoints);
 }
 
@@ -184,18 +184,19 @@ fn keys_and_fields_of_collections_are_watched() {
 #[test]
 fn identities_name_the_data() {
     let mut debugger = debugger(DATA);
-    let task = debugger.controller.vm.tasks()[0].id;
-    let mut id = |path: &str| {
-        WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path)
-            .map(|data| format!("{} {}", data.id(), data.is_local()))
-    };
-    assert_eq!(id("nGrid[1,0]").unwrap(), "main:nGrid[1,0] false");
-    assert_eq!(id("trPart[1].rx").unwrap(), "main:trPart[1].rx false");
-    assert_eq!(id("l_nSum").unwrap(), "main~/0/l_nSum true");
+    let context = FragmentContext::Frame(debugger.controller.vm.tasks()[0].id, 0);
+    for (path, id, is_local) in [
+        ("nGrid[1,0]", "main:nGrid[1,0]", false),
+        ("trPart[1].rx", "main:trPart[1].rx", false),
+        ("l_nSum", "main~/0/l_nSum", true),
+    ] {
+        let data = WatchedData::new(&mut debugger.controller, context, path).unwrap();
+        assert_eq!((data.id(), data.is_local()), (id, is_local));
+    }
     for wrong in
         ["", "nNone", "nGrid[2,0]", "nGrid[", "trPart[0].q", "nCount.x", "lib:nCount", "nGrid[\"a]", ".x", "[0]"]
     {
-        assert!(id(wrong).is_err(), "{wrong}");
+        assert!(WatchedData::new(&mut debugger.controller, context, wrong).is_err(), "{wrong}");
     }
     assert!(WatchedData::signal(&debugger.controller, "Io\\none").is_err());
 }
@@ -208,17 +209,9 @@ fn a_run_back_stops_at_the_last_change() {
         let mut debugger = debugger(listing);
         debugger.record(PastLimits::snapshots(100));
         watch(&mut debugger, &[(path, None)]);
-        let state = |debugger: &Debugger, stop: &Stop| {
-            let Controller { vm, .. } = &debugger.controller;
-            let threads: Vec<_> = vm.tasks().iter().map(|task| &task.thread).collect();
-            let memory = format!("{:?}", vm.space.memory.stores);
-            // The reported size follows the capacities of the vectors, which may differ.
-            let (values, _) = memory.split_once(", room").unwrap();
-            (change(debugger, stop), debugger.controller.now(), format!("{values} {threads:?}"))
-        };
         let mut forward = Vec::new();
         while let Some(stop) = run(&mut debugger) {
-            forward.push(state(&debugger, &stop));
+            forward.push((change(&debugger, &stop), state(&debugger.controller)));
         }
         assert!(forward.len() > 2);
         let mut back = Vec::new();
@@ -227,12 +220,22 @@ fn a_run_back_stops_at_the_last_change() {
             if stop == Stop::Beginning {
                 break;
             }
-            back.push(state(&debugger, &stop));
+            back.push((change(&debugger, &stop), state(&debugger.controller)));
         }
         back.reverse();
         assert!(back == forward, "{path}");
         assert_eq!(all(&mut debugger).lines().count(), forward.len() + 1);
     }
+}
+
+/// Time, values and threads.
+fn state(controller: &Controller) -> String {
+    let vm = &controller.vm;
+    let threads: Vec<_> = vm.tasks().iter().map(|task| &task.thread).collect();
+    let memory = format!("{:?}", vm.space.memory.stores);
+    // The reported size follows the capacities of the vectors, which may differ.
+    let (values, _) = memory.split_once(", room").unwrap();
+    format!("{} {values} {threads:?}", controller.now())
 }
 
 /// Data breakpoints do not change the events of a run.

@@ -27,11 +27,11 @@ pub(crate) fn file(debugger: &Debugger, program: &str) -> String {
 pub(crate) fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) -> Vec<Option<u32>> {
     let file = file(debugger, program);
     let first = first_row(debugger, program);
-    let breakpoint = |(id, (line, hits)): (u32, &(u32, Option<&str>))| Breakpoint {
+    let breakpoints = (0..).zip(lines).map(|(id, (line, hits))| Breakpoint {
         hits: hits.map(|hits| hits.parse().unwrap()),
         ..Breakpoint::new(BreakpointId(id), first + line - 1)
-    };
-    let placed = debugger.set_breakpoints(&file, (0..).zip(lines).map(breakpoint).collect());
+    });
+    let placed = debugger.set_breakpoints(&file, breakpoints.collect());
     placed.iter().map(|placed| placed.row.map(|row| row + 1 - first)).collect()
 }
 
@@ -83,11 +83,10 @@ pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
     };
     let vm = &debugger.controller.vm;
     let name = vm.tasks().iter().find(|known| known.id == task).map_or("?", |task| &task.name);
-    let frame = |frame: &val3_debug::TaskFrame| {
-        format!("{}:{}", frame.program, frame.row + 1 - first_row(debugger, &frame.program))
-    };
-    let frames: Vec<_> = frames(vm, task).iter().map(frame).collect();
-    format!("{why} {name}: {}", frames.join(" < "))
+    let frames = frames(vm, task).into_iter();
+    let frames =
+        frames.map(|frame| format!("{}:{}", frame.program, frame.row + 1 - first_row(debugger, &frame.program)));
+    format!("{why} {name}: {}", frames.collect::<Vec<_>>().join(" < "))
 }
 
 /// Checks the stops of a run that calls `then` after each stop.
@@ -175,10 +174,7 @@ fn a_breakpoint_moves_to_the_next_line_with_an_instruction() {
 fn steps(kind: StepKind, expected: Expect) {
     let mut debugger = debugger(CALLS);
     set(&mut debugger, "start", &[(2, Some("1"))]);
-    let step = |debugger: &mut Debugger, stop: &Stop| {
-        debugger.step(task_of(stop).unwrap(), kind);
-    };
-    stops(&mut debugger, step, expected);
+    stops(&mut debugger, |debugger, stop| debugger.step(task_of(stop).unwrap(), kind), expected);
 }
 
 #[test]
@@ -231,14 +227,13 @@ fn a_step_in_enters_called_programs() {
 fn a_step_out_ends_in_the_caller() {
     let mut debugger = debugger(CALLS);
     set(&mut debugger, "add", &[(1, None)]);
-    let step = |debugger: &mut Debugger, stop: &Stop| {
-        if let Stop::Breakpoints { task, .. } = stop {
-            debugger.step(*task, StepKind::Out);
-        }
-    };
     stops(
         &mut debugger,
-        step,
+        |debugger, stop| {
+            if let Stop::Breakpoints { task, .. } = stop {
+                debugger.step(*task, StepKind::Out);
+            }
+        },
         expect![[r#"
         [0] main~: add:1 < start:2
         step main~: start:3
@@ -257,14 +252,13 @@ fn a_step_that_ends_at_a_breakpoint_hits_it_once() {
     let mut debugger = debugger("program start()\nbegin\n  ? 1\n  ? 2\n  ? 3\nend\n");
     set(&mut debugger, "start", &[(1, None), (2, None)]);
     let mut is_first = true;
-    let step = |debugger: &mut Debugger, stop: &Stop| {
-        if let (Stop::Breakpoints { task, .. }, true) = (stop, std::mem::take(&mut is_first)) {
-            debugger.step(*task, StepKind::Over);
-        }
-    };
     stops(
         &mut debugger,
-        step,
+        |debugger, stop| {
+            if let (Stop::Breakpoints { task, .. }, true) = (stop, std::mem::take(&mut is_first)) {
+                debugger.step(*task, StepKind::Over);
+            }
+        },
         expect![[r#"
         [0] main~: start:1
         [1] main~: start:2
@@ -280,16 +274,15 @@ fn a_step_waits_with_its_task() {
          while true\n    delay(0.1)\n  endWhile\nend\n",
     );
     set(&mut debugger, "start", &[(2, None)]);
-    let step = |debugger: &mut Debugger, stop: &Stop| {
-        if let Stop::Breakpoints { task, .. } = stop {
-            debugger.step(*task, StepKind::Over);
-        } else {
-            debugger.controller.stop();
-        }
-    };
     stops(
         &mut debugger,
-        step,
+        |debugger, stop| {
+            if let Stop::Breakpoints { task, .. } = stop {
+                debugger.step(*task, StepKind::Over);
+            } else {
+                debugger.controller.stop();
+            }
+        },
         expect![[r#"
         [0] main~: start:2
         step main~: start:3
@@ -425,10 +418,6 @@ fn a_long_run_goes_back_to_the_same_states() {
     let mut debugger = debugger(LONG);
     debugger.record(PastLimits::snapshots(20));
     set(&mut debugger, "start", &[(5, None)]);
-    let state = |debugger: &Debugger| {
-        let threads: Vec<_> = debugger.controller.vm.tasks().iter().map(|task| &task.thread).collect();
-        format!("{:?} {threads:?}", debugger.controller.now())
-    };
     let mut passed = Vec::new();
     while passed.len() < 10 {
         assert!(run(&mut debugger).is_some());
@@ -442,4 +431,10 @@ fn a_long_run_goes_back_to_the_same_states() {
         assert!(run(&mut debugger).is_some());
         assert!(state(&debugger) == *expected);
     }
+}
+
+/// Time and threads.
+fn state(debugger: &Debugger) -> String {
+    let threads: Vec<_> = debugger.controller.vm.tasks().iter().map(|task| &task.thread).collect();
+    format!("{:?} {threads:?}", debugger.controller.now())
 }

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use val3_debug::{AdvanceResult, Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, StepKind, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode, MoveStage};
-use val3_machine::controller::RunStatus;
+use val3_machine::controller::{BlendPoint, Controller, RunStatus, Snapshot};
 use val3_session::Pace;
 use val3_tests::running::Running;
 
@@ -323,21 +323,23 @@ fn a_step_over_a_wait_for_the_arm_releases_it() {
 
 #[test]
 fn an_arm_that_cannot_move_ends_the_step() {
-    let hold = |prepare: fn(&mut Debugger)| {
+    let cases: [(fn(&mut Controller), ArmHold); 4] = [
+        (|controller| controller.devices.state.robot.set_power(false), ArmHold::NoPower),
+        (|controller| controller.devices.state.robot.press_emergency_stop(), ArmHold::NoPower),
+        (|controller| controller.devices.state.robot.turn_speed(0.0), ArmHold::NoSpeed),
+        (|controller| controller.arm_mut().stop(), ArmHold::Stopped),
+    ];
+    for (prepare, hold) in cases {
         let mut debugger = debugger(MANUAL, MotionMode::Step);
         stop_at(&mut debugger, 5);
         run(&mut debugger).unwrap();
-        prepare(&mut debugger);
+        prepare(&mut debugger.controller);
         debugger.step(task(&debugger), StepKind::Over);
         let stop = run(&mut debugger).unwrap();
         let Stop::Motion(stop) = stop else { panic!("{stop:?}") };
         assert_eq!(debugger.controller.arm().joint(), READY);
-        stop.hold
-    };
-    assert_eq!(hold(|debugger| debugger.controller.devices.state.robot.set_power(false)), Some(ArmHold::NoPower));
-    assert_eq!(hold(|debugger| debugger.controller.devices.state.robot.press_emergency_stop()), Some(ArmHold::NoPower));
-    assert_eq!(hold(|debugger| debugger.controller.devices.state.robot.turn_speed(0.0)), Some(ArmHold::NoSpeed));
-    assert_eq!(hold(|debugger| debugger.controller.arm_mut().stop()), Some(ArmHold::Stopped));
+        assert_eq!(stop.hold, Some(hold));
+    }
 }
 
 #[test]
@@ -406,16 +408,15 @@ fn the_queue_lists_each_move() {
         assert_eq!(queued.stage, if number == 0 { MoveStage::Started } else { MoveStage::Recorded });
         assert!(queued.descriptor.is_some_and(|mdesc| mdesc.vel == 100.0 && mdesc.leave == 50.0));
         let leave = queued.leave.unwrap();
-        let distance = |pose: &val3_geometry::IsometryMatrix3<f64>| {
-            (pose.translation.vector - queued.target.translation.vector).norm()
-        };
-        assert!((distance(&leave.pose) - leave.distance.0).abs() < 1e-6 && (leave.distance.0 - 50.0).abs() < 1e-6);
+        let target = queued.target.translation.vector;
+        let distance = |end: &BlendPoint| (end.pose.translation.vector - target).norm();
+        assert!((distance(&leave) - leave.distance.0).abs() < 1e-6 && (leave.distance.0 - 50.0).abs() < 1e-6);
         assert_eq!(queued.reach.is_some(), number < 2);
         let requested =
             queued.blend.leave.as_ref().map(|end| (end.requested, end.effective.round(), end.cut.is_none()));
         assert_eq!((requested, queued.blend.note()), (Some((50.0, 50.0, true)), None));
         if let Some(reach) = queued.reach {
-            assert!((distance(&reach.pose) - 50.0).abs() < 1e-6 && reach.joints != leave.joints);
+            assert!((distance(&reach) - 50.0).abs() < 1e-6 && reach.joints != leave.joints);
         }
     }
     assert_eq!(queue.len(), 3);

@@ -59,13 +59,12 @@ fn a_budget_of_bytes_bounds_the_past() {
 /// Each snapshot contains the large array.
 #[test]
 fn snapshots_count_the_data() {
-    let bytes = |listing: &str| {
+    let programs = ["program start()\nbegin\nend\n", "num nLarge[100000]\nprogram start()\nbegin\nend\n"];
+    let [small, large] = programs.map(|listing| {
         let mut debugger = debugger(listing);
         debugger.record(PastLimits::default());
         debugger.reach().unwrap().bytes
-    };
-    let small = bytes("program start()\nbegin\nend\n");
-    let large = bytes("num nLarge[100000]\nprogram start()\nbegin\nend\n");
+    });
     assert!(large >= small + 800_000, "{small} {large}");
     assert!(large < small + 900_000, "{small} {large}");
 }

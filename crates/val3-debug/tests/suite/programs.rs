@@ -8,11 +8,11 @@ use crate::debugger::{CALLS, debugger, first_row, run, set, shown, stops, task_o
 
 /// Sets breakpoints on programs, with hit conditions, and returns their resolved lines.
 fn on(debugger: &mut Debugger, programs: &[(&str, Option<&str>)]) -> Vec<PlacedProgram> {
-    let breakpoint = |(id, (name, hits)): (u32, &(&str, Option<&str>))| ProgramBreakpoint {
+    let breakpoints = (10..).zip(programs).map(|(id, (name, hits))| ProgramBreakpoint {
         hits: hits.map(|hits| hits.parse().unwrap()),
         ..ProgramBreakpoint::new(BreakpointId(id), name.parse().unwrap())
-    };
-    debugger.set_program_breakpoints((10..).zip(programs).map(breakpoint).collect())
+    });
+    debugger.set_program_breakpoints(breakpoints.collect())
 }
 
 #[test]

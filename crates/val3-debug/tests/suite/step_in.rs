@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use expect_test::expect;
-use val3_debug::{Debugger, StepInTarget, StepKind, Stop, StopErrors};
+use val3_debug::{StepInTarget, StepKind, Stop, StopErrors};
 
 use crate::debugger::{debugger, run, set, shown};
 
@@ -36,16 +36,13 @@ fn a_line_leads_into_a_program_or_a_task() {
     let mut debugger = debugger(LEADING);
     let main = debugger.controller.vm.tasks()[0].id;
     let mut steps = String::new();
-    let mut step = |debugger: &mut Debugger, kind| {
+    for kind in [StepKind::Over, StepKind::Over, StepKind::In, StepKind::Out, StepKind::IntoTask] {
         debugger.step(main, kind);
-        let stop = run(debugger);
+        let stop = run(&mut debugger);
         let target = debugger.step_in_target(main);
         let target =
             target.map(|StepInTarget { application, program, kind }| format!("{application}:{program} {kind:?}"));
-        writeln!(steps, "{}, then {}", shown(debugger, stop), target.as_deref().unwrap_or("nowhere")).unwrap();
-    };
-    for kind in [StepKind::Over, StepKind::Over, StepKind::In, StepKind::Out, StepKind::IntoTask] {
-        step(&mut debugger, kind);
+        writeln!(steps, "{}, then {}", shown(&debugger, stop), target.as_deref().unwrap_or("nowhere")).unwrap();
     }
     expect![[r#"
         step main~: start:2, then nowhere

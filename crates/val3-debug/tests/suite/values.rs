@@ -120,15 +120,13 @@ fn each_frame_has_its_own_variables() {
         "program start()\nnum l_nOuter\nbegin\n  l_nOuter=4\n  call show(l_nOuter)\nend\nprogram show(num x_nInner)\nbegin\n  \
          ? x_nInner\nend\n",
     );
-    let names = |controller: &mut Controller, depth| {
+    for (depth, variables) in [(0, "x_nInner: num = 4\n"), (1, "l_nOuter: num = 4\n")] {
         let mut text = String::new();
         for scope in scopes(&controller.vm, task, depth) {
-            tree(controller, &scope.inside, 0, &mut text);
+            tree(&mut controller, &scope.inside, 0, &mut text);
         }
-        text
-    };
-    assert_eq!(names(&mut controller, 0), "x_nInner: num = 4\n");
-    assert_eq!(names(&mut controller, 1), "l_nOuter: num = 4\n");
+        assert_eq!(text, variables);
+    }
     assert!(scopes(&controller.vm, task, 2).is_empty());
 }
 

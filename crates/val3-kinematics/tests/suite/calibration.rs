@@ -4,14 +4,17 @@ use val3_kinematics::{Arm, Dh, Joints};
 
 use crate::{apart, arm, difference, positions};
 
+/// Next number from -1 to 1 of a linear congruential generator.
+fn next_noise(state: &mut u32) -> f64 {
+    *state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+    f64::from(*state) / f64::from(u32::MAX) * 2.0 - 1.0
+}
+
 /// Returns parameters as from a measurement: lengths differ by up to 0.5 mm, angles by up to 0.1 degrees.
 fn measured(arm: &Arm) -> Dh {
     let mut dh = arm.default_dh();
     let mut state = 1_u32;
-    let mut noise = |scale: f64| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        scale * (f64::from(state) / f64::from(u32::MAX) * 2.0 - 1.0)
-    };
+    let mut noise = |scale: f64| scale * next_noise(&mut state);
     for axis in 0..arm.axes() {
         dh.theta[axis] += noise(0.1);
         dh.d[axis] += noise(0.5);
@@ -61,13 +64,12 @@ fn calibration_changes_the_pose_and_can_be_undone() {
 #[test]
 fn parameters_far_from_the_nominal_ones_are_refused() {
     let mut arm = arm("TX2-90");
-    let with = |change: fn(&mut Dh)| {
-        let mut dh = arm.default_dh();
-        change(&mut dh);
-        dh
-    };
-    let refused = [with(|dh| dh.a[1] += 5.1), with(|dh| dh.alpha[0] -= 2.1), with(|dh| dh.d[6] = f64::NAN)];
-    let accepted = with(|dh| dh.a[1] += 4.9);
+    let mut refused = [arm.default_dh(); 3];
+    refused[0].a[1] += 5.1;
+    refused[1].alpha[0] -= 2.1;
+    refused[2].d[6] = f64::NAN;
+    let mut accepted = arm.default_dh();
+    accepted.a[1] += 4.9;
     for dh in refused {
         arm.set_dh(&dh).unwrap_err();
         assert!(!arm.is_calibrated());

@@ -126,12 +126,11 @@ fn a_unit_may_have_narrower_limits() {
 
 #[test]
 fn a_turn_shift_brings_the_last_axis_to_the_reference() {
-    let shift = |name: &str, axis: usize, position: f64, reference: f64| {
+    for (name, axis, position, reference, shift) in
+        [("TX2-90", 5, 720.0, 0.0, -720.0), ("TX2-90", 5, 100.0, -100.0, -360.0), ("TS2-60", 3, -400.0, 10.0, 360.0)]
+    {
         let (mut joints, mut near) = ([0.0; 6], [0.0; 6]);
         (joints[axis], near[axis]) = (position, reference);
-        arm(name).turn_shift(&joints, &near)
-    };
-    assert_eq!(shift("TX2-90", 5, 720.0, 0.0), -720.0);
-    assert_eq!(shift("TX2-90", 5, 100.0, -100.0), -360.0);
-    assert_eq!(shift("TS2-60", 3, -400.0, 10.0), 360.0);
+        assert_eq!(arm(name).turn_shift(&joints, &near), shift, "{name} at {position}");
+    }
 }

@@ -62,18 +62,19 @@ fn a_bent_arm_points_forwards() {
 /// Distance between the centre of the wrist and axis 2, as in data sheets for the folded and the stretched arm.
 #[test]
 fn data_sheets_give_the_same_radii() {
-    let radius = |name: &str, j3: f64| {
-        let arm = arm(name);
-        let links = arm.links(&[0.0, 0.0, j3, 0.0, 0.0, 0.0]);
-        let from_axis_2 = links[4].translation.vector - links[1].translation.vector;
-        (from_axis_2.x.powi(2) + from_axis_2.z.powi(2)).sqrt()
-    };
     assert!((radius("TX40", 138.0) - 161.3).abs() < 0.05);
     assert!((radius("TX90", 145.0) - 255.6).abs() < 0.05);
     assert!((radius("TX90", 0.0) - 850.0).abs() < 1e-9);
     let reach = radius("TX90", 0.0) + arm("TX90").links(&[0.0; 6])[1].translation.vector.x;
     assert!((reach - 900.0).abs() < 1e-9);
     assert_eq!(["TX90", "TX2-160L", "TS2-60"].map(|name| arm(name).reach()), [1000.0, 2010.0, 620.0]);
+}
+
+/// Distance between the centre of the wrist and axis 2, in mm.
+fn radius(name: &str, j3: f64) -> f64 {
+    let links = arm(name).links(&[0.0, 0.0, j3, 0.0, 0.0, 0.0]);
+    let from_axis_2 = links[4].translation.vector - links[1].translation.vector;
+    (from_axis_2.x.powi(2) + from_axis_2.z.powi(2)).sqrt()
 }
 
 #[test]
@@ -102,12 +103,11 @@ fn the_jacobian_is_the_derivative_of_the_pose() {
         for joints in positions(&arm, 20) {
             let columns = arm.jacobian(&joints);
             for axis in 0..arm.axes() {
-                let shifted = |by: f64| {
+                let [before, after] = [-STEP, STEP].map(|by| {
                     let mut shifted = joints;
                     shifted[axis] += by;
                     arm.flange(&shifted)
-                };
-                let (before, after) = (shifted(-STEP), shifted(STEP));
+                });
                 let linear = (after.translation.vector - before.translation.vector) / (2.0 * STEP);
                 assert!((linear - columns[axis].linear).amax() < 1e-6, "{} axis {}", arm.name(), axis + 1);
                 let turn = (after.rotation * before.rotation.inverse()).matrix() / (2.0 * STEP);

@@ -47,8 +47,9 @@ impl ArgumentRange {
 /// Range of the parameter `parameter` of `instruction`; `None` if all numbers are valid.
 #[must_use]
 pub fn range(instruction: &str, parameter: &str) -> Option<&'static ArgumentRange> {
-    let is_meant = |row: &&(&str, &str, ArgumentRange)| row.0 == instruction && row.1 == parameter;
-    RANGES.iter().find(is_meant).map(|(_, _, range)| range)
+    let mut rows = RANGES.iter();
+    let (_, _, range) = rows.find(|(known, of, _)| *known == instruction && *of == parameter)?;
+    Some(range)
 }
 
 /// Parameter that names an array dimension.
@@ -210,9 +211,6 @@ mod tests {
 
     #[test]
     fn the_domain_of_power_depends_on_the_version() {
-        let takes = |major, base: f64, exponent| {
-            power_base(Version::new(major, 0, 0), base, exponent).is_none_or(|range| range.takes(base))
-        };
         assert!(takes(7, 2.0, Some(-3.0)) && !takes(7, -2.0, Some(2.0)) && !takes(7, 0.0, None));
         for (base, exponent) in [(-2.0, 2.0), (-2.0, -3.0), (0.0, 0.5), (2.0, 0.5), (-2.0, 0.0)] {
             assert!(takes(8, base, Some(exponent)), "{base} to {exponent}");
@@ -221,6 +219,11 @@ mod tests {
             assert!(!takes(8, base, Some(exponent)), "{base} to {exponent}");
         }
         assert!(takes(8, -2.0, None));
+    }
+
+    /// Whether `power` accepts the base with this exponent in a version.
+    fn takes(major: u8, base: f64, exponent: Option<f64>) -> bool {
+        power_base(Version::new(major, 0, 0), base, exponent).is_none_or(|range| range.takes(base))
     }
 
     #[test]

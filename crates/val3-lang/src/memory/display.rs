@@ -42,13 +42,11 @@ impl Memory {
             BaseType::String => printed::string(self.text(at)?),
             _ if base.is_enumeration() => enumerator_name(base, self.num(at, 0)?).to_owned(),
             _ if base.is_structured() => {
-                let field = |name: &str, ty| {
-                    let offset = field_offset(base, arm, name).unwrap_or_default();
-                    self.shown_builtin((ty, arm), at.after(offset))
-                };
-                let parts: Result<Vec<String>> =
-                    fields(base, arm).iter().map(|found| field(found.name, found.ty)).collect();
-                printed::structure(&parts?)
+                let parts = fields(base, arm).iter().map(|field| {
+                    let offset = field_offset(base, arm, field.name).unwrap_or_default();
+                    self.shown_builtin((field.ty, arm), at.after(offset))
+                });
+                printed::structure(&parts.collect::<Result<Vec<String>>>()?)
             }
             _ => String::new(),
         })

@@ -40,13 +40,12 @@ pub struct FieldKind {
 
 impl FieldKind {
     fn suits(&self, other: &Self) -> bool {
-        let dims = |shape: &ContainerShape| match shape {
-            ContainerShape::Array { dims, .. } => Some(*dims),
-            ContainerShape::Collection(_) => None,
+        let has_same_dims = match (&self.init.shape, &other.init.shape) {
+            (ContainerShape::Array { dims, .. }, ContainerShape::Array { dims: others, .. }) => dims == others,
+            (ContainerShape::Collection(_), ContainerShape::Collection(_)) => true,
+            _ => false,
         };
-        self.name == other.name
-            && dims(&self.init.shape) == dims(&other.init.shape)
-            && self.init.kind.suits(&other.init.kind)
+        self.name == other.name && has_same_dims && self.init.kind.suits(&other.init.kind)
     }
 }
 
@@ -231,10 +230,6 @@ mod tests {
 
     #[test]
     fn values_with_the_same_layout_can_be_copied() {
-        let user = |name: &str, field: &str, base, size| {
-            let init = PartInit { kind: Arc::new(ValueType::builtin(base, None)), shape: size, values: Vec::new() };
-            ValueType::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])
-        };
         let part = user("Part", "nCount", BaseType::Num, ContainerShape::array(1));
         assert!(part.suits(&user("bolt", "nCount", BaseType::Num, ContainerShape::array(5))));
         assert!(!part.suits(&user("Part", "nOther", BaseType::Num, ContainerShape::array(1))));
@@ -244,5 +239,11 @@ mod tests {
         let joint = |arm| ValueType::builtin(BaseType::Joint, arm);
         assert!(joint(None).suits(&joint(Some(Arm::Scara))));
         assert!(!joint(Some(Arm::SixAxis)).suits(&joint(Some(Arm::Scara))));
+    }
+
+    /// A user type with one field.
+    fn user(name: &str, field: &str, base: BaseType, shape: ContainerShape) -> ValueType {
+        let init = PartInit { kind: Arc::new(ValueType::builtin(base, None)), shape, values: Vec::new() };
+        ValueType::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])
     }
 }

@@ -109,10 +109,6 @@ mod tests {
         let place = |name: &str| Place::first(bench.view(name).store);
         let mut poses = Poses::new(memory);
         let position = |way: Result<super::super::Chain>| way.map(|way| chain::position(&way, &[]));
-        let is_near = |one: Result<Trsf>, other: Result<Trsf>| match (one, other) {
-            (Ok(one), Ok(other)) => one.distance(&other) < 1e-12 && (one.rz - other.rz).abs() < 1e-12,
-            (one, other) => one == other,
-        };
         for name in ["fC", "fB", "fA", "world"] {
             let frame = FrameRef(place(name));
             assert!(is_near(poses.of_frame(frame), position(of_frame(memory, FrameRef(place(name))))), "{name}");
@@ -157,6 +153,13 @@ mod tests {
         let mut poses = Poses::new(&bench.memory);
         for place in places {
             assert!(poses.of_frame(FrameRef(place)).is_err());
+        }
+    }
+
+    fn is_near(one: Result<Trsf>, other: Result<Trsf>) -> bool {
+        match (one, other) {
+            (Ok(one), Ok(other)) => one.distance(&other) < 1e-12 && (one.rz - other.rz).abs() < 1e-12,
+            (one, other) => one == other,
         }
     }
 }

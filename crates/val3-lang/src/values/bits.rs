@@ -78,10 +78,9 @@ mod tests {
 
     #[test]
     fn prints_bit_by_bit() {
-        let shown = |value| -> String {
-            (0..=31).rev().map(|i| if and(value, bit(i)) == bit(i) { '1' } else { '0' }).collect()
-        };
-        assert_eq!(shown(2_147_483_653.0), "10000000000000000000000000000101");
+        let value = 2_147_483_653.0;
+        let bits: String = (0..=31).rev().map(|i| if and(value, bit(i)) == bit(i) { '1' } else { '0' }).collect();
+        assert_eq!(bits, "10000000000000000000000000000101");
     }
 
     #[test]

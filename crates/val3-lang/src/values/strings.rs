@@ -96,9 +96,8 @@ pub fn find(text: &str, wanted: &str) -> f64 {
 fn first_occurrence(text: &str, wanted: &str) -> Option<usize> {
     let (text, wanted) = (text.as_bytes(), wanted.as_bytes());
     let Some((first, rest)) = wanted.split_first() else { return Some(0) };
-    let is_here = |at: &usize| text.get(at + 1..).is_some_and(|behind| behind.starts_with(rest));
-    let starts = text.iter().enumerate().filter(|(_, byte)| *byte == first);
-    starts.map(|(at, _)| at).find(is_here)
+    let mut starts = text.iter().enumerate().filter(|(_, byte)| *byte == first).map(|(at, _)| at);
+    starts.find(|at| text.get(at + 1..).is_some_and(|behind| behind.starts_with(rest)))
 }
 
 /// `len`: number of characters in a string.

@@ -39,12 +39,14 @@ fn the_palletiser_has_the_same_events_with_counters() {
     let ((counted, controller), (plain, other)) = (two_boxes(true), two_boxes(false));
     assert!(plain.lines().count() > 100, "{plain}");
     assert!(counted == plain, "the events differ");
-    let hits = |controller: &Controller| -> Vec<(String, u64)> {
-        let images = controller.vm.space.counts.images();
-        images.map(|(image, hits)| (image.name.clone(), hits.iter().sum())).collect()
-    };
     assert!(hits(&other).is_empty());
     let found = hits(&controller);
     assert!(found.iter().any(|(name, sum)| name == "palletiser" && *sum > 1000), "{found:?}");
     assert!(found.iter().any(|(name, sum)| name == "partBox" && *sum > 2), "{found:?}");
+}
+
+/// Applications and libraries with the sums of their counters.
+fn hits(controller: &Controller) -> Vec<(String, u64)> {
+    let images = controller.vm.space.counts.images();
+    images.map(|(image, hits)| (image.name.clone(), hits.iter().sum())).collect()
 }

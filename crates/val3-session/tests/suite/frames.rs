@@ -3,6 +3,7 @@
 use expect_test::expect;
 use val3_debug::{AdvanceResult, DisplayFormat, Stop, StopErrors};
 use val3_machine::controller::RunStatus;
+use val3_machine::event::Event;
 use val3_session::{EvaluationError, Pace, Purpose};
 use val3_vm::FragmentContext;
 
@@ -259,34 +260,40 @@ fn an_application_without_tasks_has_its_data() {
 
 #[test]
 fn the_run_does_not_notice_evaluations() {
-    let listing = "num nCount\nprogram start()\nbegin\n  while nCount<20\n    nCount=nCount+1\n    call show()\n  endWhile\nend\n\
-                   program show()\nnum l_n[3]\nbegin\n  l_n[1]=nCount\n  delay(0.01)\n  ? l_n[1]\nend\n";
-    let run = |is_watched: bool| {
-        let mut stopped = Stopped::at(listing);
-        let (mut events, mut stops) = (Vec::new(), 0);
-        loop {
-            match stopped.debugger.advance() {
-                AdvanceResult::Stopped(_) => {
-                    stops += 1;
-                    if is_watched {
-                        let before = format!("{:?}", stopped.debugger.controller.vm.tasks());
-                        assert_eq!(stopped.watch("l_n[1]+1"), format!("num {}", stops + 2));
-                        assert!(stopped.watch("1/0").starts_with("error 10"));
-                        assert!(stopped.execute("? l_n[7]").starts_with("error 20"));
-                        assert_eq!(before, format!("{:?}", stopped.debugger.controller.vm.tasks()));
-                    }
-                }
-                AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
-                    Pace::default().wait(&mut stopped.debugger.controller, wake);
-                }
-                AdvanceResult::Ran(status) if status.is_final() => break,
-                AdvanceResult::Ran(_) => {}
+    let [mut watched, mut unwatched] = [(); 2].map(|()| Stopped::at(COUNTED_CALLS));
+    let seen = run_to_end(&mut watched, |stopped, stops| {
+        let before = format!("{:?}", stopped.debugger.controller.vm.tasks());
+        assert_eq!(stopped.watch("l_n[1]+1"), format!("num {}", stops + 2));
+        assert!(stopped.watch("1/0").starts_with("error 10"));
+        assert!(stopped.execute("? l_n[7]").starts_with("error 20"));
+        assert_eq!(before, format!("{:?}", stopped.debugger.controller.vm.tasks()));
+    });
+    assert_eq!(seen, run_to_end(&mut unwatched, |_, _| ()));
+    let [watched, unwatched] =
+        [watched, unwatched].map(|stopped| stopped.debugger.controller.vm.space.memory.stores.room);
+    assert_eq!(watched, unwatched);
+}
+
+const COUNTED_CALLS: &str = "num nCount\nprogram start()\nbegin\n  while nCount<20\n    nCount=nCount+1\n    call show()\n  \
+                             endWhile\nend\nprogram show()\nnum l_n[3]\nbegin\n  l_n[1]=nCount\n  delay(0.01)\n  ? l_n[1]\nend\n";
+
+/// Runs to the end and calls `at_stop` at each stop, with the number of stops. Returns the events and this number.
+fn run_to_end(stopped: &mut Stopped, at_stop: impl Fn(&mut Stopped, usize)) -> (Vec<Event>, usize) {
+    let (mut events, mut stops) = (Vec::new(), 0);
+    loop {
+        match stopped.debugger.advance() {
+            AdvanceResult::Stopped(_) => {
+                stops += 1;
+                at_stop(stopped, stops);
             }
-            events.append(&mut stopped.debugger.controller.devices.take_events());
+            AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
+                Pace::default().wait(&mut stopped.debugger.controller, wake);
+            }
+            AdvanceResult::Ran(status) if status.is_final() => return (events, stops),
+            AdvanceResult::Ran(_) => {}
         }
-        (events, stops, stopped.debugger.controller.vm.space.memory.stores.room)
-    };
-    assert_eq!(run(true), run(false));
+        events.append(&mut stopped.debugger.controller.devices.take_events());
+    }
 }
 
 #[test]
@@ -346,17 +353,19 @@ fn texts_are_shown_as_expressions() {
 #[test]
 fn completions_know_the_variables_of_the_frame() {
     let mut stopped = Stopped::at(VARIABLES);
-    let mut labels = |depth, text: &str| -> Vec<String> {
+    for (depth, text, label) in [
+        (0, "1<2 and l_nM", "l_nMany 8..12"),
+        (0, "x_nT", "x_nTotal 0..4"),
+        (0, "pHome.trsf.", "x 11..11"),
+        (0, "\"<&\"+x_sN", "x_sNames 5..9"),
+        (1, "l_nOut", "l_nOuter 0..6"),
+        (0, "call dou", "double 5..8"),
+    ] {
         let context = FragmentContext::Frame(stopped.task, depth);
         let found = stopped.evaluator.completions(&stopped.debugger.controller, context, (text, text.len())).unwrap();
-        found.into_iter().take(4).map(|found| format!("{} {:?}", found.insert, found.range)).collect()
-    };
-    assert!(labels(0, "1<2 and l_nM").contains(&"l_nMany 8..12".to_owned()));
-    assert!(labels(0, "x_nT").contains(&"x_nTotal 0..4".to_owned()));
-    assert!(labels(0, "pHome.trsf.").contains(&"x 11..11".to_owned()));
-    assert!(labels(0, "\"<&\"+x_sN").contains(&"x_sNames 5..9".to_owned()));
-    assert!(labels(1, "l_nOut").contains(&"l_nOuter 0..6".to_owned()));
-    assert!(labels(0, "call dou").contains(&"double 5..8".to_owned()));
+        let mut labels = found.into_iter().take(4).map(|found| format!("{} {:?}", found.insert, found.range));
+        assert!(labels.any(|found| found == label), "{text}");
+    }
 }
 
 #[test]
@@ -372,12 +381,15 @@ fn expressions_show_the_variable_that_they_refer_to() {
 #[test]
 fn faults_are_marked_in_the_text() {
     let mut stopped = Stopped::at(VARIABLES);
-    let mut excerpt = |text, purpose| match stopped.evaluate(0, text, purpose) {
-        Err(EvaluationError::Code(fault)) => fault.excerpt(text).unwrap(),
-        other => panic!("{other:?}"),
-    };
-    assert_eq!(excerpt("\"<&\"+nMissing", Purpose::Watch), "  \"<&\"+nMissing\n       ^^^^^^^^");
-    assert_eq!(excerpt("nCount=1\nnCount=true", Purpose::Execute), "  nCount=true\n         ^^^^");
+    for (text, purpose, excerpt) in [
+        ("\"<&\"+nMissing", Purpose::Watch, "  \"<&\"+nMissing\n       ^^^^^^^^"),
+        ("nCount=1\nnCount=true", Purpose::Execute, "  nCount=true\n         ^^^^"),
+    ] {
+        match stopped.evaluate(0, text, purpose) {
+            Err(EvaluationError::Code(fault)) => assert_eq!(fault.excerpt(text).unwrap(), excerpt),
+            other => panic!("{other:?}"),
+        }
+    }
 }
 
 #[test]

@@ -80,11 +80,6 @@ fn token() -> impl Strategy<Value = String> {
 #[test]
 fn watched_texts_change_nothing_whatever_they_are() {
     let stopped = Stopped::at(VARIABLES);
-    let state = |stopped: &Stopped| {
-        let vm = &stopped.debugger.controller.vm;
-        format!("{:?}{:?}{:?}", vm.tasks(), vm.space.memory.stack, vm.space.memory.stores.room)
-            + &format!("{:?}", vm.space.memory.stores)
-    };
     let before = state(&stopped);
     let stopped = std::cell::RefCell::new(stopped);
     let mut runner =
@@ -99,6 +94,12 @@ fn watched_texts_change_nothing_whatever_they_are() {
         Ok(())
     });
     result.unwrap();
+}
+
+fn state(stopped: &Stopped) -> String {
+    let vm = &stopped.debugger.controller.vm;
+    let memory = &vm.space.memory;
+    format!("{:?}{:?}{:?}{:?}", vm.tasks(), memory.stack, memory.stores.room, memory.stores)
 }
 
 #[test]

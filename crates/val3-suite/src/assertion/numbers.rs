@@ -48,11 +48,12 @@ pub(super) fn apart(one: f64, other: f64, digits: usize) -> (String, String) {
 
 /// Formats both positions in VAL 3 notation, with enough decimals to show the difference.
 pub(super) fn structures_apart(one: &[f64], other: &[f64]) -> (String, String) {
-    let text = |numbers: &[f64], decimals| {
-        printed::structure(&numbers.iter().map(|number| fixed(*number, decimals)).collect::<Vec<_>>())
-    };
-    let texts = |decimals| (text(one, decimals), text(other, decimals));
+    let texts = |decimals| (structure(one, decimals), structure(other, decimals));
     DECIMALS.into_iter().map(texts).find(|(one, other)| one != other).unwrap_or_else(|| texts(ALL_DIGITS))
+}
+
+fn structure(numbers: &[f64], decimals: usize) -> String {
+    printed::structure(&numbers.iter().map(|number| fixed(*number, decimals)).collect::<Vec<_>>())
 }
 
 fn significant(value: f64, digits: usize) -> String {

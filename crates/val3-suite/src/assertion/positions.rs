@@ -23,15 +23,17 @@ const DISTANCE_DIGITS: usize = 6;
 pub(super) fn joints(arm: Option<Arm>, actual: &[f64], expected: &[f64], tolerance: f64) -> Option<String> {
     let axes = fields(BaseType::Joint, arm).len();
     let (actual, expected) = (actual.get(..axes)?, expected.get(..axes)?);
-    let axis = |((actual, expected), number): ((&f64, &f64), usize)| {
+    let mut axes: Vec<String> = Vec::new();
+    for ((actual, expected), number) in actual.iter().zip(expected).zip(1..) {
         // False for NaN.
         let is_near = (actual - expected).abs() <= tolerance;
-        let unit = if arm == Some(Arm::Scara) && number == SLIDE { "mm" } else { DEGREE };
-        let (left, right) = apart(*actual, *expected, DIGITS);
-        let excess = excess(*actual, *expected, tolerance, unit);
-        (!is_near).then(|| format!("axis {number}: {left} instead of {right}{excess}"))
-    };
-    let axes: Vec<String> = actual.iter().zip(expected).zip(1..).filter_map(axis).collect();
+        if !is_near {
+            let unit = if arm == Some(Arm::Scara) && number == SLIDE { "mm" } else { DEGREE };
+            let (left, right) = apart(*actual, *expected, DIGITS);
+            let excess = excess(*actual, *expected, tolerance, unit);
+            axes.push(format!("axis {number}: {left} instead of {right}{excess}"));
+        }
+    }
     (!axes.is_empty()).then(|| axes.join("\n") + &both(actual, expected))
 }
 

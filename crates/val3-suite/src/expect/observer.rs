@@ -111,15 +111,13 @@ impl Observer {
     /// Texts to compare with recorded texts, at the end of the test.
     pub(crate) fn golden_texts(&self, controller: &Controller) -> Vec<GoldenText> {
         let Expectations { screen_file, print_file, .. } = &self.expectations;
-        let golden = |kind: GoldenKind, file: &Spanned<String>, lines: Vec<String>| GoldenText {
-            kind,
-            file: file.get_ref().clone(),
-            place: self.source.place(kind.key(), file.span()),
-            lines,
-        };
-        let screen = screen_file.iter().map(|file| golden(GoldenKind::Screen, file, lines(controller)));
-        let prints = print_file.iter().map(|file| golden(GoldenKind::Prints, file, self.prints.clone()));
+        let screen = screen_file.iter().map(|file| self.golden_text(GoldenKind::Screen, file, lines(controller)));
+        let prints = print_file.iter().map(|file| self.golden_text(GoldenKind::Prints, file, self.prints.clone()));
         screen.chain(prints).collect()
+    }
+
+    fn golden_text(&self, kind: GoldenKind, file: &Spanned<String>, lines: Vec<String>) -> GoldenText {
+        GoldenText { kind, file: file.get_ref().clone(), place: self.source.place(kind.key(), file.span()), lines }
     }
 
     /// Note on cycle times, if one was compared with a limit and the arm has moved.

@@ -78,11 +78,11 @@ impl ExpectedOutput {
     pub(super) fn failures(&self, source: &ExpectationSource) -> Vec<Failure> {
         let lines: String = self.last.iter().map(|line| format!("\n| {line}")).collect();
         let last = if lines.is_empty() { "there is none".to_owned() } else { format!("the last ones{lines}") };
-        let failure = |text: &Spanned<String>| Failure {
+        let failures = self.missing.iter().map(|text| Failure {
             message: format!("{} {:?}: {last}", self.kind.absence(), text.get_ref()),
             places: vec![source.place(self.kind.key(), text.span())],
-        };
-        self.missing.iter().map(failure).collect()
+        });
+        failures.collect()
     }
 }
 

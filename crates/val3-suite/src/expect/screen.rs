@@ -58,9 +58,9 @@ pub(super) fn failures(
     let Some(page) = shown(controller) else { return Vec::new() };
     let now = shown_seconds(controller.now());
     let missing = texts.iter().filter(|text| !shows(page, text.get_ref()));
-    let failure = |text: &Spanned<String>| Failure {
+    let failures = missing.map(|text| Failure {
         message: format!("the screen does not show {:?} at {now} s\n{}", text.get_ref(), picture(page)),
         places: vec![source.place(key, text.span())],
-    };
-    missing.map(failure).collect()
+    });
+    failures.collect()
 }

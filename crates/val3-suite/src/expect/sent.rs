@@ -18,11 +18,11 @@ const SHOWN: usize = 200;
 /// Deserialises lines with their expected texts.
 pub(super) fn texts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Spanned<SentText>>, D::Error> {
     let texts: BTreeMap<Spanned<String>, LineBytes> = Deserialize::deserialize(deserializer)?;
-    let text = |(link, text): (Spanned<String>, LineBytes)| {
+    let texts = texts.into_iter().map(|(link, text)| {
         let span = link.span();
         SentText::new(link.into_inner(), text).map(|text| Spanned::new(span, text)).map_err(D::Error::custom)
-    };
-    texts.into_iter().map(text).collect()
+    });
+    texts.collect()
 }
 
 /// Unknown links.
@@ -53,22 +53,28 @@ impl Sent {
 
     pub(super) fn failure(&self, source: &ExpectationSource) -> Option<Failure> {
         let text = self.expected.get_ref();
+        if text.is_in(&self.output) {
+            return None;
+        }
         let first = self.output.len().saturating_sub(SHOWN);
-        let is_inside_character = |byte: &u8| byte & 0b1100_0000 == 0b1000_0000;
         let instead = match self.output.get(first..).unwrap_or_default() {
             [] => "nothing was".to_owned(),
             end => {
-                let cut =
-                    if first == 0 { 0 } else { end.iter().take_while(|byte| is_inside_character(byte)).count().min(3) };
+                let inside = end.iter().take_while(|byte| is_inside_character(**byte)).count();
+                let cut = if first == 0 { 0 } else { inside.min(3) };
                 format!("the output ends with {}", LineBytes::from(end.get(cut..).unwrap_or(end)))
             }
         };
-        let failure = || Failure {
+        Some(Failure {
             message: format!("it did not happen that {text}: {instead}"),
             places: vec![source.place("expect.sent", self.expected.span())],
-        };
-        (!text.is_in(&self.output)).then(failure)
+        })
     }
+}
+
+/// Whether a byte continues a UTF-8 character.
+fn is_inside_character(byte: u8) -> bool {
+    byte & 0b1100_0000 == 0b1000_0000
 }
 
 #[cfg(test)]

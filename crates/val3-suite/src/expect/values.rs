@@ -35,11 +35,11 @@ impl ExpectedValues {
         values: BTreeMap<Spanned<String>, T>,
         condition: fn(String, T) -> Result<Condition, String>,
     ) -> Result<Self, E> {
-        let part = |(name, value): (Spanned<String>, T)| {
+        let conditions = values.into_iter().map(|(name, value)| {
             let span = name.span();
             Ok((condition(name.into_inner(), value).map_err(E::custom)?, span))
-        };
-        values.into_iter().map(part).collect::<Result<_, E>>().map(Self)
+        });
+        conditions.collect::<Result<_, E>>().map(Self)
     }
 
     /// Whether there are no values.
@@ -55,11 +55,11 @@ impl ExpectedValues {
     /// Values that differ from the current values.
     pub(super) fn failures(&self, key: &str, controller: &Controller, source: &ExpectationSource) -> Vec<Failure> {
         let now = shown_seconds(controller.now());
-        let failure = |(condition, span): &(Condition, Range<usize>)| {
+        let failures = self.0.iter().filter_map(|(condition, span)| {
             let mismatch = controller.mismatches(condition).into_iter().next()?;
             let places = vec![source.place(key, span.clone())];
             Some(Failure { message: format!("{mismatch}, at {now} s"), places })
-        };
-        self.0.iter().filter_map(failure).collect()
+        });
+        failures.collect()
     }
 }

@@ -132,8 +132,8 @@ impl Schedule {
     /// one another.
     fn is_alone(&self, task: &Task, tasks: &[Box<Task>], end: Time) -> bool {
         let wakes = |other: &Task| other.thread.wait.and_then(|wait| wait.wake).is_some_and(|wake| wake < end);
-        let is_other = |other: &Task| other.id != task.id && matches!(other.rate, Rate::Priority(_));
-        !tasks.iter().any(|other| is_other(other) && other.can_run() && (!self.sleeps(other) || wakes(other)))
+        let mut others = tasks.iter().filter(|other| other.id != task.id && matches!(other.rate, Rate::Priority(_)));
+        !others.any(|other| other.can_run() && (!self.sleeps(other) || wakes(other)))
     }
 
     fn sleeps(&self, task: &Task) -> bool {

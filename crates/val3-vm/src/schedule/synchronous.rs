@@ -123,8 +123,8 @@ impl Schedule {
     /// Skips the periods of halted tasks, so that a resumed task continues at the beginning of a period.
     pub(super) fn pass_periods(&self, vm: &mut Vm) {
         let halted = vm.tasks().iter().filter(|task| !task.can_run());
-        let is_passed = |task: &Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
-        let passed: Vec<TaskNumber> = halted.filter(|task| is_passed(task)).map(|task| task.id).collect();
+        let passed = halted.filter(|task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now));
+        let passed: Vec<TaskNumber> = passed.map(|task| task.id).collect();
         for id in passed {
             if let Some(Rate::Period { period, next, .. }) = vm.rate_mut(id) {
                 *next = (self.now / *period + 1) * *period;

@@ -104,22 +104,25 @@ fn a_removed_mark_stops_no_task() {
 
 #[test]
 fn stops_change_no_line_and_no_time() {
-    let record = |rows: &[u32], watch: CycleWatch| {
-        let mut bench = Bench::new(TASKS);
-        for file in FILES {
-            stop_at(&mut bench, file, rows);
-        }
-        bench.schedule.watch = watch;
-        stops(&mut bench, 9000 * LINE);
-        (bench.host.record, bench.host.changes, bench.schedule.now, format!("{:?}", bench.vm.tasks()[0].thread.next))
-    };
     let whole = record(&[], CycleWatch::Nothing);
-    assert_eq!(whole.0.lines().count(), 3);
+    assert_eq!(whole[0].lines().count(), 3);
     for rows in [&[1][..], &[2], &[1, 2], &[0, 1, 2, 3, 4, 5]] {
         assert_eq!(record(rows, CycleWatch::Failures), whole, "{rows:?}");
         assert_eq!(record(rows, CycleWatch::Lines), whole, "{rows:?}");
     }
     assert_eq!(record(&[], CycleWatch::Lines), whole);
+}
+
+/// Output, task changes, and state at the end of a run with stops at rows of all files.
+fn record(rows: &[u32], watch: CycleWatch) -> [String; 3] {
+    let mut bench = Bench::new(TASKS);
+    for file in FILES {
+        stop_at(&mut bench, file, rows);
+    }
+    bench.schedule.watch = watch;
+    stops(&mut bench, 9000 * LINE);
+    let end = format!("{} {:?}", bench.schedule.now, bench.vm.tasks()[0].thread.next);
+    [bench.host.record, format!("{:?}", bench.host.changes), end]
 }
 
 #[test]

@@ -218,9 +218,15 @@ end"#
 /// round.
 #[test]
 fn a_task_that_is_alone_has_the_same_turns_as_among_others() {
-    let record = |wait: &str| {
-        let text = format!(
-            r#"
+    let alone = record("Instruction delay (num n0)");
+    assert!(alone.contains("-43\n") && alone.contains("\n44\n"), "{alone}");
+    assert_eq!(alone, record("retry: LoadFirst n0 $bGo 0 WaitUntil n0 retry"));
+}
+
+/// Output of a run in which another task executes `wait`.
+fn record(wait: &str) -> String {
+    let text = format!(
+        r#"
 data bGo bool[1]
 data n num[1]
 program other
@@ -257,10 +263,6 @@ done:
     line 8 StoreFirst $bGo 0 n1
     Return
 end"#
-        );
-        Bench::new(&text).run().host.record
-    };
-    let alone = record("Instruction delay (num n0)");
-    assert!(alone.contains("-43\n") && alone.contains("\n44\n"), "{alone}");
-    assert_eq!(alone, record("retry: LoadFirst n0 $bGo 0 WaitUntil n0 retry"));
+    );
+    Bench::new(&text).run().host.record
 }

@@ -59,10 +59,7 @@ fn random_requests_never_hang() {
         let mut debugger = debugger(&manual_with_wait(), MotionMode::Step);
         debugger.record(PastLimits::snapshots(20));
         let mut state = seed;
-        let mut random = |most: u64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) % most
-        };
+        let mut random = |most: u64| next_random(&mut state) % most;
         for _ in 0..30 {
             let Some(task) = debugger.controller.vm.tasks().first().map(|task| task.id) else { break };
             match random(10) {
@@ -88,6 +85,12 @@ fn random_requests_never_hang() {
     }
 }
 
+/// Next number of a linear congruential generator.
+fn next_random(state: &mut u64) -> u64 {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    *state >> 33
+}
+
 /// The mode and the releases are part of a snapshot.
 #[test]
 fn a_restored_controller_moves_in_the_same_way() {
@@ -100,17 +103,19 @@ fn a_restored_controller_moves_in_the_same_way() {
     controller.arm_mut().release_piece();
     controller.step();
     let released = controller.snapshot();
-    let mut follow = |snapshot| {
-        controller.restore(snapshot);
-        (0..200)
-            .map(|_| {
-                controller.step();
-                controller.arm().joint()
-            })
-            .collect::<Vec<_>>()
-    };
-    let (first, second) = (follow(&released), follow(&released));
+    let (first, second) = (follow(controller, &released), follow(controller, &released));
     assert_eq!(first, second);
     assert!((first[199][0] - 24.792).abs() < 1e-3, "{:?}", first[199]);
-    assert!(follow(&waits).iter().all(|joint| *joint == READY));
+    assert!(follow(controller, &waits).iter().all(|joint| *joint == READY));
+}
+
+/// Joint positions in the 200 cycles after a snapshot.
+fn follow(controller: &mut Controller, snapshot: &Snapshot) -> Vec<[f64; 6]> {
+    controller.restore(snapshot);
+    let mut joints = Vec::new();
+    for _ in 0..200 {
+        controller.step();
+        joints.push(controller.arm().joint());
+    }
+    joints
 }

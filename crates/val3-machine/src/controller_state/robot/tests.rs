@@ -128,15 +128,17 @@ fn the_speed_can_always_be_lowered() {
 
 #[test]
 fn the_speed_is_raised_in_remote_mode_without_the_operator() {
-    let raised = |mode, operator| {
+    for (mode, operator, expected) in [
+        (4, false, (0, 50.0)),
+        (4, true, (-2, 10.0)),
+        (0, true, (-1, 10.0)),
+        (1, true, (-1, 10.0)),
+        (2, true, (-1, 10.0)),
+        (3, true, (-1, 10.0)),
+    ] {
         let mut robot = in_mode(mode);
         robot.turn_speed(10.0);
-        (robot.set_monitor_speed(50.0, operator) as i8, robot.monitor_speed())
-    };
-    assert_eq!(raised(4, false), (0, 50.0));
-    assert_eq!(raised(4, true), (-2, 10.0));
-    for mode in [0, 1, 2, 3] {
-        assert_eq!(raised(mode, true), (-1, 10.0));
+        assert_eq!((robot.set_monitor_speed(50.0, operator) as i8, robot.monitor_speed()), expected, "{mode}");
     }
 }
 
@@ -163,13 +165,13 @@ fn calibration_is_returned() {
 
 #[test]
 fn the_tool_is_slow_in_manual_mode_and_in_test_mode_below_full_speed() {
-    let speed = |mode: u8, allowed: bool| {
-        let mut robot = in_mode(mode);
-        robot.let_move(allowed);
-        robot.drive().tool_speed.map(|speed| speed.0)
-    };
-    assert_eq!([1, 2, 3, 4].map(|mode| speed(mode, true)), [Some(250.0), None, None, None]);
-    assert_eq!([1, 2, 3, 4].map(|mode| speed(mode, false)), [Some(250.0), None, None, None]);
+    for (mode, speed) in [(1, Some(MillimetresPerSecond(250.0))), (2, None), (3, None), (4, None)] {
+        for allowed in [true, false] {
+            let mut robot = in_mode(mode);
+            robot.let_move(allowed);
+            assert_eq!(robot.drive().tool_speed, speed, "{mode} {allowed}");
+        }
+    }
     let mut robot = in_mode(2);
     robot.set_activity(Activity::Programmed);
     robot.set_manual_speed(MillimetresPerSecond(100.0));

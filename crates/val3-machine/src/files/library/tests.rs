@@ -106,13 +106,14 @@ fn names(files: &LibraryFiles) -> Vec<&str> {
 
 #[test]
 fn a_path_names_folder_project_or_archive() {
-    let shown = |text| {
+    for (text, shown) in [
+        ("part", r#"Disk://part Some("part.pjx")"#),
+        ("./part/Part.pjx", r#"Disk://app/part Some("Part.pjx")"#),
+        ("USB0://x/secret.zip", "USB0://x/secret.zip None"),
+    ] {
         let path = Medium::path(text);
-        format!("{} {:?}", path.folder(), path.manifest.as_deref())
-    };
-    assert_eq!(shown("part"), r#"Disk://part Some("part.pjx")"#);
-    assert_eq!(shown("./part/Part.pjx"), r#"Disk://app/part Some("Part.pjx")"#);
-    assert_eq!(shown("USB0://x/secret.zip"), "USB0://x/secret.zip None");
+        assert_eq!(format!("{} {:?}", path.folder(), path.manifest.as_deref()), shown);
+    }
     let root = LibraryPath::new(&ControllerPath::root("Disk"));
     assert_eq!(root.unwrap_err().code(), 22);
 }

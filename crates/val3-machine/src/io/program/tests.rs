@@ -1,5 +1,5 @@
 use super::*;
-use crate::io::Signal;
+use crate::io::{Signal, SignalId};
 
 struct Cell {
     io: IoTable,
@@ -162,14 +162,15 @@ fn inputs_change_when_a_cycle_begins_and_outputs_when_it_ends() {
     cell.io.write_digital(output, true).unwrap();
     assert_eq!((cell.io.read_digital(input), cell.io.read_digital(output)), (Ok(false), Ok(true)));
     assert_eq!(cell.io.hardware(out_id), Some(0.0));
-    let changed = |changes: Vec<crate::io::IoChange>| -> Vec<_> {
-        changes.into_iter().map(|change| (change.signal, change.value)).collect()
-    };
     assert_eq!(changed(cell.io.refresh_inputs()), [(in_id, 1.0)]);
     assert_eq!((cell.io.read_digital(input), cell.io.hardware(out_id)), (Ok(true), Some(0.0)));
     assert_eq!(changed(cell.io.refresh_outputs()), [(out_id, 1.0)]);
     assert_eq!(cell.io.hardware(out_id), Some(1.0));
     assert!(cell.io.refresh_inputs().is_empty() && cell.io.refresh_outputs().is_empty());
+}
+
+fn changed(changes: Vec<crate::io::IoChange>) -> Vec<(SignalId, f64)> {
+    changes.into_iter().map(|change| (change.signal, change.value)).collect()
 }
 
 #[test]

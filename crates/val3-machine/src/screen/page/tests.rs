@@ -80,17 +80,18 @@ fn a_line_of_40_columns_leaves_no_empty_line() {
 
 #[test]
 fn the_cursor_counts_modulo_the_page() {
-    let at = |x, y| {
+    for (x, y, cursor) in [
+        (39.0, 13.0, position(39, 13)),
+        (40.0, 14.0, position(0, 0)),
+        (85.0, 29.0, position(5, 1)),
+        (-1.0, -1.0, position(39, 13)),
+        (4.4, 4.5, position(4, 5)),
+        (39.6, 0.0, position(0, 0)),
+    ] {
         let mut page = PageContent::default();
         page.go_to(x, y);
-        page.cursor()
-    };
-    assert_eq!(at(39.0, 13.0), position(39, 13));
-    assert_eq!(at(40.0, 14.0), position(0, 0));
-    assert_eq!(at(85.0, 29.0), position(5, 1));
-    assert_eq!(at(-1.0, -1.0), position(39, 13));
-    assert_eq!(at(4.4, 4.5), position(4, 5));
-    assert_eq!(at(39.6, 0.0), position(0, 0));
+        assert_eq!(page.cursor(), cursor, "{x} {y}");
+    }
 }
 
 #[test]

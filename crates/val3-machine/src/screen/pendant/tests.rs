@@ -15,8 +15,13 @@ fn lines(pendant: &Pendant, page: PageId) -> Vec<String> {
 /// One line an event.
 #[expect(clippy::needless_pass_by_value, reason = "expect![] is a value")]
 fn check_events(pendant: &mut Pendant, expected: Expect) {
+    let text: Vec<String> = pendant.take_events().into_iter().map(line).collect();
+    expected.assert_eq(&text.concat());
+}
+
+fn line(event: ScreenEvent) -> String {
     let place = |page: PageId| if page == PageId::DEFAULT { "default".to_owned() } else { page.number().to_string() };
-    let line = |event: ScreenEvent| match event {
+    match event {
         ScreenEvent::Shown(page) => format!("shown {}\n", place(page)),
         ScreenEvent::Put { page, at, text, ends_line } => {
             let end = if ends_line { " ends the line" } else { "" };
@@ -29,9 +34,7 @@ fn check_events(pendant: &mut Pendant, expected: Expect) {
         ScreenEvent::HtmlShown(page) => format!("html {page}\n"),
         ScreenEvent::HtmlSet { page, id, attribute, value } => format!("html {page} {id}.{attribute}={value}\n"),
         ScreenEvent::Question(text) => format!("question {text}\n"),
-    };
-    let text: Vec<String> = pendant.take_events().into_iter().map(line).collect();
-    expected.assert_eq(&text.concat());
+    }
 }
 
 #[test]

@@ -102,19 +102,6 @@ fn a_path_beside_the_first_axis_cannot_change_the_configuration() {
 /// The wrist centre moves on a circle that touches the boundary of the reach from inside.
 #[test]
 fn an_elbow_that_is_stretched_on_the_way_changes_its_configuration() {
-    let stretched = [0.0, 40.0, 0.0, 0.0, 60.0, 0.0];
-    let touch = arm().flange(&stretched);
-    let wrist = touch.translation.vector - touch.rotation.matrix().column(2) * 100.0;
-    let shoulder = val3_geometry::Vector3::new(50.0, 50.0, 0.0);
-    let outwards = (wrist - shoulder).normalize();
-    let centre = wrist - outwards * 300.0;
-    let on_circle = |angle: f64| {
-        let turned =
-            val3_geometry::rotation::from_vector(&(val3_geometry::Vector3::y() * angle.to_radians())) * outwards;
-        let mut pose = touch;
-        pose.translation.vector += centre + turned * 300.0 - wrist;
-        pose
-    };
     let start = [0.0, 40.0, 20.0, 0.0, 40.0, 0.0];
     let branch = Configuration { elbow: Elbow::Positive, ..arm().configuration(&start) };
     let start = arm().inverse_isometry_on(branch, &on_circle(-40.0), &start).unwrap();
@@ -123,6 +110,18 @@ fn an_elbow_that_is_stretched_on_the_way_changes_its_configuration() {
     let circle = request(MovePath::Circle(on_circle(5.0), end), limits(100.0, 100.0, 100.0, 300.0), Blend::Off, 0.0);
     let configuration = run_evenly(&mut motion, &circle);
     assert_eq!(configuration.elbow, Elbow::Negative, "{:?}", motion.joints());
+}
+
+/// Flange pose on a circle of 300 mm that touches the boundary of the reach at 0 degrees.
+fn on_circle(angle: f64) -> IsometryMatrix3<f64> {
+    let stretched = [0.0, 40.0, 0.0, 0.0, 60.0, 0.0];
+    let mut pose = arm().flange(&stretched);
+    let wrist = pose.translation.vector - pose.rotation.matrix().column(2) * 100.0;
+    let shoulder = val3_geometry::Vector3::new(50.0, 50.0, 0.0);
+    let outwards = (wrist - shoulder).normalize();
+    let turn = val3_geometry::rotation::from_vector(&(val3_geometry::Vector3::y() * angle.to_radians()));
+    pose.translation.vector += (turn * outwards - outwards) * 300.0;
+    pose
 }
 
 #[test]

@@ -42,20 +42,27 @@ pub(super) fn step() -> impl Strategy<Value = Step> {
 }
 
 pub(super) fn requests(steps: &[Step], vel: f64) -> Vec<Move> {
-    let at = |[x, y, z]: [f64; 3]| moved(x, y, z);
-    let free = |pose| MoveTarget { pose, configuration: RequestedConfiguration::FREE };
-    let path = |shape: &Shape| match shape {
-        Shape::Joint(offsets) => {
-            let mut joints = START;
-            joints.iter_mut().zip(offsets).for_each(|(joint, offset)| *joint += offset);
-            MovePath::Joint(joints)
-        }
-        Shape::Line(offset, angles) => line(at(*offset) * Trsf::new([0.0; 3], *angles).isometry()),
-        Shape::Circle(through, to) => MovePath::Circle(at(*through), free(at(*to))),
-    };
     let ids = (0..).map(f64::from);
     let limits = limits(vel, 100.0, 100.0, 99999.0);
-    steps.iter().zip(ids).map(|(step, id)| request(path(&step.shape), limits, step.blend, id)).collect()
+    steps.iter().zip(ids).map(|(step, id)| request(step.shape.path(), limits, step.blend, id)).collect()
+}
+
+impl Shape {
+    fn path(&self) -> MovePath {
+        let at = |[x, y, z]: [f64; 3]| moved(x, y, z);
+        match self {
+            Self::Joint(offsets) => {
+                let mut joints = START;
+                joints.iter_mut().zip(offsets).for_each(|(joint, offset)| *joint += offset);
+                MovePath::Joint(joints)
+            }
+            Self::Line(offset, angles) => line(at(*offset) * Trsf::new([0.0; 3], *angles).isometry()),
+            Self::Circle(through, to) => {
+                let to = MoveTarget { pose: at(*to), configuration: RequestedConfiguration::FREE };
+                MovePath::Circle(at(*through), to)
+            }
+        }
+    }
 }
 
 /// Motion with a completely recorded program; `None` if the arm cannot follow the path.
@@ -70,11 +77,10 @@ pub(super) fn reference(requests: &[Move]) -> Option<Motion> {
 pub(super) fn deviation(reference: &Motion, motion: &Motion) -> f64 {
     let (Some(front), Some(p)) = (motion.timeline.spans.front(), motion.timeline.p()) else { return 0.0 };
     let model = Model(&motion.arm);
-    let same = |other: &&crate::timeline::TimedSpan| {
+    let spans = reference.timeline.spans.iter().filter(|other| {
         let [from, to] = other.span.range();
         other.span.part == front.span.part && (from..=to).contains(&p)
-    };
-    let spans = reference.timeline.spans.iter().filter(same);
+    });
     let tip = |axes: &Axes| model.flange(axes).translation.vector;
     let difference = |other: Axes| (other - motion.axes()).amax().max((tip(&other) - tip(&motion.axes())).norm());
     let differences = spans.map(|other| difference(other.span.axes(&model, p)));

@@ -34,13 +34,10 @@ fn reason(arm: Arm, start: Joints, paths: &[Path]) -> Option<Cause> {
     let mut motion = Motion::new(Arc::new(arm), start);
     for (path, id) in paths.iter().zip(0..) {
         let from = motion.arm.flange(&motion.destination());
-        let at = |offset: [f64; 3], turn: [f64; 3]| {
-            let rotation = from.rotation * Trsf::new([0.0; 3], turn).isometry().rotation;
-            IsometryMatrix3::from_parts((from.translation.vector + Vector3::from(offset)).into(), rotation)
-        };
-        let to = MoveTarget { pose: at(path.offset, path.turn), configuration: RequestedConfiguration::SAME };
+        let pose = shifted(&from, path.offset, path.turn);
+        let to = MoveTarget { pose, configuration: RequestedConfiguration::SAME };
         let shape = match path.through {
-            Some(through) => MovePath::Circle(at(through, path.turn.map(|angle| angle / 2.0)), to),
+            Some(through) => MovePath::Circle(shifted(&from, through, path.turn.map(|angle| angle / 2.0)), to),
             None => MovePath::Line(to),
         };
         let blend = Blend::Cartesian { leave: Millimetres(path.leave), reach: Millimetres(path.leave) };
@@ -52,6 +49,12 @@ fn reason(arm: Arm, start: Joints, paths: &[Path]) -> Option<Cause> {
         return Some(cause);
     }
     motion.fault().cloned()
+}
+
+/// Pose with an offset along the axes of `world`, turned about its own axes.
+fn shifted(from: &IsometryMatrix3<f64>, offset: [f64; 3], turn: [f64; 3]) -> IsometryMatrix3<f64> {
+    let rotation = from.rotation * Trsf::new([0.0; 3], turn).isometry().rotation;
+    IsometryMatrix3::from_parts((from.translation.vector + Vector3::from(offset)).into(), rotation)
 }
 
 proptest! {

@@ -95,19 +95,22 @@ fn reduced_speed_is_a_limit() {
 #[test]
 fn an_arm_at_rest_has_a_reason() {
     let mut motion = motion();
-    let mut rests = |change: &dyn Fn(&mut Motion), cycles: usize| {
-        change(&mut motion);
-        wait(&mut motion, cycles);
-        motion.speed_limit()
-    };
     let blend = Blend::Joint { leave: Millimetres(50.0), reach: Millimetres(50.0) };
-    let side = request(line(moved(0.0, 200.0, 0.0)), fast(), blend, 0.0);
-    assert_eq!(rests(&|_| (), 1), SpeedLimit::End);
-    assert_eq!(rests(&|motion| motion.record(&side).unwrap(), 500), SpeedLimit::NextMove);
-    assert_eq!(rests(&|motion| motion.close().unwrap(), 5), SpeedLimit::Acceleration(0));
-    assert_eq!(rests(&Motion::stop, 1), SpeedLimit::Stop);
-    assert_eq!(rests(&|_| (), 100), SpeedLimit::Held);
-    assert_eq!(rests(&Motion::restart, 500), SpeedLimit::End);
+    assert_eq!(limit_after(&mut motion, 1), SpeedLimit::End);
+    motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), blend, 0.0)).unwrap();
+    assert_eq!(limit_after(&mut motion, 500), SpeedLimit::NextMove);
+    motion.close().unwrap();
+    assert_eq!(limit_after(&mut motion, 5), SpeedLimit::Acceleration(0));
+    motion.stop();
+    assert_eq!(limit_after(&mut motion, 1), SpeedLimit::Stop);
+    assert_eq!(limit_after(&mut motion, 100), SpeedLimit::Held);
+    motion.restart();
+    assert_eq!(limit_after(&mut motion, 500), SpeedLimit::End);
+}
+
+fn limit_after(motion: &mut Motion, cycles: usize) -> SpeedLimit {
+    wait(motion, cycles);
+    motion.speed_limit()
 }
 
 /// The next move is recorded after the cycle in which the arm has arrived.

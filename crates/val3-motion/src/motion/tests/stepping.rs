@@ -6,7 +6,7 @@ use val3_geometry::Vector3;
 use super::distances::{Distances, distance_from_corner, effective_distances, length};
 use super::path_independence::{self, reference, requests};
 use super::*;
-use crate::{AlterReference, AlterStatus, ExternalForce, MotionMode, PathPiece, PieceEnd, PieceKind};
+use crate::{AlterReference, AlterStatus, ExternalForce, MotionMode, MoveEventKind, PathPiece, PieceEnd, PieceKind};
 
 fn stepping() -> Motion {
     let mut motion = motion();
@@ -203,9 +203,6 @@ fn a_release_to_the_end_passes_all_pieces_as_the_continuous_mode() {
     arrive_along(&mut motion, &reference);
     run(&mut continuous, |_, _| ());
     assert_eq!(motion.joints(), continuous.joints());
-    let kinds = |motion: &mut Motion| -> Vec<_> {
-        motion.take_events().into_iter().map(|step| (step.serial, step.kind)).collect()
-    };
     assert_eq!(kinds(&mut motion), kinds(&mut continuous));
     // Moves recorded later wait again.
     motion.record(&Move { id: 3.0, ..requests[0].clone() }).unwrap();
@@ -221,10 +218,12 @@ fn steps_of_moves_are_those_of_the_continuous_mode() {
     motion.close().unwrap();
     pieces(&mut motion, &reference);
     run(&mut continuous, |_, _| ());
-    let kinds = |motion: &mut Motion| -> Vec<_> {
-        motion.take_events().into_iter().map(|step| (step.serial, step.kind)).collect()
-    };
     assert_eq!(kinds(&mut motion), kinds(&mut continuous));
+}
+
+/// Serial numbers and kinds of the events since the last call.
+fn kinds(motion: &mut Motion) -> Vec<(u64, MoveEventKind)> {
+    motion.take_events().into_iter().map(|step| (step.serial, step.kind)).collect()
 }
 
 /// When step mode is set in any cycle of a run, the arm finishes a piece within its axis limits.

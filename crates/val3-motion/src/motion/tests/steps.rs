@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::{BlendCorner, MoveEvent, MoveEventKind, PathShape, Shortening};
-use val3_geometry::Vector3;
 
 /// Runs a motion and lists its move events as `serial kind`.
 fn steps(motion: &mut Motion) -> String {
@@ -19,12 +18,11 @@ fn moves_are_accounted_for_step_by_step() {
         motion.record(&request(line(moved(0.0, y, z)), fast(), blend, 5.0)).unwrap();
     }
     let corners: Vec<_> = motion.moves().map(|queued| (queued.leave, queued.reach)).collect();
-    let position = |corner: Option<BlendCorner>| corner.map(|corner| (corner.position, corner.distance));
-    let [leave, reach] = [moved(0.0, 150.0, 0.0), moved(0.0, 200.0, 50.0)].map(|pose| pose.translation.vector);
-    let near = |is: Option<BlendCorner>, expected: Vector3<f64>| {
-        position(is).is_some_and(|(is, distance)| (is - expected).norm() < 1e-9 && distance == Millimetres(50.0))
-    };
-    assert!(near(corners[0].0, leave) && near(corners[0].1, reach), "{corners:?}");
+    let (leave, reach) = (corners[0].0.unwrap(), corners[0].1.unwrap());
+    for (corner, expected) in [(leave, moved(0.0, 150.0, 0.0)), (reach, moved(0.0, 200.0, 50.0))] {
+        assert!((corner.position - expected.translation.vector).norm() < 1e-9, "{corner:?}");
+        assert_eq!(corner.distance, Millimetres(50.0));
+    }
     assert_eq!(corners[1..], [(None, None), (None, None)]);
     assert_eq!(steps(&mut motion), "0 Started, 0 Blend, 0 Reached, 0 Done, 1 Started, 1 Done, 2 Started, 2 Done");
     assert_eq!(motion.moves().len(), 0);

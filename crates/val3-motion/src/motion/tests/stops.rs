@@ -11,23 +11,24 @@ fn joint_move() -> Motion {
 
 #[test]
 fn an_emergency_stop_brakes_twice_as_hard_on_the_path() {
-    let way = |stop: fn(&mut Motion)| {
-        let mut motion = joint_move();
-        wait(&mut motion, 60);
-        let from = motion.joints()[0];
-        stop(&mut motion);
-        wait(&mut motion, 100);
-        (motion, from)
-    };
-    let (slow, from) = way(Motion::stop);
-    let (fast, _) = way(Motion::brake);
-    let (soft, _) = way(|motion| {
+    let slow = braking_way(Motion::stop);
+    let fast = braking_way(Motion::brake);
+    let soft = braking_way(|motion| {
         motion.stop();
         motion.brake();
     });
-    let braked = fast.joints()[0] - from;
-    assert!((2.0 * braked - (slow.joints()[0] - from)).abs() < 0.2, "{braked}");
-    assert!((soft.joints()[0] - fast.joints()[0]).abs() < 1e-9);
+    assert!((2.0 * fast - slow).abs() < 0.2, "{fast}");
+    assert!((soft - fast).abs() < 1e-9);
+}
+
+/// Degrees by which axis 1 moves after a stop in the middle of a joint move.
+fn braking_way(stop: fn(&mut Motion)) -> f64 {
+    let mut motion = joint_move();
+    wait(&mut motion, 60);
+    let from = motion.joints()[0];
+    stop(&mut motion);
+    wait(&mut motion, 100);
+    motion.joints()[0] - from
 }
 
 /// A stop outlasts a power loss, and the return of power does not restart the motion.
@@ -74,13 +75,13 @@ fn a_stop_holds_moves_that_are_recorded_later() {
 
 #[test]
 fn half_the_monitor_speed_takes_twice_the_time() {
-    let cycles = |speed: f64| {
+    let [half, full] = [50.0, 100.0].map(|speed| {
         let mut motion = motion();
         motion.set_monitor_speed(Percent(speed));
         corner(&mut motion, |leave, reach| Blend::Cartesian { leave, reach }, fast());
         run(&mut motion, |_, _| ()).len()
-    };
-    assert!(cycles(50.0).abs_diff(2 * cycles(100.0)) <= 2);
+    });
+    assert!(half.abs_diff(2 * full) <= 2);
 }
 
 #[test]
@@ -102,10 +103,6 @@ fn a_stop_at_a_low_monitor_speed_is_as_hard_as_any_other() {
     let mut motion = joint_move();
     motion.set_monitor_speed(Percent(20.0));
     wait(&mut motion, 275);
-    let speed = |motion: &mut Motion| {
-        let before = motion.joints()[0];
-        (motion.advance(CYCLE).joints[0] - before) / CYCLE.0
-    };
     let before = speed(&mut motion);
     assert!((before - 0.2 * NOMINAL[0]).abs() < 1e-6, "{before}");
     motion.stop();
@@ -116,6 +113,12 @@ fn a_stop_at_a_low_monitor_speed_is_as_hard_as_any_other() {
     let samples = run(&mut motion, |_, _| ());
     assert!(samples.windows(2).all(|pair| pair[1].joints[0] - pair[0].joints[0] <= 0.2001 * NOMINAL[0] * CYCLE.0));
     assert_eq!(motion.joints()[0], 90.0);
+}
+
+/// Speed of axis 1 in the next cycle, in degrees per second.
+fn speed(motion: &mut Motion) -> f64 {
+    let before = motion.joints()[0];
+    (motion.advance(CYCLE).joints[0] - before) / CYCLE.0
 }
 
 #[test]

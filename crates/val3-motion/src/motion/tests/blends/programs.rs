@@ -146,16 +146,20 @@ impl Program {
         let joints = motion.destination();
         let start = self.arm().flange(&joints) * tool;
         let upright = |turn: &Vector3<f64>| if scara { Vector3::new(0.0, 0.0, turn.z) } else { *turn };
-        let moved = |change: &Trsf| {
-            let change = change.isometry();
-            let turn = rotation::from_vector(&upright(&rotation::to_vector(&change.rotation)));
-            start * IsometryMatrix3::from_parts(change.translation, turn)
+        let turned = |offset: &Vector3<f64>, turn: &Vector3<f64>| {
+            start * IsometryMatrix3::from_parts((*offset).into(), rotation::from_vector(turn))
         };
         let destination = |pose| MoveTarget { pose, configuration: RequestedConfiguration::SAME };
         let path = match &random.path {
-            RandomPath::Line(change) => MovePath::Line(destination(moved(change))),
+            RandomPath::Line(change) => {
+                let change = change.isometry();
+                let turn = upright(&rotation::to_vector(&change.rotation));
+                MovePath::Line(destination(turned(&change.translation.vector, &turn)))
+            }
             RandomPath::JointTo(change) => {
-                let flange = moved(change) * tool.inverse();
+                let change = change.isometry();
+                let turn = upright(&rotation::to_vector(&change.rotation));
+                let flange = turned(&change.translation.vector, &turn) * tool.inverse();
                 let configuration = self.arm().configuration(&joints);
                 let target = self.arm().inverse_isometry_on(configuration, &flange, &joints);
                 MovePath::Joint(target.unwrap_or(joints))
@@ -166,11 +170,8 @@ impl Program {
                 MovePath::Joint(target)
             }
             RandomPath::Circle([intermediate, target], turn) => {
-                let at = |offset: &Vector3<f64>, part: f64| {
-                    let rotation = rotation::from_vector(&(upright(turn) * part));
-                    start * IsometryMatrix3::from_parts((*offset).into(), rotation)
-                };
-                MovePath::Circle(at(intermediate, 0.5), destination(at(target, 1.0)))
+                let turn = upright(turn);
+                MovePath::Circle(turned(intermediate, &(turn * 0.5)), destination(turned(target, &turn)))
             }
         };
         let [leave, reach] = [random.leave, random.reach].map(Millimetres);

@@ -135,6 +135,16 @@ fn corner_time(turn: f64, lengths: [f64; 2], tools: [f64; 2], blend: Blend) -> f
     motion.time_left().0
 }
 
+/// Positions of the arm on the first blend after a turn of `angle` degrees in a move of `aside`, in mm.
+fn blend_after_turn(aside: [f64; 3], angle: f64, blend: Blend) -> Vec<Axes> {
+    let mut motion = motion();
+    let turn = Trsf::new(aside, [0.0, 0.0, angle]).isometry();
+    motion.record(&request(line(moved(0.0, 0.0, 0.0) * turn), fast(), blend, 0.0)).unwrap();
+    motion.record(&request(line(moved(0.0, 150.0, 0.0) * turn), fast(), Blend::Off, 1.0)).unwrap();
+    let span = &motion.timeline.spans[0].span;
+    (0..=50).map(|part| span.axes(&Model(&motion.arm), f64::from(part) / 50.0)).collect()
+}
+
 proptest! {
     #![proptest_config(cases())]
 
@@ -164,19 +174,11 @@ proptest! {
     ) {
         let [leave, reach] = distances.map(Millimetres);
         let blend = if is_joint { Blend::Joint { leave, reach } } else { Blend::Cartesian { leave, reach } };
-        let joints = |length: f64| {
-            let mut motion = motion();
-            let aside = Vector3::from(direction) * length;
-            let turn = Trsf::new(aside.into(), [0.0, 0.0, angle]).isometry();
-            motion.record(&request(line(moved(0.0, 0.0, 0.0) * turn), fast(), blend, 0.0)).unwrap();
-            motion.record(&request(line(moved(0.0, 150.0, 0.0) * turn), fast(), Blend::Off, 1.0)).unwrap();
-            let part = |part: i32| motion.timeline.spans[0].span.axes(&Model(&motion.arm), f64::from(part) / 50.0);
-            (0..=50).map(part).collect::<Vec<_>>()
-        };
-        let exact = joints(0.0);
+        let exact = blend_after_turn([0.0; 3], angle, blend);
         let mut before = f64::INFINITY;
         for length in [1.0, 1e-2, 1e-4, 1e-6] {
-            let apart = exact.iter().zip(joints(length)).map(|(exact, near)| (exact - near).amax()).fold(0.0, f64::max);
+            let near = blend_after_turn(direction.map(|part| part * length), angle, blend);
+            let apart = exact.iter().zip(near).map(|(exact, near)| (exact - near).amax()).fold(0.0, f64::max);
             prop_assert!(apart < before.max(1e-6) && apart < 20.0 * length + 1e-6, "{apart} degrees at {length} mm");
             before = apart;
         }

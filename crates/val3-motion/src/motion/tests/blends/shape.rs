@@ -26,19 +26,19 @@ struct Corner<'a> {
 fn segments(program: &Program, requests: &[Move]) -> Vec<Arc<Segment>> {
     let mut motion = Motion::new(Arc::new(program.arm()), program.start());
     let arm = Arc::clone(&motion.arm);
-    let segment = |request: &Move| {
+    let segments = requests.iter().map(|request| {
         let segment = motion.path.segment(&Model(&arm), request).unwrap().0;
         if !segment.is_null() {
             motion.path = PathEnd::starting_at(segment.end());
         }
         Arc::new(segment)
-    };
-    requests.iter().map(segment).collect()
+    });
+    segments.collect()
 }
 
 fn corners<'a>(motion: &'a Motion, requests: &'a [Move], segments: &[Arc<Segment>]) -> Vec<Corner<'a>> {
     let spans = motion.timeline.spans.iter().map(|timed| &*timed.span);
-    let corner = |span: &'a Span| match span.part {
+    let corners = spans.filter_map(|span| match span.part {
         SpanPart::Blend { from, to } if span.range()[0] == 0.0 => {
             let [first, second] = [from.serial as usize, to.serial as usize];
             Some(Corner {
@@ -50,8 +50,8 @@ fn corners<'a>(motion: &'a Motion, requests: &'a [Move], segments: &[Arc<Segment
             })
         }
         _ => None,
-    };
-    spans.filter_map(corner).collect()
+    });
+    corners.collect()
 }
 
 impl Corner<'_> {
@@ -87,12 +87,12 @@ impl Corner<'_> {
 
     /// Values at points of both nominal pieces.
     fn on_pieces<T>(&self, value: impl Fn(&Segment, f64) -> Option<T>) -> Vec<T> {
-        let on = |(side, from, to): (usize, f64, f64)| {
-            (0..=SAMPLES)
-                .filter_map(|part| value(&self.segments[side], from + (to - from) * part as f64 / SAMPLES as f64))
-                .collect::<Vec<_>>()
-        };
-        self.pieces().into_iter().flat_map(on).collect()
+        let mut values = Vec::new();
+        for (side, from, to) in self.pieces() {
+            let sigmas = (0..=SAMPLES).map(|part| from + (to - from) * part as f64 / SAMPLES as f64);
+            values.extend(sigmas.filter_map(|sigma| value(&self.segments[side], sigma)));
+        }
+        values
     }
 
     /// Distance by which the axes leave the hull of the nominal pieces, relative to the longest side of the hull, and
@@ -112,12 +112,14 @@ impl Corner<'_> {
         let hull: Vec<_> =
             self.pieces().into_iter().flat_map(|(side, from, to)| self.control_polygon(side, from, to)).collect();
         let tips = self.tips();
-        let outside = |direction: &Vector3<f64>| {
-            let most = hull.iter().map(|point| point.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
-            tips.iter().map(|tip| tip.translation.vector.dot(direction) - most).fold(0.0, f64::max)
-        };
+        let mut excess = 0.0_f64;
+        for direction in directions() {
+            let most = hull.iter().map(|point| point.dot(&direction)).fold(f64::NEG_INFINITY, f64::max);
+            let outside = tips.iter().map(|tip| tip.translation.vector.dot(&direction) - most);
+            excess = outside.fold(excess, f64::max);
+        }
         let size = hull.iter().map(|point| (point - hull[0]).norm()).fold(0.0, f64::max);
-        (directions().iter().map(outside).fold(0.0, f64::max), size)
+        (excess, size)
     }
 
     fn control_polygon(&self, side: usize, from: f64, to: f64) -> Vec<Vector3<f64>> {
@@ -144,13 +146,12 @@ impl Corner<'_> {
 
     /// Whether a piece covers more than a quarter of a circle.
     fn has_wide_arc(&self) -> bool {
-        let is_wide = |(side, from, to): (usize, f64, f64)| {
-            let at = |sigma: f64| self.segments[side].pose_at(&Model(self.arm), sigma).translation.vector;
+        self.pieces().into_iter().any(|(side, from, to)| {
+            let at = |sigma: f64| self.segments[side].position(&Model(self.arm), sigma);
             let chord = at(to) - at(from);
             let middle = at((from + to) / 2.0) - at(from);
             self.segments[side].is_arc() && (middle - chord / 2.0).norm() > chord.norm() * 0.2
-        };
-        self.pieces().into_iter().any(is_wide)
+        })
     }
 
     /// Greatest rotation of the tool relative to the corner, in degrees: in the blend, and on the nominal pieces.
@@ -166,13 +167,13 @@ impl Corner<'_> {
 fn directions() -> Vec<Vector3<f64>> {
     const COUNT: usize = 400;
     const GOLDEN_ANGLE: f64 = 137.507_764_05;
-    let direction = |index: usize| {
+    let directions = (0..COUNT).map(|index| {
         let z = 1.0 - 2.0 * (index as f64 + 0.5) / COUNT as f64;
         let (sin, cos) = degrees::sin_cos(index as f64 * GOLDEN_ANGLE);
         let radius = (1.0 - z * z).sqrt();
         Vector3::new(radius * cos, radius * sin, z)
-    };
-    (0..COUNT).map(direction).collect()
+    });
+    directions.collect()
 }
 
 proptest! {
