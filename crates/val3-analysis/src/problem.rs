@@ -1,15 +1,13 @@
 //! Problems found by the analysis, as values. The rules of `val3-check` create their messages.
 
-mod data_size;
-mod encoding;
 mod kind;
 mod page_fault;
 mod refusal;
 
-pub use data_size::DataSize;
-pub use encoding::EncodingFault;
 pub use kind::ProblemKind;
 pub use page_fault::PageFault;
+
+use smol_str::SmolStr;
 
 use crate::db::FileRange;
 
@@ -102,4 +100,28 @@ impl ProblemKind {
                 | Self::LibraryItemUnknown { .. }
         )
     }
+}
+
+/// A fault in the encoding of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EncodingFault {
+    /// The file is neither UTF-8 nor declared as ISO-8859-1.
+    NotUtf8,
+    /// The file is declared as ISO-8859-1 but stored as UTF-8.
+    NotLatin1,
+    /// The file is ISO-8859-1, and an editor has read it in an encoding without its characters.
+    Misread,
+    /// A character was replaced when the file was saved.
+    Lost,
+}
+
+/// A variable and its memory.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct DataSize {
+    /// Variable name.
+    pub name: SmolStr,
+    /// Size of the variable in bytes.
+    pub bytes: u64,
+    /// Size of this and all preceding variables of the file in bytes.
+    pub total: u64,
 }

@@ -16,7 +16,6 @@ use val3_lang::values::Text;
 
 use crate::error::{CompileLimit, Result};
 use crate::kinds::Kinds;
-use crate::shape::shape;
 
 pub(crate) use fathers::detach_fathers;
 pub(crate) use loaded::{Loaded, LoadedLink};
@@ -151,4 +150,14 @@ fn put(values: &mut Vec<Option<DetachedValue>>, number: u32, value: DetachedValu
     if let Some(slot) = values.get_mut(at) {
         *slot = Some(value);
     }
+}
+
+/// Returns the shape of a container with these sizes, or of a collection without keys.
+pub(crate) fn shape(container: Container, sizes: &[u32]) -> ContainerShape {
+    if container == Container::Collection {
+        return ContainerShape::Collection(BTreeMap::new());
+    }
+    let mut all = [1; 3];
+    all.iter_mut().zip(sizes).for_each(|(to, size)| *to = *size);
+    ContainerShape::Array { dims: u8::try_from(sizes.len()).unwrap_or(1).max(1), sizes: all }
 }

@@ -18,7 +18,6 @@ mod location;
 mod pool;
 mod program;
 mod project;
-mod shape;
 mod statements;
 mod unit;
 mod variables;

@@ -12,9 +12,9 @@ use val3_lang::instruction::ArgumentForm;
 use val3_lang::memory::ContainerShape as Form;
 use val3_lang::types::Container;
 
+use crate::data::shape;
 use crate::emitter::Emitter;
 use crate::error::{CompileLimit, Result, there};
-use crate::shape::shape;
 
 /// Assigns locations to the parameters and locals of a program.
 pub(crate) struct Declarations<'a, 'u, 'db> {

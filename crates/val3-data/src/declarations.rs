@@ -4,9 +4,8 @@ use rustc_hash::FxHashSet;
 use val3_syntax::xml::{self, XmlElement};
 use val3_syntax::{TextEdit, TextRange, TextSize};
 
-use crate::declared::elements;
 use crate::edits::Edits;
-use crate::layout::DataLayout;
+use crate::layout::{DataLayout, elements};
 use crate::tag;
 
 /// Edits that remove `data`, with their lines. A list that becomes empty is written like other empty lists in the file.

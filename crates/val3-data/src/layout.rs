@@ -5,7 +5,6 @@ use std::cell::OnceCell;
 use val3_syntax::xml::{self, XmlElement};
 use val3_syntax::{TextRange, TextSize, TextSlice, text_size};
 
-use crate::declared::elements;
 use crate::{SavedContainer, SavedContent, SavedData, SavedValue, tag};
 
 /// One level of indentation in XML written by the tools.
@@ -193,4 +192,11 @@ fn enclosed(start: String, inner: impl Iterator<Item = String>, end: &str) -> Ve
 /// Sizes as spelled in files.
 pub(crate) fn spaced(sizes: &[u32]) -> String {
     sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")
+}
+
+/// Elements that declare data: in `<Datas>`, or in all sections of s5 and s6.
+pub(crate) fn elements(root: XmlElement<'_>) -> impl Iterator<Item = XmlElement<'_>> {
+    let is_new = root.name() == "Database";
+    let lists = root.elements().filter(move |list| !is_new || list.name() == "Datas");
+    lists.flat_map(XmlElement::elements).filter(move |element| !is_new || element.name() == "Data")
 }

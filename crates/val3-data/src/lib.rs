@@ -4,7 +4,6 @@
 //! format of a file.
 
 mod declarations;
-mod declared;
 mod edits;
 mod layout;
 mod lists;

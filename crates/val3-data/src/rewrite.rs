@@ -8,9 +8,8 @@ use rustc_hash::FxHashMap;
 use val3_syntax::TextEdit;
 use val3_syntax::xml::{self, XmlElement};
 
-use crate::declared::elements;
 use crate::edits::Edits;
-use crate::layout::DataLayout;
+use crate::layout::{DataLayout, elements};
 use crate::{SavedData, lists, values};
 
 /// Text of a data file with the values of `data`. Data that the file does not declare are skipped, and data that are

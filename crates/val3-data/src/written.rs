@@ -4,7 +4,7 @@ use val3_lang::data_path::DataPath;
 use val3_lang::types::{BaseType, ValueAttribute as TypeAttribute, attribute};
 use val3_syntax::xml::{self, XmlElement};
 
-use crate::declared::elements;
+use crate::layout::elements;
 use crate::{SavedContainer, lists, read, type_name};
 
 /// Nesting limit of fields within fields.

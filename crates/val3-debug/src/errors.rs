@@ -2,12 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use val3_bytecode::{CallSite, ProgramRef};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
-use val3_vm::{InstanceId, Task, TaskState, Vm};
-
-use crate::called::called_program;
+use val3_vm::{Imported, InstanceId, Task, TaskState, Vm};
 
 /// Run-time errors that stop the run: every error that at least one field selects.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -88,4 +87,15 @@ fn watches(vm: &Vm, task: &Task, owner: InstanceId) -> bool {
         left.extend(program.calls.iter().filter_map(|call| called_program(vm, id, call)));
     }
     false
+}
+
+/// Returns the program that a call site calls; `None` while its library is not loaded.
+pub(crate) fn called_program(vm: &Vm, caller: InstanceId, site: &CallSite) -> Option<(InstanceId, u16)> {
+    match site.program {
+        ProgramRef::Own(number) => Some((caller, number)),
+        ProgramRef::Import(number) => match vm.space.instance(caller)?.imports.get(usize::from(number)) {
+            Some(Some(Imported::Program(instance, number))) => Some((*instance, *number)),
+            _ => None,
+        },
+    }
 }

@@ -6,7 +6,6 @@
 mod arguments;
 mod backwards;
 mod breakpoints;
-mod called;
 mod conditions;
 mod data_breakpoints;
 mod debugger;

@@ -3,8 +3,8 @@
 use val3_bytecode::Op;
 use val3_lang::ports::TaskNumber;
 
-use crate::called::called_program;
 use crate::debugger::Debugger;
+use crate::errors::called_program;
 use crate::step::StepKind;
 
 /// Program that the task's next line calls, or with which a task begins that the line creates.

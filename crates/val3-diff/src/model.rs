@@ -4,7 +4,6 @@ mod application;
 mod change;
 mod class;
 mod data;
-mod ignored;
 mod program;
 mod text;
 
@@ -16,9 +15,10 @@ pub use class::ReportClass;
 pub use data::{
     DataChange, Dependent, Displacement, FieldChange, MovedElements, Movement, Renumbering, Shift, ValueChange,
 };
-pub use ignored::Ignored;
 pub use program::{CodeChange, CodeKind, ProgramChange, VariableChange};
 pub use text::{Hunk, HunkLine, LineKind, TextChange};
+
+use crate::exclusions::Tolerance;
 
 /// Differences between two trees.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -92,6 +92,23 @@ pub enum TreeSide {
     Old,
     /// The new tree.
     New,
+}
+
+/// Exclusions and the number of differences omitted for each. They do not affect the exit code.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Ignored {
+    /// Tolerance of positions.
+    pub tolerance: Option<Tolerance>,
+    /// Number of positions within the tolerance.
+    pub within_tolerance: usize,
+    /// Patterns of data names.
+    pub patterns: Vec<String>,
+    /// Number of data whose names match a pattern.
+    pub data: usize,
+    /// Number of positions that moved with a frame or tool whose name matches a pattern.
+    pub moved_along: usize,
+    /// Number of programs whose layout differences were ignored.
+    pub layouts: usize,
 }
 
 /// A reason why something could not be compared as VAL 3.

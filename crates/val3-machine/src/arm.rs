@@ -5,7 +5,6 @@ mod drive;
 mod excess;
 mod feedback;
 mod latch;
-mod origin;
 mod request;
 mod stepping;
 
@@ -26,7 +25,7 @@ use crate::event::seconds;
 
 pub use drive::{ArmHold, Drive};
 pub use latch::Latch;
-pub use origin::MoveOrigin;
+pub use request::MoveOrigin;
 pub use val3_motion::{MotionMode, MoveStage, PathPiece, PieceEnd, PieceKind};
 
 use feedback::{Feedback, difference};

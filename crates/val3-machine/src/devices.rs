@@ -7,7 +7,6 @@ mod blends;
 mod cell;
 mod cycle;
 mod io;
-mod limits;
 mod lines;
 mod loaded;
 mod media;
@@ -41,7 +40,6 @@ use crate::inputs::Inputs;
 use crate::screen::Pendant;
 use crate::shapes::LinkShape;
 
-pub use limits::DeviceLimits;
 pub use lines::{ChannelTable, LinesState};
 pub use outside::{Libraries, MediaState};
 pub use saving::SavedValues;
@@ -234,5 +232,25 @@ impl Devices {
 impl std::fmt::Debug for Devices {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Devices").field("state", &self.state).finish_non_exhaustive()
+    }
+}
+
+/// Maximum amounts of data that the devices store for programs, in bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DeviceLimits {
+    /// Events in a cycle. The cycle is then suspended, so that the caller can take the events.
+    pub recorded: usize,
+    /// Data that all tasks together have to send over lines. Beyond this limit, sending raises error 40.
+    pub pending: usize,
+    /// Size of the data that `libSave` writes. Beyond this limit, the instruction returns code 38.
+    pub saved: u64,
+    /// Files that programs have changed since external input is recorded, which stay in memory. Beyond this limit,
+    /// writing fails.
+    pub changed: u64,
+}
+
+impl Default for DeviceLimits {
+    fn default() -> Self {
+        Self { recorded: 64 << 20, pending: 64 << 20, saved: 64 << 20, changed: 256 << 20 }
     }
 }

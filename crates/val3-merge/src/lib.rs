@@ -13,7 +13,6 @@ mod array;
 mod attributes;
 mod children;
 mod conflict;
-mod declared;
 mod diff3;
 mod kind;
 mod lines;
@@ -29,6 +28,7 @@ mod tests;
 mod text;
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
 use val3_syntax::TextEdit;
 use val3_syntax::xml::line_end;
 
@@ -141,7 +141,7 @@ fn merged(
     text: &str,
 ) -> MergeResult {
     let added = match (kind, ours) {
-        (MergedKind::Data, Some(ours)) => declared::added(base, ours),
+        (MergedKind::Data, Some(ours)) => added_data(base, ours),
         _ => FxHashSet::default(),
     };
     let line_end = line_end(text);
@@ -156,4 +156,17 @@ fn merged(
         moved: moved::of(plans),
         by_lines: None,
     }
+}
+
+/// Returns the names of data that ours has added or declared with another type. A file of s5 or s6 has a section for each
+/// type, so merging may add one name to two sections.
+fn added_data(base: Option<&MergeNode<'_>>, ours: &MergeNode<'_>) -> FxHashSet<SmolStr> {
+    let old: FxHashMap<SmolStr, String> = base.into_iter().flat_map(declarations).collect();
+    declarations(ours).filter(|(name, id)| old.get(name) != Some(id)).map(|(name, _)| name).collect()
+}
+
+/// Returns the names and identities of the declarations in a file.
+fn declarations<'n>(file: &'n MergeNode<'_>) -> impl Iterator<Item = (SmolStr, String)> + 'n {
+    let lists = file.children.iter().flat_map(|root| &root.children);
+    lists.flat_map(|list| &list.children).filter_map(|data| Some((data.key.clone()?, data.id.clone())))
 }

@@ -1,7 +1,6 @@
 //! Charts of joints and speeds over time.
 
 mod chart;
-mod layout;
 mod limited_by;
 mod positions;
 mod rates;
@@ -57,7 +56,7 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     y += LINE;
     if let Some(note) = &picture.times_note {
         y += LINE;
-        canvas.text([layout::LEFT, y], "small", note);
+        canvas.text([time::LEFT, y], "small", note);
     }
     y
 }

@@ -14,6 +14,9 @@ pub(crate) const PHASES: [(MotionPhase, &str, &str); 7] = [
     (MotionPhase::Waiting, "#999999", "waiting"),
 ];
 
+/// Colours of axes 1 to 6.
+pub(crate) const AXES: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"];
+
 /// Style of a recorded motion: a wide band below the present motion, so that both are visible where they are equal.
 pub(crate) const REFERENCE: &str = "stroke:#c9c9c9;stroke-width:7;stroke-linejoin:round;stroke-linecap:round";
 

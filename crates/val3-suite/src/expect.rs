@@ -27,7 +27,6 @@
 //! Each family of expectations has a file, which contains its keys as plain data and, if it depends on the run, an
 //! observer type that receives each cycle and returns failures at the end.
 
-mod cycle;
 mod cycle_time;
 mod errors;
 mod fit;
@@ -47,12 +46,12 @@ use toml::Spanned;
 use val3_machine::script::SentText;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
-pub(crate) use cycle::CycleState;
 use cycle_time::CycleTime;
 use errors::ExpectedError;
 pub(crate) use errors::failure as error_failure;
 pub(crate) use fit::{ExpectationFault, Fit};
 pub(crate) use observer::Observer;
+pub(crate) use occurrence::CycleState;
 use occurrence::Occurrence;
 use order::EventOrder;
 pub(crate) use screen::{shown as shown_page, written_page};

@@ -9,7 +9,6 @@
 mod application;
 mod assertion;
 mod case;
-mod controller_keys;
 mod coverage;
 mod execute;
 mod exemption;
@@ -30,7 +29,6 @@ mod table;
 mod unfinished;
 
 pub use case::{TestCase, TestKind, cases};
-pub use controller_keys::ControllerKeys;
 pub use coverage::{counted, executed, project_name, tested_projects};
 pub use execute::{Supervision, TestSettings, execute};
 pub use exemption::Exemption;
@@ -40,5 +38,5 @@ pub use golden_text::GoldenText;
 pub use journal::RepeatedEvent;
 pub use recorded::{Judgement, RecordedMotion};
 pub use result::TestResult;
-pub use scenario::{Scenario, ScenarioError, TestFileRole};
+pub use scenario::{ControllerKeys, Scenario, ScenarioError, TestFileRole};
 pub use stages::{Stages, Transition};

@@ -14,10 +14,10 @@ use val3_machine::event::EventKind;
 use val3_machine::files::FileFault;
 use val3_machine::script::ScriptAction;
 
-use crate::command_error::CommandError;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{
-    Arguments as _, ElementKey, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage, UserPage,
+    Arguments as _, CommandError, ElementKey, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach,
+    UnsavedMessage, UserPage,
 };
 
 /// Operators of a run. All pages share the changes that were not saved.

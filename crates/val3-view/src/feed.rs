@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::json;
+use serde_json::{Value, json};
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
@@ -11,7 +11,6 @@ use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
-use crate::message::ViewerMessage;
 use crate::motion::{self, MotionKey};
 use crate::positions::PositionComputer;
 use crate::samples::{Batch, NO_SOURCE};
@@ -30,6 +29,15 @@ const SAME_TOOL: f64 = 1e-6;
 
 /// Number that all tools after the first 255 share.
 const OTHER_TOOL: u8 = u8::MAX;
+
+/// A message for pages.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ViewerMessage {
+    /// A JSON object; `kind` is its type.
+    Object(Value),
+    /// A batch of arm samples.
+    Samples(Vec<u8>),
+}
 
 /// Source of a run's messages.
 #[derive(Debug)]

@@ -4,10 +4,8 @@
 //! each cycle to a [`Feed`], and transmits the messages.
 
 mod arm;
-mod command_error;
 mod commands;
 mod feed;
-mod message;
 mod motion;
 mod positions;
 mod samples;
@@ -17,13 +15,12 @@ mod state;
 mod user_page;
 pub mod wire;
 
-pub use command_error::CommandError;
 pub use commands::{Operator, response};
-pub use feed::Feed;
-pub use message::ViewerMessage;
+pub use feed::{Feed, ViewerMessage};
 pub use scene::scene;
 pub use signals::{direction, level};
 pub use user_page::user_page;
+pub use wire::CommandError;
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 

@@ -5,18 +5,16 @@
 mod commands;
 mod motion;
 mod page;
-mod pose;
 mod scene;
 mod state;
 
 pub use commands::{
-    Arguments, Command, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice, PointName, RecordScenario,
-    Recorded, Save, Saved, SetPoint, Teach, UserPage,
+    Arguments, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice, PointName,
+    RecordScenario, Recorded, Save, Saved, SetPoint, Teach, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
-pub use pose::Pose;
-pub use scene::{ArmChain, Axis, CellPoint, JointValue, LineInfo, Link, LinkShape, Role, Scene, SignalInfo};
+pub use scene::{ArmChain, Axis, CellPoint, JointValue, LineInfo, Link, LinkShape, Pose, Role, Scene, SignalInfo};
 pub use state::{SignalState, StateMessage, TaskState};
 
 use schemars::JsonSchema;

@@ -19,7 +19,6 @@ mod libraries;
 mod library_references;
 mod operands;
 mod registers;
-mod resume;
 mod roster;
 mod schedule;
 mod services;

@@ -1,11 +1,11 @@
 //! Tasks and libraries as the running task accesses them.
 
+use val3_bytecode::Program;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::View;
 use val3_lang::ports::{CodePlace, RuntimeRequest, TaskChange, TaskNumber, Tasks};
-use val3_lang::runtime_errors::{NO_TASK, TaskStatusCode as Number};
+use val3_lang::runtime_errors::{NO_LINE, NO_TASK, TaskStatusCode as Number};
 
-use crate::resume::line_to_resume;
 use crate::roster::Roster;
 use crate::{Instance, InstanceId, TaskState};
 
@@ -113,4 +113,21 @@ impl Services<'_> {
             }
         }
     }
+}
+
+/// Returns the first operation at which a halted task resumes (5.2, 5.10): of the line `skip` lines after the line that begins at `line`, in source order.
+///
+/// The position after the last line is the end of the program.
+///
+/// # Errors
+/// 90 if there is no such line.
+fn line_to_resume(program: &Program, line: u32, skip: f64) -> Result<u32> {
+    let number = program.line_of(line).ok_or(Fault(NO_LINE))?;
+    #[allow(clippy::cast_precision_loss, reason = "programs have fewer lines than 2^52")]
+    let wanted = number as f64 + (skip + 0.5).floor();
+    let lines = program.lines.iter().map(|line| line.op);
+    let end = u32::try_from(program.code.len()).unwrap_or(u32::MAX).saturating_sub(1);
+    #[allow(clippy::cast_precision_loss, reason = "programs have fewer lines than 2^52")]
+    let found = (0u32..).zip(lines.chain([end])).find(|(number, _)| f64::from(*number) == wanted);
+    found.map(|(_, op)| op).ok_or(Fault(NO_LINE))
 }

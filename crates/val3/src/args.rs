@@ -15,7 +15,6 @@ mod pages;
 mod report_file;
 mod run;
 mod streams;
-mod test_selection;
 mod testing;
 
 use camino::Utf8PathBuf;

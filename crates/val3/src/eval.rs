@@ -1,6 +1,5 @@
 //! `val3 eval`: evaluates expressions and executes statements, which share their variables.
 
-mod interrupt;
 mod prompt;
 
 use std::io::{self, IsTerminal};

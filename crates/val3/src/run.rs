@@ -19,7 +19,6 @@ mod record;
 mod recorder;
 mod replay;
 mod silence;
-mod source_line;
 mod tempo;
 mod unpacked;
 mod viewers;

@@ -14,7 +14,13 @@ mod page;
 mod quota;
 mod shared;
 #[cfg(test)]
-mod tests;
+mod tests {
+    //! Attacks on a server, and viewers that see the same.
+
+    mod attacks;
+    mod client;
+    mod viewers;
+}
 mod viewer;
 
 use std::io;

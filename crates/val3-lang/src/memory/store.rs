@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{
-    ContainerShape, DetachedValue, Lanes, LinkPlace, Owner, PartInit, Place, StoreId, ValueType, View, bytes_of,
-};
+use super::{ContainerShape, DetachedValue, Lanes, LinkPlace, PartInit, Place, StoreId, ValueType, View, bytes_of};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::BELOW_HALF;
@@ -249,4 +247,25 @@ fn within(index: f64, size: u32) -> Result<u32> {
 fn rounded(index: f64) -> Option<u32> {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and it saturates")]
     (index >= -0.5).then_some((index + BELOW_HALF) as u32)
+}
+
+/// Owner of a container.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Owner {
+    /// The controller, for `world` and `flange`. All data may refer to them.
+    Controller,
+    /// An application or library, for its global data.
+    Project {
+        /// Number of the project in memory; 0 is the application.
+        number: u16,
+        /// Whether other projects may refer to the data.
+        public: bool,
+    },
+    /// A program, for its local data. The container is removed at the end of the program.
+    Program,
+}
+
+impl Owner {
+    /// The application.
+    pub const APPLICATION: Self = Self::Project { number: 0, public: false };
 }

@@ -1,9 +1,22 @@
-//! Conversion of move requests to moves of the planner.
+//! Instructions that record moves, and the conversion of their requests to moves of the planner.
 
 use val3_kinematics::Arm;
-use val3_lang::ports::MoveRequest;
+use val3_lang::ports::{CodePlace, MoveRequest};
 use val3_lang::values::MdescValue;
 use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, SpeedLimits};
+
+/// Instruction that has recorded a move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MoveOrigin {
+    /// Name: `movel`.
+    pub instruction: &'static str,
+    /// Location in the code.
+    pub at: CodePlace,
+    /// Motion descriptor, with lengths in mm.
+    pub descriptor: MdescValue,
+    /// Line that has cancelled the blend at the destination.
+    pub cancelled_by: Option<CodePlace>,
+}
 
 /// Converts a request to the move with this id.
 pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {

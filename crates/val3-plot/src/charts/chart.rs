@@ -1,7 +1,6 @@
 //! A chart of values over time.
 
-use super::layout::{LEFT, RIGHT};
-use super::time::Time;
+use super::time::{LEFT, RIGHT, Time};
 use crate::canvas::Canvas;
 use crate::colours::REFERENCE;
 use crate::in_force::{InForce, LimitStep};

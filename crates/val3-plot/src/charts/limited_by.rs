@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::layout::{LEFT, RIGHT};
-use super::time::Time;
+use super::time::{LEFT, RIGHT, Time};
 use crate::canvas::Canvas;
 use crate::colours::limit_colour;
 use crate::{Picture, SpeedLimit};

@@ -1,9 +1,9 @@
 //! Strip with an axis position over time.
 
 use super::chart::{Chart, shown};
-use super::layout::{AXES, LEFT, RIGHT};
-use super::time::Time;
+use super::time::{LEFT, RIGHT, Time};
 use crate::canvas::Canvas;
+use crate::colours::AXES;
 use crate::{Picture, PictureAxis, Sample};
 
 /// Height of a strip in pixels.

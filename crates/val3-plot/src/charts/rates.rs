@@ -1,9 +1,9 @@
 //! Charts of speeds and accelerations over time.
 
 use super::chart::{Chart, legend};
-use super::layout::{AXES, LEFT};
-use super::time::Time;
+use super::time::{LEFT, Time};
 use crate::canvas::Canvas;
+use crate::colours::AXES;
 use crate::in_force::{InForce, OnBlend};
 use crate::{Picture, PictureAxis, Sample};
 

@@ -1,8 +1,11 @@
 //! Time axis.
 
-use super::layout::{LEFT, RIGHT};
-use crate::canvas::Canvas;
+use crate::canvas::{Canvas, WIDTH};
 use crate::{Picture, ticks};
+
+/// Left and right end of the charts.
+pub(super) const LEFT: f64 = 120.0;
+pub(super) const RIGHT: f64 = WIDTH - 40.0;
 
 /// Minimum distance of move labels in pixels.
 const APART: f64 = 13.0;

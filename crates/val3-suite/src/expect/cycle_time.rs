@@ -9,9 +9,8 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_trace::Positive;
 
-use super::cycle::CycleState;
 use super::fit::{ExpectationFault, Fit};
-use super::occurrence::Occurrence;
+use super::occurrence::{CycleState, Occurrence};
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
 

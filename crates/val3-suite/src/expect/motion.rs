@@ -24,7 +24,7 @@ use val3_trace::{
 };
 
 use super::Expectations;
-use super::cycle::CycleState;
+use super::occurrence::CycleState;
 use crate::failure::{Failure, FailureLocation};
 use crate::recorded::{AT_REST, RecordedMotion, place_of};
 use crate::source::ExpectationSource;

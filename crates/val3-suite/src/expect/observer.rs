@@ -6,10 +6,10 @@ use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 
 use super::Expectations;
-use super::cycle::CycleState;
 use super::cycle_time::Stopwatch;
 use super::errors::ExpectedErrors;
 use super::motion::MotionExpectation;
+use super::occurrence::CycleState;
 use super::order::OrderState;
 use super::output::{ExpectedOutput, OutputKind};
 use super::screen::lines;

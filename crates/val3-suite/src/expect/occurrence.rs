@@ -1,4 +1,4 @@
-//! Occurrences in a run, for expectations about times and orders.
+//! Occurrences in the cycles of a run, for expectations about times and orders.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -6,14 +6,25 @@ use std::ops::Range;
 
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
+use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 use val3_machine::script::{Condition, SentText};
 
-use super::cycle::CycleState;
 use super::fit::{ExpectationFault, Fit};
 use super::output::OutputKind;
 use super::screen;
+
+/// State at the end of a cycle.
+#[derive(Clone, Copy)]
+pub(crate) struct CycleState<'c> {
+    /// Start of the cycle, on the controller's clock in nanoseconds.
+    pub(crate) start: Time,
+    /// Events of the cycle.
+    pub(crate) events: &'c [Event],
+    /// Controller at the end of the cycle.
+    pub(crate) controller: &'c Controller,
+}
 
 /// An occurrence in a run, as a table with one key.
 #[derive(Debug, Clone, Deserialize)]

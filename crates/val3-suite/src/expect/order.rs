@@ -5,9 +5,8 @@ use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 
-use super::cycle::CycleState;
 use super::fit::{ExpectationFault, Fit};
-use super::occurrence::Occurrence;
+use super::occurrence::{CycleState, Occurrence};
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
 

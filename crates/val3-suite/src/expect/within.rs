@@ -8,9 +8,8 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_machine::script::Seconds;
 
-use super::cycle::CycleState;
 use super::fit::{ExpectationFault, Fit};
-use super::occurrence::{Occurrence, OccurrenceTime};
+use super::occurrence::{CycleState, Occurrence, OccurrenceTime};
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
 

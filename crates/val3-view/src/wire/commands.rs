@@ -1,5 +1,6 @@
 //! Commands of pages: arguments and responses.
 
+use std::fmt;
 use std::ops::RangeInclusive;
 
 use schemars::JsonSchema;
@@ -8,8 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use val3_geometry::Trsf;
 
-use super::pose::Pose;
-use crate::command_error::CommandError;
+use super::scene::Pose;
 
 /// Range of paces in real time.
 const SPEEDS: RangeInclusive<f64> = 0.1..=100.0;
@@ -269,4 +269,22 @@ fn optional<T: DeserializeOwned>(
     reason: &str,
 ) -> Result<Option<T>, CommandError> {
     arguments.get(name).map(|value| T::deserialize(value).map_err(|_| reason.into())).transpose()
+}
+
+/// Reason why a command was not executed, for users.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CommandError(pub(crate) String);
+
+impl fmt::Display for CommandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for CommandError {}
+
+impl From<&str> for CommandError {
+    fn from(text: &str) -> Self {
+        Self(text.to_owned())
+    }
 }

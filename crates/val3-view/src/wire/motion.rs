@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use val3_machine::blend_ends;
 
-use super::pose::Pose;
+use super::scene::Pose;
 
 /// Recorded moves and remaining path.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

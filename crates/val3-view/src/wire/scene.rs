@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::pose::Pose;
+/// x, y, z in mm, rx, ry, rz in degrees.
+pub type Pose = [f64; 6];
 
 /// Role of a reader.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]

@@ -8,7 +8,6 @@ use clap::ValueEnum;
 use super::ReportOutput;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
-use super::test_selection::SelectionArgs;
 use crate::output::OutputContent;
 use crate::output::file_kind::OutputFileKind;
 use crate::test::Shard;
@@ -158,4 +157,21 @@ pub(crate) const LIMITS: RangeInclusive<f64> = 0.004..=1e6;
 fn limit(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds| LIMITS.contains(seconds));
     seconds.ok_or_else(|| "write seconds from 0.004 to 1e6".to_owned())
+}
+
+/// Selection of tests other than by name.
+#[derive(Debug, Default, clap::Args)]
+pub(crate) struct SelectionArgs {
+    /// Only tests with this word in the file's `tags`; with several words, at least one of them
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "WORD")]
+    pub(crate) tag: Vec<String>,
+    /// No test with this word in the file's `tags`; may be repeated
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "WORD")]
+    pub(crate) tag_out: Vec<String>,
+    /// Only tests that have failed in this report of --output json=FILE
+    #[arg(help_heading = "Selection", long, value_name = "FILE")]
+    pub(crate) failed_in: Option<Utf8PathBuf>,
+    /// Make the parts of --shard equal in time, by this report of --output json=FILE
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "FILE", requires = "shard")]
+    pub(crate) timings: Option<Utf8PathBuf>,
 }

@@ -3,6 +3,8 @@
 use std::cell::RefCell;
 use std::process::ExitCode;
 use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
@@ -12,7 +14,7 @@ use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hi
 use val3_session::Evaluator;
 use val3_session::evaluate::{has_open_block, texts};
 
-use super::{TextOutcome, evaluate, interrupt};
+use super::{TextOutcome, evaluate};
 use crate::color::Color;
 use crate::user_error::UserError;
 
@@ -25,7 +27,7 @@ pub(crate) fn run(evaluator: Evaluator, color: Color) -> Result<ExitCode, UserEr
         Editor::with_config(config).map_err(|error| no_terminal(&error))?;
     editor.set_helper(Some(PromptCompleter { evaluator: Rc::clone(&evaluator) }));
     // Registered after the line editor, whose own handler would replace this handler.
-    interrupt::catch(&flag)?;
+    catch_interrupt(&flag)?;
     loop {
         match editor.readline("> ") {
             Ok(text) if text.trim().is_empty() => {}
@@ -78,4 +80,20 @@ impl Validator for PromptCompleter {
         let continues = !text.ends_with('\n') && has_open_block(text);
         Ok(if continues { ValidationResult::Incomplete } else { ValidationResult::Valid(None) })
     }
+}
+
+/// Makes Ctrl-C set `flag` and have no other effect, so that it ends an evaluation and not the session.
+///
+/// # Errors
+/// The signal handler cannot be installed.
+#[cfg(unix)]
+fn catch_interrupt(flag: &Arc<AtomicBool>) -> Result<(), UserError> {
+    let caught = signal_hook::flag::register(signal_hook::consts::SIGINT, Arc::clone(flag));
+    caught.map(drop).map_err(|error| UserError::new(format!("cannot catch Ctrl-C: {error}")))
+}
+
+/// Does nothing: Ctrl-C keeps its default effect.
+#[cfg(not(unix))]
+fn catch_interrupt(_: &Arc<AtomicBool>) -> Result<(), UserError> {
+    Ok(())
 }

@@ -7,7 +7,7 @@ use val3_machine::event::shown_seconds;
 
 use super::console::Console;
 use super::end::End;
-use super::source_line::code;
+use super::missing::code;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
 use crate::printable::one_line;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use val3_files::FileClass;
 use val3_lang::library_errors::{self, INTERFACE_DIFFERS};
 use val3_machine::event::{Event, EventKind};
-
-use super::source_line::code;
+use val3_syntax::encoding::decode;
 
 /// Unloaded libraries by alias: the path, and the result code of `libLoad`.
 #[derive(Debug, Default)]
@@ -34,4 +34,11 @@ impl MissingLibraries {
         })
         .collect()
     }
+}
+
+/// Returns the code of a line, from 1. `None` for a library that is not in a folder.
+pub(super) fn code(file: &str, line: u32) -> Option<String> {
+    let text = decode(val3_files::read(file.into(), FileClass::Program).ok()?).text;
+    let code = text.lines().nth(usize::try_from(line).ok()?.checked_sub(1)?)?.trim();
+    (!code.is_empty()).then(|| code.to_owned())
 }

@@ -4,7 +4,6 @@
 //! variable.
 
 mod code_sites;
-mod conditions;
 mod data_sites;
 mod executor;
 mod mutant;
@@ -26,7 +25,7 @@ use crate::color::Color;
 use crate::output::{to_stderr, to_stdout_as};
 use crate::paths::Paths;
 use crate::user_error::{EXIT_USAGE, UserError};
-use conditions::{Conditions, SEED};
+use executor::{Conditions, SEED};
 use mutant::mutants;
 use original::originals;
 use report::MutationReport;

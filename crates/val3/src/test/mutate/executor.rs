@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_coverage::Coverage;
@@ -12,13 +12,25 @@ use val3_suite::{
     ControllerKeys, FinalState, Supervision, TestKind, TestResult, TestSettings, counted, execute, executed,
 };
 
-use super::conditions::Conditions;
 use super::used_names::{self, UsedNames};
+use crate::args::TestArgs;
 use crate::test::discovery::{Opening, TestFile};
 use crate::test::script_file::ScriptFile;
-use crate::test::workers::Bench;
+use crate::test::workers::{Bench, Surroundings};
 use crate::test::{golden, golden_texts};
 use crate::user_error::UserError;
+
+/// Default seed for the choice of mistakes.
+pub(super) const SEED: u64 = 1;
+
+/// Context shared by all test executions.
+#[derive(Clone, Copy)]
+pub(super) struct Conditions<'c> {
+    pub(super) args: &'c TestArgs,
+    pub(super) surroundings: &'c Surroundings<'c>,
+    /// Flag that a signal sets.
+    pub(super) is_interrupted: &'c AtomicBool,
+}
 
 /// Executor of tests, one at a time.
 pub(super) struct Executor<'c> {

@@ -8,8 +8,7 @@ use val3_coverage::{Coverage, ProgramCoverage};
 use val3_lang::ports::Time;
 use val3_suite::FinalState;
 
-use super::conditions::Conditions;
-use super::executor::{Execution, Executor};
+use super::executor::{Conditions, Execution, Executor};
 use super::used_names::UsedNames;
 use crate::args::TestFormat;
 use crate::printable::one_line;

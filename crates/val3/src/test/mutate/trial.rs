@@ -9,8 +9,7 @@ use val3_analysis::system::{Disk, OverlayFs};
 use val3_session::Application;
 use val3_suite::{Difference, FinalState};
 
-use super::conditions::{Conditions, SEED};
-use super::executor::Executor;
+use super::executor::{Conditions, Executor, SEED};
 use super::mutant::Mutant;
 use super::original::Originals;
 use crate::args::TestFormat;
