@@ -323,23 +323,23 @@ fn a_step_over_a_wait_for_the_arm_releases_it() {
 
 #[test]
 fn an_arm_that_cannot_move_ends_the_step() {
-    let cases: [(fn(&mut Controller), ArmHold); 4] = [
-        (|controller| controller.devices.state.robot.set_power(false), ArmHold::NoPower),
-        (|controller| controller.devices.state.robot.press_emergency_stop(), ArmHold::NoPower),
-        (|controller| controller.devices.state.robot.turn_speed(0.0), ArmHold::NoSpeed),
-        (|controller| controller.arm_mut().stop(), ArmHold::Stopped),
-    ];
-    for (prepare, hold) in cases {
-        let mut debugger = debugger(MANUAL, MotionMode::Step);
-        stop_at(&mut debugger, 5);
-        run(&mut debugger).unwrap();
-        prepare(&mut debugger.controller);
-        debugger.step(task(&debugger), StepKind::Over);
-        let stop = run(&mut debugger).unwrap();
-        let Stop::Motion(stop) = stop else { panic!("{stop:?}") };
-        assert_eq!(debugger.controller.arm().joint(), READY);
-        assert_eq!(stop.hold, Some(hold));
-    }
+    assert_eq!(hold_after(|controller| controller.devices.state.robot.set_power(false)), Some(ArmHold::NoPower));
+    assert_eq!(hold_after(|controller| controller.devices.state.robot.press_emergency_stop()), Some(ArmHold::NoPower));
+    assert_eq!(hold_after(|controller| controller.devices.state.robot.turn_speed(0.0)), Some(ArmHold::NoSpeed));
+    assert_eq!(hold_after(|controller| controller.arm_mut().stop()), Some(ArmHold::Stopped));
+}
+
+/// Reason why the arm does not move in a step after a change of the controller.
+fn hold_after(prepare: fn(&mut Controller)) -> Option<ArmHold> {
+    let mut debugger = debugger(MANUAL, MotionMode::Step);
+    stop_at(&mut debugger, 5);
+    run(&mut debugger).unwrap();
+    prepare(&mut debugger.controller);
+    debugger.step(task(&debugger), StepKind::Over);
+    let stop = run(&mut debugger).unwrap();
+    let Stop::Motion(stop) = stop else { panic!("{stop:?}") };
+    assert_eq!(debugger.controller.arm().joint(), READY);
+    stop.hold
 }
 
 #[test]
