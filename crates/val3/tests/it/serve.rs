@@ -102,6 +102,11 @@ impl Viewer {
         }
     }
 
+    /// Returns the next message `clock` of a paused run.
+    pub(crate) fn paused_clock(&mut self) -> Value {
+        std::iter::repeat_with(|| self.next_of("clock")).find(|clock| clock["isPaused"] == true).unwrap()
+    }
+
     /// The next message of a kind.
     pub(crate) fn next_of(&mut self, kind: &str) -> Value {
         loop {
@@ -164,7 +169,7 @@ fn operators_change_the_pace() {
     let done = |answer: Value| assert_eq!(answer["error"], Value::Null, "{answer}");
     done(viewer.command(json!({ "id": 1, "command": "pace", "isPaused": true })));
     let mut second = Viewer::new(&run.guest);
-    let clock = second.next_of("clock");
+    let clock = second.paused_clock();
     assert_eq!((&clock["isPaused"], &clock["speed"]), (&json!(true), &json!(1.0)));
     let paused = clock["t"].as_f64().unwrap();
     // Ten cycles of 4 ms: the next print.

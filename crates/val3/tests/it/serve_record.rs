@@ -69,9 +69,7 @@ fn a_quiet_run_is_recorded_up_to_now() {
     thread::sleep(Duration::from_millis(200));
     let paused = viewer.command(json!({ "id": 1, "command": "pace", "isPaused": true }));
     assert_eq!(paused["error"], Value::Null, "{paused}");
-    let mut guest = Viewer::new(&run.guest);
-    let mut clocks = std::iter::repeat_with(|| guest.next_of("clock"));
-    let now = clocks.find(|clock| clock["isPaused"] == true).unwrap()["t"].as_f64().unwrap();
+    let now = Viewer::new(&run.guest).paused_clock()["t"].as_f64().unwrap();
     assert!(now > 0.05, "{now}");
     let answer = viewer.command(record(2, "quiet"));
     assert_eq!(answer["error"], Value::Null, "{answer}");
