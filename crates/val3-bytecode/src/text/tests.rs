@@ -201,12 +201,11 @@ program public start
     frame n8/t1/l2/p1/v4
     nums n1=2.5, n7=-0.5
     container num[2, 3, 4] {1, _}
-    container string[] 
+    container string[]
     Return
 end
 ";
-    let text = text.replace("[] \n", "[]\n");
-    let image = assemble(&text).unwrap();
+    let image = assemble(text).unwrap();
     assert_eq!(disassemble(&image), text);
     let program = &image.programs[0];
     assert_eq!((program.params.len(), program.variables.len(), program.frame.lanes.part), (9, 10, 2));

@@ -190,6 +190,17 @@ impl Viewers {
     }
 }
 
+fn encoded(message: val3_view::ViewerMessage) -> StoredMessage {
+    match message {
+        val3_view::ViewerMessage::Samples(bytes) => StoredMessage::Binary(bytes.into()),
+        val3_view::ViewerMessage::Object(object) => {
+            let text = object.to_string().into();
+            let lasts = object.get("kind").and_then(Value::as_str).is_some_and(|kind| LASTING.contains(&kind));
+            if lasts { StoredMessage::Lasting(text) } else { StoredMessage::Text(text) }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -207,16 +218,5 @@ mod tests {
         assert!(is_due(999, 0.9, true));
         assert!(!is_due(1998, 0.9, true));
         assert!(is_due(1999, 0.9, true));
-    }
-}
-
-fn encoded(message: val3_view::ViewerMessage) -> StoredMessage {
-    match message {
-        val3_view::ViewerMessage::Samples(bytes) => StoredMessage::Binary(bytes.into()),
-        val3_view::ViewerMessage::Object(object) => {
-            let text = object.to_string().into();
-            let lasts = object.get("kind").and_then(Value::as_str).is_some_and(|kind| LASTING.contains(&kind));
-            if lasts { StoredMessage::Lasting(text) } else { StoredMessage::Text(text) }
-        }
     }
 }
