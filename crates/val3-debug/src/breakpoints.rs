@@ -114,13 +114,13 @@ impl FromStr for HitCondition {
             "%" => Self::Every(number),
             _ => return Err(InvalidHitCondition),
         };
-        if condition.is_possible() { Ok(condition) } else { Err(InvalidHitCondition) }
+        if condition.is_valid() { Ok(condition) } else { Err(InvalidHitCondition) }
     }
 }
 
 impl HitCondition {
-    /// Whether any hit can fulfil the condition. `>=0` would hold for all hits, which nobody writes on purpose.
-    const fn is_possible(self) -> bool {
+    /// Whether the number counts hits, from 1. `<1` would never hold, and `>=0` always.
+    const fn is_valid(self) -> bool {
         matches!(self, Self::Exactly(1..) | Self::From(1..) | Self::Until(1..) | Self::Every(1..))
     }
 

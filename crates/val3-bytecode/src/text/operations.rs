@@ -102,7 +102,7 @@ mod tests {
 
     use crate::{Image, assemble};
 
-    /// Operands of the same form are told apart by their order alone.
+    /// Only their order distinguishes operands of the same form.
     #[test]
     fn operands_are_in_the_order_of_the_fields() {
         let text = "data nX num[9] program start frame n9/t9/p9/v9

@@ -74,7 +74,7 @@ fn the_command_line_wins() {
     let only = RuleSelection { only: Some(["V0701"].into()), ..RuleSelection::default() };
     assert!(!settings(off, &only).unwrap().is_enabled(rule), "a family restricts");
     let named = RuleSelection { named: ["V0701"].into(), ..only.clone() };
-    assert!(settings(off, &named).unwrap().is_enabled(rule), "a name asks");
+    assert!(settings(off, &named).unwrap().is_enabled(rule), "a name turns the rule on");
     let never = RuleSelection { never: ["V0701"].into(), ..named };
     assert!(!settings("", &never).unwrap().is_enabled(rule));
     assert!(!settings("", &only).unwrap().is_enabled(rules::find("V0101").unwrap()));
