@@ -73,7 +73,7 @@ fn passed(
         return None;
     }
     let written = inside.iter().any(|access| access.kind != AccessKind::Read);
-    let (goes_in, comes_out) = (living.before.contains(name), written && living.behind.contains(name));
+    let (goes_in, comes_out) = (living.before.contains(name), written && living.after.contains(name));
     let (variable, is_local) = declared(context, name)?;
     // Inside a loop, the next iteration would read the value.
     let alone = is_local && inside.len() == uses.len() && !(goes_in && is_in_loop(context, range));
@@ -135,7 +135,7 @@ struct LiveVariables {
     /// Live where the statements start.
     before: VariableNames,
     /// Live where the statements end.
-    behind: VariableNames,
+    after: VariableNames,
 }
 
 impl LiveVariables {
@@ -143,7 +143,7 @@ impl LiveVariables {
         let flow = flow(context.db, context.file);
         let referenced = context.header().params.iter().filter(|param| param.by_reference);
         let end: VariableNames = referenced.map(|param| param.name.clone()).collect();
-        let step = |id: FlowNodeId, _: &FlowNode, behind: &VariableNames| before(effects, id, behind);
+        let step = |id: FlowNodeId, _: &FlowNode, after: &VariableNames| before(effects, id, after);
         let facts = backward(flow, end, step, add_names);
         let mut inside = flow.points().filter(|(_, point)| is_inside(range, point)).peekable();
         let entry = inside.peek().map(|(id, _)| *id);
@@ -151,7 +151,7 @@ impl LiveVariables {
         let exits = exits.filter(|next| flow.point(**next).is_some_and(|point| !is_inside(range, point)));
         Self {
             before: entry.map(|id| at(context, effects, &facts, id)).unwrap_or_default(),
-            behind: exits.flat_map(|id| at(context, effects, &facts, *id)).collect(),
+            after: exits.flat_map(|id| at(context, effects, &facts, *id)).collect(),
         }
     }
 }
@@ -161,15 +161,15 @@ fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<VariableNames>
     let header = context.header();
     let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
     match facts.after(id) {
-        Some(behind) if id != FlowGraph::END => before(effects, id, behind),
+        Some(after) if id != FlowGraph::END => before(effects, id, after),
         Some(end) => end.clone(),
         None => all().cloned().collect(),
     }
 }
 
 /// Variables live before a flow node, computed from the variables live after it (backward analysis).
-fn before(effects: &Effects<'_>, id: FlowNodeId, behind: &VariableNames) -> VariableNames {
-    let mut names = behind.clone();
+fn before(effects: &Effects<'_>, id: FlowNodeId, after: &VariableNames) -> VariableNames {
+    let mut names = after.clone();
     for access in effects.at(id).iter().rev() {
         let Some(name) = own(access) else { continue };
         match access.kind {
