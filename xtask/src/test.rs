@@ -1,5 +1,6 @@
 //! `test`: every check and every test of the project, in one command.
 
+mod failures;
 mod tools;
 
 use std::io::{BufRead as _, BufReader};
@@ -10,6 +11,7 @@ use anyhow::Context;
 use clap::builder::PossibleValuesParser;
 
 use crate::project;
+use failures::Failures;
 use tools::Tools;
 
 /// Options of `test`.
@@ -101,13 +103,14 @@ struct Tally {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut total = Tally::default();
     let mut failed = Vec::new();
+    let mut failures = Failures::default();
     let steps: Vec<&Step> = STEPS.iter().filter(|step| arguments.wants(step.name)).collect();
     let names: Vec<&str> = steps.iter().map(|step| step.name).collect();
     let begin = Instant::now();
     let mut tools = Tools::prepare(&names)?;
     for step in steps {
         println!("==> {}, after {} s", step.name, begin.elapsed().as_secs());
-        let tally = match run_step(step, &mut tools) {
+        let tally = match run_step(step, &mut tools, &mut failures) {
             Ok(tally) => tally,
             Err(error) => {
                 println!("error: {error:#}");
@@ -119,6 +122,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         failed.extend((tally.failed > 0).then_some(step.name));
     }
     tools.close()?;
+    failures.print();
     if !failed.is_empty() {
         println!("failed: {}", failed.join(", "));
     }
@@ -138,7 +142,7 @@ impl Arguments {
 }
 
 /// Runs a step. It counts as the tests that it reports, or as one check if it reports none.
-fn run_step(step: &Step, tools: &mut Tools) -> anyhow::Result<Tally> {
+fn run_step(step: &Step, tools: &mut Tools, failures: &mut Failures) -> anyhow::Result<Tally> {
     let mut command = match step.run {
         StepCommand::Cargo(arguments) => {
             tools.advance()?;
@@ -159,6 +163,7 @@ fn run_step(step: &Step, tools: &mut Tools) -> anyhow::Result<Tally> {
             let line = line?;
             println!("{line}");
             count(&line, &mut tally);
+            failures.read(step.name, &line);
         }
     }
     if child.wait()?.success() {
