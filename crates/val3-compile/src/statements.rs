@@ -73,6 +73,8 @@ impl<'u, 'db> Statements<'u, 'db> {
         }
         match &stmt.kind {
             StmtKind::Return => {
+                // A task may stop before its end, after this line.
+                self.out().code().begin();
                 self.out().emit(Op::Return);
                 return Ok(());
             }

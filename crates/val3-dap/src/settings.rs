@@ -17,6 +17,8 @@ pub struct SessionSettings {
     pub(crate) stops_on_entry: bool,
     /// Whether text on user pages appears in the debug console.
     pub(crate) shows_screen_output: bool,
+    /// The run stops before the end of its last task.
+    pub(crate) stops_on_exit: bool,
     /// The angles of positions are shown in radians.
     pub(crate) has_radians: bool,
     /// Whether a breakpoint, a step or an error stops only its task.
@@ -26,6 +28,7 @@ pub struct SessionSettings {
 impl SessionSettings {
     /// Starts the history, and sets the modes of the run.
     pub fn apply(&self, debugger: &mut Debugger) {
+        debugger.stop_at_exit(self.stops_on_exit);
         debugger.record(self.past);
         debugger.set_motion_mode(self.motion_mode);
         debugger.stop_tasks_alone(self.stops_one_task);
@@ -43,6 +46,7 @@ impl SessionSettings {
             motion_mode: arguments.get("motionMode").map_or(Ok(MotionMode::Continuous), motion_mode)?,
             past: PastLimits { snapshots: snapshots.unwrap_or(usual.snapshots), bytes: bytes.unwrap_or(usual.bytes) },
             stops_on_entry: switch(arguments, "stopOnEntry", false)?,
+            stops_on_exit: switch(arguments, "stopOnExit", false)?,
             shows_screen_output: switch(arguments, "screenOutput", true)?,
             has_radians: is_second(arguments, "angles", ["degrees", "radians"])?,
             stops_one_task: is_second(arguments, "stopScope", ["all", "task"])?,

@@ -33,6 +33,11 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             }
         }
         Stop::PathFault(fault) => path_fault(fault, controller),
+        Stop::Exit { task } => StoppedEvent {
+            description: Some("Paused before the end of the application".to_owned()),
+            text: Some("the last task is before its end; the next step or continue ends the run".to_owned()),
+            ..event(StoppedEventReason::Pause, Some(*task))
+        },
         Stop::Data(stop) => data(stop, controller),
         Stop::Pause { task } => event(StoppedEventReason::Pause, *task),
         Stop::Motion(stop) => motion(stop, controller),

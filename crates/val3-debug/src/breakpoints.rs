@@ -288,6 +288,9 @@ struct NextLine {
 
 impl NextLine {
     fn of(controller: &Controller, task: TaskNumber) -> Option<Self> {
+        if controller.vm.is_at_end(task) {
+            return None;
+        }
         let thread = &controller.vm.tasks().iter().find(|known| known.id == task)?.thread;
         let frame = thread.frames.last()?;
         let image = Arc::clone(&controller.vm.space.instance(frame.instance)?.image);

@@ -41,6 +41,8 @@ pub struct Debugger {
     pub(crate) mode: MotionMode,
     /// Whether a stop of a task pauses only this task.
     stops_alone: bool,
+    /// Whether the run stops before the end of its last task.
+    stops_at_exit: bool,
 }
 
 /// Result of [`Debugger::advance`].
@@ -67,6 +69,11 @@ pub enum Stop {
     /// A step has ended.
     Step {
         /// Stopped task.
+        task: TaskNumber,
+    },
+    /// The last running task is before its end.
+    Exit {
+        /// The task.
         task: TaskNumber,
     },
     /// Watched data were changed or read.
@@ -100,7 +107,7 @@ impl Stop {
             Self::Breakpoints { task, .. } | Self::Step { task } | Self::Error { task, .. } => Some(*task),
             Self::Data(stop) => stop.task,
             Self::Motion(stop) => stop.task,
-            Self::Pause { .. } | Self::PathFault(_) | Self::Beginning => None,
+            Self::Pause { .. } | Self::Exit { .. } | Self::PathFault(_) | Self::Beginning => None,
         }
     }
 }
@@ -123,6 +130,7 @@ impl Debugger {
             travel: None,
             pending: None,
             stops_alone: false,
+            stops_at_exit: false,
         }
     }
 
@@ -160,6 +168,7 @@ impl Debugger {
     /// Removes breakpoints, the current step and pauses, discards the history, and returns to continuous motion.
     pub fn detach(&mut self) {
         self.stops_alone = false;
+        self.stop_at_exit(false);
         self.history = None;
         self.controller.end_recording();
         if self.travel.take().is_some() {
@@ -182,6 +191,12 @@ impl Debugger {
     /// tasks, the clock and the arm continue.
     pub fn stop_tasks_alone(&mut self, alone: bool) {
         self.stops_alone = alone;
+    }
+
+    /// Sets whether the run stops before the end of its last task.
+    pub fn stop_at_exit(&mut self, is_wanted: bool) {
+        self.stops_at_exit = is_wanted;
+        self.controller.vm.stop_at_ends(is_wanted);
     }
 
     /// Cancels the current step.
@@ -254,7 +269,14 @@ impl Debugger {
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
-        self.hit(task)
+        if self.controller.vm.is_at_end(task) { self.exit(task) } else { self.hit(task) }
+    }
+
+    /// Returns the stop before the end of a task if no other task runs.
+    fn exit(&self, task: TaskNumber) -> Option<Stop> {
+        let tasks = self.controller.vm.tasks();
+        let is_last = tasks.iter().all(|known| known.id == task || !known.is_running());
+        is_last.then_some(Stop::Exit { task })
     }
 
     fn seen(&mut self, task: TaskNumber) -> Option<Stop> {
@@ -301,6 +323,7 @@ impl Debugger {
             self.controller.vm.set_stops(file, self.breakpoints.rows(file));
         }
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
+        self.controller.vm.stop_at_ends(self.stops_at_exit);
     }
 
     /// Returns the stop at the breakpoints on the task's next line, ignoring hit conditions.

@@ -412,6 +412,10 @@ impl TurnContext<'_> {
                     change!(inner);
                 }
                 Op::Return => {
+                    if self.space.stops_at_ends && thread.meets_end() {
+                        at.next -= 1;
+                        return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
+                    }
                     leave(&mut self.space.memory, &frame.base);
                     let [.., caller, _] = thread.frames.as_slice() else {
                         // The frame remains, because it contains the position at which the task ended.

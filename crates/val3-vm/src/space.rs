@@ -21,6 +21,8 @@ pub struct Space {
     /// library.
     pub(crate) instances: Arc<Vec<Instance>>,
     stops: Stops,
+    /// Whether tasks stop before their end.
+    pub(crate) stops_at_ends: bool,
     /// Execution counts of counted lines and branch sides.
     pub counts: LineCounts,
 }

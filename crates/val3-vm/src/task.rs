@@ -51,6 +51,8 @@ pub struct Thread {
     pub wait: Option<Wait>,
     /// Whether the task has stopped at a stop mark. It begins that line when it continues.
     pub is_at_stop: bool,
+    /// Whether the task has stopped before its end.
+    pub is_at_end: bool,
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.
@@ -120,10 +122,17 @@ impl Thread {
         self.is_at_stop
     }
 
+    /// Whether the task stops here before the end of its first program, once.
+    #[cold]
+    pub(crate) fn meets_end(&mut self) -> bool {
+        self.frames.len() == 1 && !std::mem::replace(&mut self.is_at_end, true)
+    }
+
     /// Moves to the beginning of a line and discards the waits within the previous one.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);
-        (self.waiting, self.watched, self.wait, self.is_at_stop) = (None, None, None, false);
+        (self.waiting, self.watched, self.wait) = (None, None, None);
+        (self.is_at_stop, self.is_at_end) = (false, false);
     }
 }
 

@@ -205,7 +205,21 @@ impl Vm {
     #[must_use]
     pub fn is_within_line(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
-        task.and_then(|task| self.mark(&task.thread)).is_some_and(|mark| !mark.begins_line())
+        task.is_some_and(|task| {
+            !task.thread.is_at_end && self.mark(&task.thread).is_some_and(|mark| !mark.begins_line())
+        })
+    }
+
+    /// Sets whether tasks stop before their end, after the last line of their first program.
+    pub fn stop_at_ends(&mut self, is_wanted: bool) {
+        self.space.stops_at_ends = is_wanted;
+    }
+
+    /// Whether a task has stopped before its end.
+    #[must_use]
+    pub fn is_at_end(&self, id: TaskNumber) -> bool {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
+        task.is_some_and(|task| task.thread.is_at_end)
     }
 
     /// Whether a task is before the first line of a program that it has just entered, and not before a further

@@ -180,21 +180,22 @@ fn cases_are_compared_one_after_the_other() {
                 Add n3 n0 n2
                 IfEqual n3 n2 L5
                 IfEqual n3 n4 L5
-                IfEqual n3 n5 L7
-                Jump L9
+                IfEqual n3 n5 L8
+                Jump L10
             L5:
             line 12
+                Line
                 Return
-                Jump L11
-            L7:
+                Jump L12
+            L8:
             line 15
                 Move n0 n6
-                Jump L11
-            L9:
+                Jump L12
+            L10:
             line 18
                 Move n1 n2
-                Jump L11
-            L11:
+                Jump L12
+            L12:
                 Return
             end
         "#]],

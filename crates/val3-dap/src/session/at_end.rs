@@ -76,6 +76,35 @@ mod tests {
     }
 
     #[test]
+    fn a_run_stops_before_its_end_with_its_past() {
+        let listing = "num nCount\nnum nOther\n\nprogram start()\nbegin\n  taskCreate \"other\",100,other()\n  \
+                       nCount=1\n  nCount=2\nend\n\nprogram other()\nbegin\n  nOther=1\n  return\nend\n";
+        let mut client = TestClient::launched(listing, json!({ "stopOnExit": true }));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!(stops.len(), 1);
+        assert_eq!(stops[0]["description"], "Paused before the end of the application");
+        assert_eq!((client.value("nCount"), client.value("nOther")), (json!("2"), json!("1")));
+        client.stop_after("stepBack", json!({ "threadId": stops[0]["threadId"] }));
+        let again = client.stop_after("continue", json!({ "threadId": stops[0]["threadId"] }));
+        assert_eq!(again["description"], "Paused before the end of the application");
+        client.body("continue", json!({ "threadId": stops[0]["threadId"] }));
+        assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new());
+    }
+
+    #[test]
+    fn a_breakpoint_on_the_last_line_counts_once() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  nCount=1\nend\n";
+        let mut client = TestClient::launching(listing, json!({ "stopOnExit": true }));
+        let breakpoints = json!({ "source": crate::test_client::source("start"), "breakpoints": [{ "line": 5 }] });
+        client.body("setBreakpoints", breakpoints);
+        client.body("configurationDone", json!({}));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!(stops[0]["reason"], "breakpoint");
+        let exit = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((&exit["reason"], client.place().1), (&json!("pause"), 5));
+    }
+
+    #[test]
     fn a_run_that_ends_does_not_stop() {
         let mut client = TestClient::launched(EMPTY, json!({}));
         assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new());

@@ -42,6 +42,7 @@ fn launch() -> Map<String, Value> {
 /// Keys of both requests.
 fn common() -> Map<String, Value> {
     let stop = json!({ "type": "boolean", "default": false, "description": "Stop immediately, before the first line of a launched run" });
+    let exit = json!({ "type": "boolean", "default": false, "description": "Stop before the end of the last task, with the past of the run; the extension for VS Code sets it for applications unless a configuration says otherwise" });
     let screen = json!({ "type": "boolean", "default": true, "description": "Show text that programs write on user pages in the debug console" });
     let mode = json!({
         "type": "string",
@@ -74,6 +75,7 @@ fn common() -> Map<String, Value> {
     let limit = |usual: u64, description: &str| json!({ "type": "integer", "minimum": 1, "default": usual, "description": description });
     let keys = [
         ("stopOnEntry", stop),
+        ("stopOnExit", exit),
         ("screenOutput", screen),
         ("motionMode", mode),
         ("stopScope", scope),

@@ -26,10 +26,10 @@ export class Configurations implements vscode.DebugConfigurationProvider {
     } else if (configuration.request === "attach") {
       return withAddress(configuration);
     } else if (typeof configuration.program === "string" && configuration.program.trim() !== "") {
-      return configuration;
+      return withStopOnExit(configuration);
     }
     const application = await pickApplication(this.client);
-    return application && { ...configuration, program: withVariable(application.folder, folder) };
+    return application && { ...withStopOnExit(configuration), program: withVariable(application.folder, folder) };
   }
 }
 
@@ -47,7 +47,12 @@ export function ofApplication({ name, folder }: Application, startProgram = STAR
 }
 
 function launch(name: string, program: string): vscode.DebugConfiguration {
-  return { type: TYPE, request: "launch", name, program, time: "real" };
+  return { type: TYPE, request: "launch", name, program, time: "real", stopOnExit: true };
+}
+
+/** Lets the run of an application stop before its end, unless the configuration says otherwise. A test ends with its result. */
+function withStopOnExit(configuration: vscode.DebugConfiguration): vscode.DebugConfiguration {
+  return configuration.test === undefined ? { stopOnExit: true, ...configuration } : configuration;
 }
 
 function isFolder(program: unknown, folder: vscode.Uri, inFolder: vscode.WorkspaceFolder | undefined): boolean {
