@@ -12,11 +12,13 @@ pub(crate) struct Property {
     pub(crate) name: String,
     pub(crate) value: String,
     pub(crate) inside: Vec<Property>,
+    /// Path of the input or output that the property shows.
+    pub(crate) signal: Option<String>,
 }
 
 impl Property {
     fn new(name: impl Into<String>, value: impl Into<String>) -> Self {
-        Self { name: name.into(), value: value.into(), inside: Vec::new() }
+        Self { name: name.into(), value: value.into(), inside: Vec::new(), signal: None }
     }
 
     fn group(name: impl Into<String>, value: impl Into<String>, inside: Vec<Self>) -> Self {
@@ -36,7 +38,8 @@ fn boards(controller: &Controller) -> Vec<Property> {
     for id in io.signals() {
         let Some(signal) = io.signal(id) else { continue };
         let (board, address) = signal.path.rsplit_once('\\').unwrap_or(("other", &signal.path));
-        let property = Property::new(address, self::signal(io, id));
+        let path = Some(signal.path.clone());
+        let property = Property { signal: path, ..Property::new(address, self::signal(io, id)) };
         match boards.iter_mut().find(|known| known.name == board) {
             Some(board) => board.inside.push(property),
             None => boards.push(Property::group(board, "", vec![property])),
@@ -46,6 +49,12 @@ fn boards(controller: &Controller) -> Vec<Property> {
         board.value = format!("{} signals", board.inside.len());
     }
     boards
+}
+
+/// Value and state of the signal with this path.
+pub(crate) fn signal_at(controller: &Controller, path: &str) -> String {
+    let io = &controller.devices.state.io;
+    io.find(path).map(|id| signal(io, id)).unwrap_or_default()
 }
 
 /// Signal value with direction, lock, simulation, protection and fault.

@@ -97,11 +97,12 @@ impl Client {
         }
     }
 
-    /// Whether the client no longer waits for the answer to a request, whose progress has this name: it cancels it, or ends
-    /// the run.
+    /// Whether the client no longer waits for the result of a request, whose progress has this name: it cancels it, asks
+    /// for a stop, or ends the run.
     pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
         self.queue.extend(self.inbox.try_iter());
-        self.queue.iter().any(|incoming| is_end(incoming) || is_cancel(incoming, request, progress))
+        let is_over = |incoming: &Incoming| is_end(incoming) || is_pause(incoming);
+        self.queue.iter().any(|incoming| is_over(incoming) || is_cancel(incoming, request, progress))
     }
 
     /// Whether the client cancels a request that is not handled yet.
@@ -166,6 +167,11 @@ impl fmt::Debug for Client {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Client").field("is_connected", &self.is_connected).finish_non_exhaustive()
     }
+}
+
+/// Whether a message asks for a stop.
+fn is_pause(incoming: &Incoming) -> bool {
+    matches!(incoming, Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) if command == "pause")
 }
 
 /// Whether a message ends the run or the connection.

@@ -50,9 +50,17 @@ impl DebugSession {
             }
             Err(failure) => self.client.refuse(seq, command, &failure),
         }
+        self.send_following();
+        if let Some(goal) = self.goal.take() {
+            self.go_back(goal, run);
+            self.send_following();
+        }
+        self.refresh_view(run);
+    }
+
+    fn send_following(&mut self) {
         for event in std::mem::take(&mut self.following) {
             self.client.event(&event);
         }
-        self.refresh_view(run);
     }
 }

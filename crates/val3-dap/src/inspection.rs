@@ -160,7 +160,7 @@ impl Handles {
             }
             InspectedItem::Properties(properties) => {
                 let page = properties.into_iter().skip(start).take(most);
-                Some(page.map(|property| self.property(property)).collect())
+                Some(page.map(|property| self.property(property, controller)).collect())
             }
         }
     }
@@ -184,15 +184,20 @@ impl Handles {
         }
     }
 
-    fn property(&mut self, property: Property) -> Variable {
-        let Property { name, value, inside } = property;
-        let attributes = Some(vec![VariablePresentationHintAttributes::ReadOnly]);
+    fn property(&mut self, property: Property, controller: &Controller) -> Variable {
+        let Property { name, value, inside, signal } = property;
+        // The signal may have been forced since the scope was requested.
+        let value = signal.as_ref().map_or(value, |path| cell_view::signal_at(controller, path));
+        let attributes = signal.is_none().then(|| vec![VariablePresentationHintAttributes::ReadOnly]);
         Variable {
             name,
             value,
             named_variables: (!inside.is_empty()).then(|| i32::try_from(inside.len()).unwrap_or(i32::MAX)),
             variables_reference: if inside.is_empty() { 0 } else { self.add(InspectedItem::Properties(inside)) },
-            presentation_hint: Some(VariablePresentationHint { attributes, ..VariablePresentationHint::default() }),
+            presentation_hint: attributes.map(|attributes| VariablePresentationHint {
+                attributes: Some(attributes),
+                ..VariablePresentationHint::default()
+            }),
             ..Variable::default()
         }
     }

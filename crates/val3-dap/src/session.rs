@@ -12,7 +12,7 @@ mod search;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use val3_debug::Stop;
+use val3_debug::{Goal, Stop};
 use val3_lang::ports::Time;
 use val3_machine::event::Event as MachineEvent;
 
@@ -90,6 +90,8 @@ pub struct DebugSession {
     pub(crate) subscriptions: Subscriptions,
     /// Lines to which a task can go, by their numbers for the client.
     pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
+    /// Moment of the past to which the run goes after the response to the present request.
+    pub(crate) goal: Option<Goal>,
     /// Events that follow the response to the present request.
     pub(crate) following: Vec<StandardEvent>,
 }
@@ -116,6 +118,7 @@ impl DebugSession {
             notices,
             subscriptions: Subscriptions::default(),
             goto_targets: BTreeMap::new(),
+            goal: None,
             following: Vec::new(),
         }
     }

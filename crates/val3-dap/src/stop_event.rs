@@ -63,6 +63,15 @@ pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
     }
 }
 
+/// The event of a run that is where it was, because the client has cancelled a search.
+pub(crate) fn cancelled(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused where the search has begun".to_owned()),
+        text: Some("the search was cancelled".to_owned()),
+        ..event(StoppedEventReason::Pause, first_task(controller))
+    }
+}
+
 /// Describes what each task does or waits for: ``task `main~` waits for a condition at start() line 5``.
 pub(crate) fn waits(controller: &Controller) -> impl Iterator<Item = String> {
     let positions = controller.task_positions().into_iter();

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex};
 use serde_json::{Map, Value, json};
 use val3_debug::{AdvanceResult, Debugger};
 use val3_machine::controller::RunStatus;
-use val3_machine::io::{Direction, Signal};
+use val3_machine::io::{Direction, IoTable, Signal};
 use val3_session::{FrameEvaluator, Pace};
 use val3_tests::running::{Running, application};
 
@@ -63,6 +63,24 @@ pub(crate) const WORKER_THREAD: u64 = 3;
 
 /// Module id of the application.
 pub(crate) const MODULE: &str = "/cell/usr/usrapp/main/main.pjx";
+
+/// Waits for the input `Io\start`, which is linked to `diIn`, then counts.
+pub(crate) const INPUT: &str = r#"
+program start()
+begin
+  wait(diIn)
+  nCount=1
+  delay(1)
+end
+=== main/main.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="diIn" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\start" /></Data>
+    <Data name="nCount" access="private" xsi:type="array" type="num" size="1"/>
+  </Datas>
+</Database>
+"#;
 
 /// Line of the first instruction in the file of a program without parameters and locals.
 pub(crate) const FIRST_LINE: u64 = 5;
@@ -154,10 +172,9 @@ impl TestClient {
         self
     }
 
-    /// Adds a digital input to the cell.
-    pub(crate) fn with_input(mut self, path: &str) -> Self {
-        let signal = Signal { direction: Direction::Input, ..Signal::from_path(path, true) };
-        self.debugger.controller.devices.state.io.declare(signal);
+    /// Removes the inputs and outputs of the cell.
+    pub(crate) fn without_signals(mut self) -> Self {
+        self.debugger.controller.devices.state.io = IoTable::default();
         self
     }
 
@@ -284,9 +301,12 @@ impl TestClient {
     }
 }
 
-/// Returns the debugger of a run before its first line.
+/// Returns the debugger of a run before its first line. The cell has the digital input `Io\start`.
 fn debugger(listing: &str, start: &SessionStart) -> Debugger {
-    let mut debugger = Debugger::new(Running::start(listing).controller);
+    let mut devices = Running::devices();
+    let signal = Signal { direction: Direction::Input, ..Signal::from_path("Io\\start", true) };
+    devices.state.io.declare(signal);
+    let mut debugger = Debugger::new(Running::on(devices, listing).controller);
     start.settings.apply(&mut debugger);
     debugger
 }

@@ -17,6 +17,8 @@ use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{compile_expression, compile_statements};
 use val3_debug::{CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, evaluate, expression_grant};
+use val3_lang::fault::Fault;
+use val3_lang::runtime_errors::WRITE_TO_INPUT;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
@@ -111,7 +113,8 @@ impl FrameEvaluator {
         }
     }
 
-    /// Assigns an expression's value to a variable, an element, a field or an output. Returns the new value.
+    /// Assigns an expression's value to a variable, an element, a field or an output. Returns the new value. An input is
+    /// forced: it has the value as if the hardware had set it.
     ///
     /// # Errors
     /// If the target and value are invalid or do not match, or if a run-time error ends the assignment.
@@ -127,7 +130,15 @@ impl FrameEvaluator {
             Some(state) => self.assignment(&target, target_text, state),
             None => Err(error),
         })?;
-        let (end, events) = evaluate(controller, (&fragment, target_text), context, (&mut expression_grant(), format));
+        let write = |controller: &mut Controller| {
+            evaluate(controller, (&fragment, target_text), context, (&mut expression_grant(), format))
+        };
+        let (mut end, mut events) = write(controller);
+        if end == FragmentEnd::Failed(Fault(WRITE_TO_INPUT)) {
+            controller.devices.state.io.force_inputs(true);
+            (end, events) = write(controller);
+            controller.devices.state.io.force_inputs(false);
+        }
         if end != FragmentEnd::Done {
             return Err(EvaluationError::ended(&end, Evaluation::new(events, true)));
         }

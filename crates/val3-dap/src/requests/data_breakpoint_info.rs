@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_signal_can_have_a_breakpoint() {
-        let mut client = TestClient::stopped(COUNTER).with_input("Io\\start");
+        let mut client = TestClient::stopped(COUNTER);
         let body = client.body("dataBreakpointInfo", json!({ "name": "Io\\start" }));
         assert_eq!((&body["dataId"], &body["description"]), (&json!("io:Io\\start"), &json!("io:Io\\start")));
     }

@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn a_signal_is_returned_with_its_state() {
-        let mut client = TestClient::stopped(EMPTY).with_input("Io\\start");
+        let mut client = TestClient::stopped(EMPTY);
         let mut signal = json!({
             "link": "Io\\start",
             "direction": "input",
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn a_cell_without_signals_has_an_empty_list() {
-        let mut client = TestClient::stopped(EMPTY);
+        let mut client = TestClient::stopped(EMPTY).without_signals();
         assert_eq!(client.body("val3/io", json!({})), json!({ "signals": [] }));
     }
 

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
+use val3_machine::controller::Controller;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -25,6 +26,25 @@ impl DebugRequest for IoForce {
     ) -> Result<Empty, RequestFailure> {
         operate::act(keys(arguments)?, &mut run.debugger.controller)
     }
+}
+
+/// Sets a signal to a value as users write it: `true`, `on`, `0` or a number.
+///
+/// # Errors
+/// The text is no value, or the signal cannot be set.
+pub(crate) fn set_signal(path: &str, text: &str, controller: &mut Controller) -> Result<(), RequestFailure> {
+    let level = match text.trim() {
+        "true" | "on" => json!(true),
+        "false" | "off" => json!(false),
+        text => {
+            let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+            json!(number.ok_or_else(|| RequestFailure::Rejected(format!(
+                "`{text}` is no value of a signal: write true, false or a number"
+            )))?)
+        }
+    };
+    let keys = Map::from_iter([("io".to_owned(), json!({ path: level }))]);
+    operate::act(keys, controller).map(drop)
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -18,10 +18,11 @@ impl DebugRequest for ReverseContinue {
 
     fn answer(
         session: &mut DebugSession,
-        run: &mut DebuggedRun<'_>,
+        _: &mut DebuggedRun<'_>,
         _: ReverseContinueArguments,
     ) -> Result<(), RequestFailure> {
-        session.go_back(Goal::Breakpoint, run)
+        session.goal = Some(Goal::Breakpoint);
+        Ok(())
     }
 }
 

@@ -40,7 +40,19 @@ impl DebugRequest for SetExpression {
 mod tests {
     use serde_json::json;
 
-    use crate::test_client::{COUNTER, TestClient};
+    use crate::test_client::{COUNTER, INPUT, MAIN_THREAD, TestClient};
+
+    #[test]
+    fn a_variable_of_an_input_forces_it() {
+        let mut client = TestClient::stopped(INPUT);
+        let (_, frame) = client.thread_and_frame();
+        let arguments = json!({ "expression": "diIn", "value": "true", "frameId": frame });
+        assert!(client.body("setExpression", arguments)["value"].as_str().unwrap().starts_with("true"));
+        assert_eq!(client.body("val3/io", json!({}))["signals"][0]["value"], 1.0);
+        client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
+        client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(client.value("nCount"), "1");
+    }
 
     #[test]
     fn data_get_a_value() {

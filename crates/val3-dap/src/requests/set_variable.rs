@@ -1,10 +1,12 @@
 //! `setVariable`: assigns a value to a variable of a scope or a value.
 
+use crate::cell_view;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::inspection::InspectedItem;
 use crate::protocol::{SetVariableArguments, SetVariableResponse};
 use crate::request::DebugRequest;
+use crate::requests::io_force;
 use crate::session::DebugSession;
 
 /// The request `setVariable`.
@@ -22,7 +24,14 @@ impl DebugRequest for SetVariable {
     ) -> Result<SetVariableResponse, RequestFailure> {
         let inside = match session.handles.node(arguments.variables_reference).ok_or(RequestFailure::Stale)? {
             InspectedItem::Values(inside) => inside.clone(),
-            InspectedItem::Properties(_) => return Err(RequestFailure::NoData(arguments.name)),
+            InspectedItem::Properties(properties) => {
+                let signal = properties.iter().find(|property| property.name == arguments.name);
+                let signal = signal.and_then(|property| property.signal.clone());
+                let signal = signal.ok_or(RequestFailure::NoData(arguments.name))?;
+                io_force::set_signal(&signal, &arguments.value, &mut run.debugger.controller)?;
+                let value = cell_view::signal_at(&run.debugger.controller, &signal);
+                return Ok(SetVariableResponse { value, ..SetVariableResponse::default() });
+            }
         };
         let assignment = (arguments.name.as_str(), arguments.value.as_str());
         let format = session.format(arguments.format.as_ref());
@@ -44,7 +53,7 @@ impl DebugRequest for SetVariable {
 mod tests {
     use serde_json::{Value, json};
 
-    use crate::test_client::{COUNTER, TestClient};
+    use crate::test_client::{COUNTER, INPUT, TestClient};
 
     fn assignment(scope: &Value, name: &str, value: &str) -> Value {
         json!({ "variablesReference": scope, "name": name, "value": value })
@@ -76,6 +85,22 @@ mod tests {
         let robot = client.scope("Robot");
         let reason = client.failure("setVariable", assignment(&robot, "power", "on"));
         assert_eq!(reason, "`power` is not data of a program; use `val3/operate`");
+    }
+
+    #[test]
+    fn a_signal_is_forced_and_all_views_agree() {
+        let mut client = TestClient::stopped(INPUT);
+        let boards = client.scope("I/O");
+        let board = client.body("variables", json!({ "variablesReference": boards }))["variables"][0].clone();
+        let signals = board["variablesReference"].clone();
+        let answer = client.body("setVariable", assignment(&signals, "start", "true"));
+        assert_eq!(answer["value"], "true (input)");
+        let shown = client.body("variables", json!({ "variablesReference": signals }));
+        assert_eq!(shown["variables"][0]["value"], "true (input)");
+        assert!(client.value("diIn").as_str().unwrap().starts_with("true"));
+        assert_eq!(client.body("val3/io", json!({}))["signals"][0]["value"], 1.0);
+        let wrong = client.failure("setVariable", assignment(&signals, "start", "yes"));
+        assert_eq!(wrong, "`yes` is no value of a signal: write true, false or a number");
     }
 
     #[test]

@@ -22,7 +22,8 @@ impl DebugRequest for StepBack {
         arguments: StepBackArguments,
     ) -> Result<(), RequestFailure> {
         let task = DebugSession::task(arguments.thread_id, run)?;
-        session.go_back(Goal::Line(task, StepKind::Over), run)
+        session.goal = Some(Goal::Line(task, StepKind::Over));
+        Ok(())
     }
 }
 

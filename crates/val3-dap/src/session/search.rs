@@ -7,7 +7,6 @@ use val3_debug::Goal;
 use super::DebugSession;
 use crate::client::Client;
 use crate::debugged_run::DebuggedRun;
-use crate::failure::RequestFailure;
 use crate::protocol::{ProgressEndEvent, ProgressStartEvent, ProgressUpdateEvent, StandardEvent};
 use crate::stop_event;
 
@@ -18,18 +17,19 @@ const LONG: u32 = 2_000;
 const LOOK: u32 = 50;
 
 impl DebugSession {
-    /// Searches the history backwards, and restores the moment that it finds.
-    ///
-    /// # Errors
-    /// The client has cancelled the request.
-    pub(crate) fn go_back(&mut self, goal: Goal, run: &mut DebuggedRun<'_>) -> Result<(), RequestFailure> {
+    /// Searches the history backwards, and restores the moment that it finds. The client has the response already,
+    /// because a search may take longer than clients wait.
+    pub(crate) fn go_back(&mut self, goal: Goal, run: &mut DebuggedRun<'_>) {
         let mut search = ReverseSearch::new(self.request, self.conventions.knows_progress);
         let client = &mut self.client;
         let stop = run.debugger.search_back(goal, &mut |part| search.pass(part, client));
         search.end(client);
-        let stop = stop.ok_or(RequestFailure::Cancelled)?;
-        self.stopped_elsewhere(stop_event::stopped(&stop, &mut run.debugger.controller));
-        Ok(())
+        let controller = &mut run.debugger.controller;
+        let event = match stop {
+            Some(stop) => stop_event::stopped(&stop, controller),
+            None => stop_event::cancelled(controller),
+        };
+        self.stopped_elsewhere(event);
     }
 }
 

@@ -29,6 +29,12 @@ impl IoTable {
         });
     }
 
+    /// Sets whether writes of programs set inputs like the hardware, instead of failing with run-time error 122: for an
+    /// assignment by which somebody forces an input.
+    pub fn force_inputs(&mut self, is_wanted: bool) {
+        self.forces_inputs = is_wanted;
+    }
+
     /// Value at the terminal: the forced value of the input, the last written value of the output.
     #[must_use]
     pub fn hardware(&self, id: SignalId) -> Option<f64> {

@@ -123,8 +123,12 @@ impl IoTable {
     fn write(&mut self, link: LinkId, kind: SignalKind, value: f64) -> Result<f64, IoError> {
         let id = self.writable(link, kind)?;
         let channel = self.channel_mut(id).ok_or(IoError::Unlinked)?;
+        let value = channel.signal.kind.fit(value);
+        if channel.signal.direction == Direction::Input {
+            channel.hardware = value;
+        }
         if channel.lock.is_none() {
-            channel.image = channel.signal.kind.fit(value);
+            channel.image = value;
         }
         let image = channel.image;
         self.to_refresh.insert(id);
@@ -136,7 +140,7 @@ impl IoTable {
         let channel = self.channel(id).ok_or(IoError::Unlinked)?;
         match self.fault_of(channel) {
             Some(SignalFault::Absent) => Err(IoError::Unlinked),
-            _ if channel.signal.direction == Direction::Input => Err(IoError::WriteToInput),
+            _ if channel.signal.direction == Direction::Input && !self.forces_inputs => Err(IoError::WriteToInput),
             _ if channel.signal.protected => Err(IoError::Protected),
             Some(SignalFault::Failed) => Err(IoError::NoAnswer),
             None => Ok(id),

@@ -78,6 +78,8 @@ pub struct IoTable {
     devices: BTreeSet<String>,
     pub(super) device_faults: Vec<DeviceFault>,
     pub(super) to_refresh: BTreeSet<SignalId>,
+    /// Whether writes set inputs like the hardware.
+    pub(super) forces_inputs: bool,
 }
 
 impl IoTable {
@@ -198,6 +200,16 @@ impl IoTable {
     /// Begins a cycle: updates the inputs that programs read.
     pub fn refresh_inputs(&mut self) -> Vec<IoChange> {
         self.refresh(Direction::Input, Channel::refresh_input)
+    }
+
+    /// Lets programs read the new values of changed inputs before the next cycle, which still reports the changes: for a
+    /// run that stands, whose inputs somebody sets.
+    pub fn show_inputs(&mut self) {
+        for id in self.to_refresh.clone() {
+            if let Some(channel) = self.channel_mut(id).filter(|channel| channel.signal.direction == Direction::Input) {
+                channel.image = channel.lock.unwrap_or(channel.hardware);
+            }
+        }
     }
 
     /// Ends a cycle: writes the outputs to the hardware.
