@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use val3_debug::{
-    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, HitCondition, Placed, ProgramBreakpoint, ProgramName,
-    StopErrors, WatchedData,
+    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, HitCondition, Placed, ProgramBreakpoint,
+    ProgramName, StopErrors, WatchedData,
 };
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
@@ -27,6 +27,8 @@ pub(crate) struct BreakpointTable {
     /// Results of `dataBreakpointInfo`, by data id.
     known_data: BTreeMap<String, WatchedData>,
     data: Vec<BreakpointId>,
+    /// Breakpoints on local variables whose program has ended, as the client knows them.
+    ended: BTreeSet<BreakpointId>,
     errors: StopErrors,
     /// Whether failed assertions stop the run.
     stops_at_assertions: bool,
@@ -133,7 +135,9 @@ impl BreakpointTable {
             let row = match (parsed, faults.get(&id), place) {
                 (Err(message), ..) => Err(message),
                 (_, Some(message), _) => Err(message.clone()),
-                (.., None) => Err(Unverified::new("nothing in memory has such a program yet")),
+                (.., None) => {
+                    return unplaced(id, BreakpointReason::Pending, "nothing in memory has such a program yet");
+                }
                 (.., Some((_, row))) => Ok(*row),
             };
             shown(id, row, place.map_or("", |(file, _)| file), conventions)
@@ -151,7 +155,7 @@ impl BreakpointTable {
         let mut answer = Vec::new();
         for breakpoint in wanted {
             let id = self.new_id();
-            let parsed = self.data_breakpoint(id, breakpoint);
+            let parsed = self.data_breakpoint(id, breakpoint, run);
             answer.push(protocol::Breakpoint {
                 id: Some(number(id)),
                 verified: parsed.is_ok(),
@@ -169,10 +173,12 @@ impl BreakpointTable {
         &self,
         id: BreakpointId,
         wanted: &protocol::DataBreakpoint,
+        run: &mut DebuggedRun<'_>,
     ) -> Result<DataBreakpoint, Unverified> {
-        if written(wanted.condition.as_deref()).is_some() {
-            return Err(Unverified::new("breakpoints on data have no condition: use a number of hits"));
-        }
+        let vm = &run.debugger.controller.vm;
+        let application = vm.space.loaded().next().map(|(instance, _)| instance);
+        let condition = application.zip(written(wanted.condition.as_deref()));
+        let condition = condition.map(|(instance, text)| run.evaluator.global_condition(vm, instance, text));
         let data = self.known_data.get(&wanted.data_id).cloned();
         let access = match wanted.access_type {
             Some(DataBreakpointAccessType::Read) => DataAccess::Read,
@@ -183,6 +189,7 @@ impl BreakpointTable {
             id,
             data: data.ok_or_else(|| Unverified(format!("`{}` is not known in this run", wanted.data_id)))?,
             access,
+            condition: condition.transpose().map_err(Unverified::new)?,
             hits: hits(wanted.hit_condition.as_deref())?,
         })
     }
@@ -238,6 +245,21 @@ impl BreakpointTable {
     pub(crate) fn apply_errors(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) {
         run.debugger.set_errors(self.errors.clone());
         self.place_programs(run, conventions);
+    }
+
+    /// Returns the breakpoints on local variables whose program has ended since the last call, or lives again because the
+    /// run has gone back.
+    pub(crate) fn ended_data(&mut self, debugger: &Debugger) -> Vec<protocol::Breakpoint> {
+        let now = debugger.ended_data();
+        let before = std::mem::replace(&mut self.ended, now.clone());
+        let message = "the program of this variable has ended: a later call has a new variable";
+        let ended = now.difference(&before).map(|id| unplaced(*id, BreakpointReason::Failed, message));
+        let alive = before.difference(&now).filter(|id| self.data.contains(id)).map(|id| protocol::Breakpoint {
+            id: Some(number(*id)),
+            verified: true,
+            ..protocol::Breakpoint::default()
+        });
+        ended.chain(alive).collect()
     }
 
     /// Removes the breakpoints on data, because an application that is opened again has new data.

@@ -154,6 +154,8 @@ impl DebugSession {
         if has_new_files {
             self.place_again(run);
         }
+        let ended = self.breakpoints.ended_data(run.debugger);
+        ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
             let output = message.text + "\n";

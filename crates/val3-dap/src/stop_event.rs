@@ -129,6 +129,9 @@ fn path_fault(fault: &MotionFault, controller: &Controller) -> StoppedEvent {
 
 /// A change of watched data: the old and new value, or the value that was read.
 fn described(change: &DataChange) -> String {
+    if let Some(fault) = &change.fault {
+        return format!("the condition cannot be evaluated: {fault}");
+    }
     if change.is_write { format!("{} -> {}", change.old, change.new) } else { format!("read: {}", change.new) }
 }
 

@@ -5,13 +5,15 @@
 //! after each line. Writing the present value is no change. Reads are found in the operations of the line
 //! ([`reads`](crate::reads)); the controller records reads of signals. A waiting line reads once, when the wait begins.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use val3_lang::ports::TaskNumber;
+use val3_machine::controller::Controller;
 use val3_machine::controller::RunStatus;
-use val3_vm::Frame;
+use val3_vm::{FragmentContext, Frame, InstanceId};
 
 use crate::breakpoints::{BreakpointId, HitCondition};
+use crate::conditions::CompiledExpression;
 use crate::debugger::{Debugger, Stop};
 use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
@@ -37,6 +39,8 @@ pub struct DataBreakpoint {
     pub data: WatchedData,
     /// Accesses that count as hits.
     pub access: DataAccess,
+    /// Condition for a hit to count, with the variables of the application.
+    pub condition: Option<CompiledExpression>,
     /// Hits at which the run stops; `None` for every hit.
     pub hits: Option<HitCondition>,
 }
@@ -52,6 +56,8 @@ pub struct DataChange {
     pub old: String,
     /// Present value, or a text for data that are no longer in memory.
     pub new: String,
+    /// Reason why the condition of the breakpoint cannot be evaluated, which stops the run too.
+    pub fault: Option<String>,
 }
 
 /// A stop at data breakpoints.
@@ -171,11 +177,19 @@ impl Debugger {
             if !is_write && !is_read {
                 continue;
             }
+            let context = application(&self.controller);
+            let condition = watch.breakpoint.condition.as_ref();
+            let holds = condition.map_or(Ok(true), |condition| condition.holds(&mut self.controller, context));
+            if holds == Ok(false) {
+                continue;
+            }
             let hit = self.breakpoints.hits.entry(watch.breakpoint.id).or_default();
             *hit += 1;
-            let is_wanted = watch.breakpoint.hits.is_none_or(|condition| condition.holds(*hit));
+            let fault = holds.err();
+            let is_wanted = fault.is_some() || watch.breakpoint.hits.is_none_or(|condition| condition.holds(*hit));
             if at_each_hit || is_wanted {
-                changes.push(DataChange { id: watch.breakpoint.id, is_write, old, new: watch.text.clone() });
+                let new = watch.text.clone();
+                changes.push(DataChange { id: watch.breakpoint.id, is_write, old, new, fault });
             }
         }
         if changes.is_empty() {
@@ -183,6 +197,12 @@ impl Debugger {
         }
         let line = line.and_then(|(frame, op)| task_frame(&self.controller.vm, &frame, op));
         Some(Stop::Data(Box::new(DataStop { task, line, changes })))
+    }
+
+    /// Returns the breakpoints on local variables whose program has ended, so that they stop the run no more.
+    #[must_use]
+    pub fn ended_data(&self) -> BTreeSet<BreakpointId> {
+        self.data.all.iter().filter(|watch| watch.over.is_some()).map(|watch| watch.breakpoint.id).collect()
     }
 
     /// Begins the next cycle without executing a line, and returns the stop for changes from outside.
@@ -197,4 +217,10 @@ impl Debugger {
         debug_assert_eq!(status, RunStatus::Limit, "no task begins a line");
         self.follow_data(None, false)
     }
+}
+
+/// The context of conditions: the variables of the application.
+fn application(controller: &Controller) -> FragmentContext {
+    let first = controller.vm.space.loaded().next().map_or(InstanceId(0), |(instance, _)| instance);
+    FragmentContext::Instance(first)
 }

@@ -21,7 +21,7 @@ use val3_lang::fault::Fault;
 use val3_lang::runtime_errors::WRITE_TO_INPUT;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, FragmentEnd, Vm};
+use val3_vm::{FragmentContext, FragmentEnd, InstanceId, Vm};
 
 use crate::application::Application;
 
@@ -170,9 +170,31 @@ impl FrameEvaluator {
     /// If the code is no `bool` without side effects in the file's program.
     pub fn condition(&mut self, vm: &Vm, file: &str, text: &str) -> Result<CompiledExpression, EvaluationError> {
         let target = self.targets.of_file(vm, file)?;
-        let is_dio = self.pure_expression(&target, text)?.1 == Some(BaseType::Dio);
+        self.compiled_condition(&target, text)
+    }
+
+    /// Compiles the condition of a breakpoint on data, with the variables of an application or library.
+    ///
+    /// # Errors
+    /// If the code is no `bool` without side effects there.
+    pub fn global_condition(
+        &mut self,
+        vm: &Vm,
+        instance: InstanceId,
+        text: &str,
+    ) -> Result<CompiledExpression, EvaluationError> {
+        let target = self.targets.of_context(vm, FragmentContext::Instance(instance))?;
+        self.compiled_condition(&target, text)
+    }
+
+    fn compiled_condition(
+        &mut self,
+        target: &EvaluationContext,
+        text: &str,
+    ) -> Result<CompiledExpression, EvaluationError> {
+        let is_dio = self.pure_expression(target, text)?.1 == Some(BaseType::Dio);
         let code = if is_dio { format!("({text})==true") } else { text.to_owned() };
-        let (fragment, base) = self.pure_expression(&target, &code)?;
+        let (fragment, base) = self.pure_expression(target, &code)?;
         match base {
             Some(BaseType::Bool) => Ok(CompiledExpression { text: text.to_owned(), fragment }),
             _ => Err(EvaluationError::from("a condition is a bool, such as `nCount>3`")),

@@ -70,13 +70,15 @@ test("a line that reads stops the run, whatever it writes", async () => {
   });
 });
 
-test("the number of hits counts, and a condition is refused with its reason", async () => {
+test("the number of hits counts, and a condition chooses the changes", async () => {
   await counting(async (session) => {
     await session.watchData("nSum", { hitCondition: "%4" });
     assert.match((await session.run("continue", "data breakpoint")).text, /^6 -> 10 /);
-    const [, refused] = await session.watchData("nSum", { condition: "nSum>3" });
+    await session.watchData("nSum", { condition: "nSum>20" });
+    assert.match((await session.run("continue", "data breakpoint")).text, /^15 -> 21 /);
+    const [, refused] = await session.watchData("nSum", { condition: "nSum" });
     assert.equal(refused.verified, false);
-    assert.match(refused.message, /no condition/);
+    assert.match(refused.message, /a condition is a bool/);
   });
 });
 

@@ -1,6 +1,7 @@
 //! `dataBreakpointInfo`: whether a value can have a data breakpoint.
 
-use val3_debug::WatchedData;
+use val3_debug::{DisplayFormat, WatchedData};
+use val3_session::Purpose;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -32,7 +33,13 @@ impl DebugRequest for DataBreakpointInfo {
         };
         let controller = &mut run.debugger.controller;
         let watched = match named {
-            Some((context, path)) => WatchedData::new(controller, context, &path),
+            Some((context, path)) => WatchedData::new(controller, context, &path).or_else(|reason| {
+                // The indexes of an expression are those of this moment.
+                let how = (Purpose::Watch, DisplayFormat::default());
+                let value = run.evaluator.evaluate(controller, context, &path, how).ok();
+                let constant = value.and_then(|evaluation| evaluation.value?.refers_to);
+                constant.map_or(Err(reason), |path| WatchedData::new(controller, context, &path))
+            }),
             None => Err(format!("`{name}` is computed from other values")),
         };
         let watched = watched.or_else(|reason| WatchedData::signal(controller, name).map_err(|_| reason));
@@ -59,6 +66,17 @@ mod tests {
     use serde_json::json;
 
     use crate::test_client::{COUNTER, TestClient};
+
+    #[test]
+    fn a_variable_index_is_that_of_this_moment() {
+        let listing = "num nAt = 2\nnum nList[4]\n\nprogram start()\nbegin\n  nList[nAt]=1\n  delay(1)\nend\n";
+        let mut client = TestClient::stopped(listing);
+        let (_, frame) = client.thread_and_frame();
+        let body = client.body("dataBreakpointInfo", json!({ "name": "nList[nAt]", "frameId": frame }));
+        assert_eq!(body["dataId"], "main:nList[2]");
+        let none = client.body("dataBreakpointInfo", json!({ "name": "nList[nAt]+1", "frameId": frame }));
+        assert_eq!(none["dataId"], json!(null));
+    }
 
     #[test]
     fn a_variable_of_a_stack_frame_can_have_a_breakpoint() {

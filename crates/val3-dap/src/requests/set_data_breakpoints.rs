@@ -87,13 +87,53 @@ mod tests {
         let mut message = |breakpoint| set(&mut client, breakpoint)["breakpoints"][0]["message"].clone();
         assert_eq!(message(json!({ "dataId": "main:nOther" })), "`main:nOther` is not known in this run");
         assert_eq!(
-            message(json!({ "dataId": "main:nCount", "condition": "nCount>1" })),
-            "breakpoints on data have no condition: use a number of hits"
+            message(json!({ "dataId": "main:nCount", "condition": "nCount" })),
+            "a condition is a bool, such as `nCount>3`"
         );
         assert_eq!(
             message(json!({ "dataId": "main:nCount", "hitCondition": "often" })),
             "write a number of hits such as 5, >5, >=5, <5, <=5 or %5"
         );
+    }
+
+    #[test]
+    fn a_condition_chooses_the_changes() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  nCount=1\n  nCount=2\n  nCount=3\n  delay(1)\nend\n";
+        let mut client = TestClient::stopped(listing);
+        client.body("dataBreakpointInfo", json!({ "name": "nCount" }));
+        let breakpoint = json!({ "dataId": "main:nCount", "condition": "nCount>1", "hitCondition": "2" });
+        assert_eq!(set(&mut client, breakpoint)["breakpoints"][0]["verified"], true);
+        let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(stop["text"], "2 -> 3 (main:start(), line 7)");
+        set(&mut client, json!({ "dataId": "main:nCount", "condition": "nCount<3" }));
+        let back = client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(back["text"], "1 -> 2 (main:start(), line 6)");
+        client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
+        set(&mut client, json!({ "dataId": "main:nCount", "condition": "1/(nCount-2)>0" }));
+        let fault = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        let expected = "the condition cannot be evaluated: error 10: division by zero (main:start(), line 6)";
+        assert_eq!(fault["text"], expected);
+    }
+
+    #[test]
+    fn a_local_of_an_ended_program_is_no_longer_watched() {
+        let listing = "program start()\nbegin\n  call work()\n  delay(1)\n  delay(1)\nend\n\n\
+                       program work()\n  num l_nAt\nbegin\n  l_nAt=1\nend\n";
+        let mut client = TestClient::stopped(listing);
+        client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+        let (_, frame) = client.thread_and_frame();
+        let data = client.body("dataBreakpointInfo", json!({ "name": "l_nAt", "frameId": frame }))["dataId"].clone();
+        assert_eq!(set(&mut client, json!({ "dataId": data }))["breakpoints"][0]["verified"], true);
+        let mut events = Vec::new();
+        for _ in 0..2 {
+            events.extend(client.events("next", json!({ "threadId": MAIN_THREAD })));
+            events.extend(client.run());
+        }
+        let changed =
+            events.iter().find(|(event, _)| event == "breakpoint").map(|(_, body)| body["breakpoint"].clone());
+        let changed = changed.expect("the breakpoint has changed");
+        assert_eq!(changed["verified"], false);
+        assert_eq!(changed["message"], "the program of this variable has ended: a later call has a new variable");
     }
 
     #[test]

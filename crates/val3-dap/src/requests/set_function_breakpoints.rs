@@ -66,7 +66,7 @@ mod tests {
             "id": 1,
             "verified": false,
             "message": "nothing in memory has such a program yet",
-            "reason": "failed",
+            "reason": "pending",
         });
         assert_eq!(set(&mut client, json!({ "name": "other" })), expected);
         let mut message = |breakpoint| set(&mut client, breakpoint)["message"].clone();

@@ -25,6 +25,7 @@ fn watch_access(debugger: &mut Debugger, paths: &[(&str, Option<&str>)], access:
         id: BreakpointId(id),
         data: WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path).unwrap(),
         access,
+        condition: None,
         hits: hits.map(|hits| hits.parse().unwrap()),
     });
     let breakpoints = breakpoints.collect();
@@ -271,7 +272,13 @@ fn with_signals(listing: &str, path: &str, access: DataAccess) -> Debugger {
     link_all(&mut debugger.controller, "diAll", &["Io\\lamp", "Io\\other"]);
     let data = WatchedData::signal(&debugger.controller, path).unwrap();
     assert_eq!(data.id(), format!("io:{path}"));
-    debugger.set_data_breakpoints(vec![DataBreakpoint { id: BreakpointId(20), data, access, hits: None }]);
+    debugger.set_data_breakpoints(vec![DataBreakpoint {
+        id: BreakpointId(20),
+        data,
+        access,
+        condition: None,
+        hits: None,
+    }]);
     debugger
 }
 

@@ -215,7 +215,8 @@ fn data_of_a_library_are_watched() {
     let mut debugger = Debugger::new(controller);
     let data = WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), "tools:nSum").unwrap();
     assert_eq!(data.id(), "part:nSum");
-    let breakpoint = DataBreakpoint { id: BreakpointId(0), data, access: DataAccess::Write, hits: None };
+    let breakpoint =
+        DataBreakpoint { id: BreakpointId(0), data, access: DataAccess::Write, condition: None, hits: None };
     debugger.set_data_breakpoints(vec![breakpoint]);
     let mut changes = Vec::new();
     while let Some(Stop::Data(stop)) = run(&mut debugger) {

@@ -130,10 +130,10 @@ end
     assert_eq!(stopped.assign("doOut", "false (Io\\%Q0)"), "false (Io\\%Q0)");
     assert_eq!(stopped.assign("doOut", "true"), "true (Io\\%Q0)");
     assert_eq!(stopped.watch("doOut==true and diIn==false"), "bool true");
-    assert_eq!(stopped.assign("diIn", "true"), "error 122: write to an input");
+    assert_eq!(stopped.assign("diIn", "true"), "true (Io\\%I0)", "an assignment by the user forces the input");
     assert_eq!(stopped.execute("aioSet(aoOut,3)"), "num 3");
     let shown = ["diIn", "diNone", "aoOut", "siNone"].map(|name| stopped.watch(name));
-    assert_eq!(shown, ["dio false (Io\\%I0)", "dio not linked", "aio 3 (Io\\%QW1)", "sio not linked"]);
+    assert_eq!(shown, ["dio true (Io\\%I0)", "dio not linked", "aio 3 (Io\\%QW1)", "sio not linked"]);
 }
 
 #[test]
