@@ -26,6 +26,8 @@ pub enum LineMark {
     Line,
     /// The operation begins a line before which tasks stop.
     Stop,
+    /// The operation belongs to the previous line, and tasks stop before it.
+    StopWithin,
     /// The operation begins a line, which is counted by the program's counter with this number.
     CountedLine(u16),
     /// The operation belongs to the previous line and begins a branch side, which is counted by the counter with this
@@ -37,7 +39,19 @@ impl LineMark {
     /// Whether a line begins with the operation.
     #[must_use]
     pub const fn begins_line(self) -> bool {
-        !matches!(self, Self::Within | Self::CountedSide(_))
+        !matches!(self, Self::Within | Self::StopWithin | Self::CountedSide(_))
+    }
+
+    /// Whether a task before the operation is within a line.
+    #[must_use]
+    pub const fn is_within_line(self) -> bool {
+        matches!(self, Self::Within | Self::CountedSide(_))
+    }
+
+    /// Whether tasks stop before the operation.
+    #[must_use]
+    pub const fn is_stop(self) -> bool {
+        matches!(self, Self::Stop | Self::StopWithin)
     }
 
     /// Returns the number of the operation's counter in the program.
@@ -45,7 +59,7 @@ impl LineMark {
     pub const fn counter(self) -> Option<u16> {
         match self {
             Self::CountedLine(counter) | Self::CountedSide(counter) => Some(counter),
-            Self::Within | Self::Line | Self::Stop => None,
+            Self::Within | Self::Line | Self::Stop | Self::StopWithin => None,
         }
     }
 }
@@ -218,6 +232,7 @@ mod tests {
             (LineMark::Within, false, None),
             (LineMark::Line, true, None),
             (LineMark::Stop, true, None),
+            (LineMark::StopWithin, false, None),
             (LineMark::CountedLine(3), true, Some(3)),
             (LineMark::CountedSide(4), false, Some(4)),
         ];

@@ -34,6 +34,9 @@ pub struct Program {
     pub code: Vec<Opcode>,
     /// Instruction lines in source order.
     pub lines: Vec<SourceLine>,
+    /// Keywords that close a block, with the operation that executes them: `endWhile`, `endFor`, `break`, `end`. They
+    /// are no instruction lines, but tasks can stop before them.
+    pub closings: Vec<SourceLine>,
     /// String constants.
     pub texts: Vec<Text>,
     /// Copies and comparisons.
@@ -132,6 +135,20 @@ impl Program {
     pub fn line_from(&self, row: u32) -> Option<usize> {
         let lines = self.lines.iter().enumerate().filter(|(_, line)| line.row >= row);
         lines.min_by_key(|(_, line)| (line.row, line.op)).map(|(number, _)| number)
+    }
+
+    /// Returns the first line or closing keyword at or after a row of the file, before which tasks can stop.
+    #[must_use]
+    pub fn halt_from(&self, row: u32) -> Option<SourceLine> {
+        let halts = self.lines.iter().chain(&self.closings).filter(|line| line.row >= row);
+        halts.min_by_key(|line| (line.row, line.op)).copied()
+    }
+
+    /// Returns the closing keyword that an operation executes, otherwise the line of the operation.
+    #[must_use]
+    pub fn halt_at(&self, op: u32) -> Option<SourceLine> {
+        let closing = self.closings.iter().find(|closing| closing.op == op);
+        closing.or_else(|| self.lines.get(self.line_of(op)?)).copied()
     }
 
     /// Returns the operation that begins the first executed line. If the program begins with a loop, this may be a

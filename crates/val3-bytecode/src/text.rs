@@ -44,6 +44,7 @@
 //! | `num[]`, `num[,]`, `num[""]` | parameter or local that is an array or collection |
 //! | `{1, (1 2 "x"), _}` | initial values; `_` is the default |
 //! | `line 5 counter 0`, `side 1` | line or branch side with its counter |
+//! | `closing 9` | keyword that closes a block, before the operation that executes it |
 //! | `branch 5 "true" 0 "false" 1` | branch and its sides' counters |
 //!
 //! An operation is written as the name and the operands in its [`Op`](crate::Op). Instead of a table entry's number,

@@ -25,6 +25,7 @@ pub(crate) struct CodeBuilder {
     /// Lines of the file.
     file_lines: LineIndex,
     pub(crate) lines: Vec<SourceLine>,
+    pub(crate) closings: Vec<SourceLine>,
     pub(crate) texts: Vec<Text>,
     pub(crate) copies: Vec<CopySite>,
     pub(crate) instructions: Vec<InstructionSite>,
@@ -134,6 +135,13 @@ impl CodeBuilder {
             line.op = here;
         }
         self.pending = mark;
+    }
+
+    /// Lets the next operation be the place of a keyword that closes a block.
+    pub(crate) fn closing(&mut self, range: TextRange) {
+        self.begin();
+        let place = SourceLine { op: count(&self.steps), range: source_range(range), row: self.row(range) };
+        self.closings.push(place);
     }
 
     /// Declares a branch at the condition with this range. `None` if the branch is not counted.

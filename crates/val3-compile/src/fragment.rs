@@ -9,6 +9,7 @@ use val3_analysis::items::project::items;
 use val3_bytecode::{Fragment, FragmentValue, FrameVariable, Image, Program, Storage};
 use val3_syntax::TextRange;
 
+use crate::closings::Closings;
 use crate::code::CodeBuilder;
 use crate::counting::Counting;
 use crate::emitter::Emitter;
@@ -68,7 +69,7 @@ fn compile(
     unit.adopt_imports(image);
     let emitter = Emitter::new(&mut unit, file.text(db), Counting::default());
     let values = Expressions::new(emitter, body(db, file), infer(db, project, file));
-    let mut statements = Statements::new(values, header(db, file));
+    let mut statements = Statements::new(values, header(db, file), Closings::default());
     let declared = declare(&mut statements, variables).map_err(error)?;
     let value = write(&mut statements).map_err(error)?;
     let program = finished(&mut statements, declared).map_err(error)?;

@@ -4,6 +4,7 @@
 //! part of a program has a module: its frame, names and places, expressions, conditions, assignments, statements and
 //! calls. The data of a project are read from its files with their initial values.
 
+mod closings;
 mod code;
 mod counting;
 mod data;

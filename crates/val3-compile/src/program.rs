@@ -8,6 +8,7 @@ use val3_analysis::items::project::{Signature, signature};
 use val3_analysis::items::suppressions::uncovered;
 use val3_bytecode::{FrameVariable, Program, ProgramParam};
 
+use crate::closings::Closings;
 use crate::code::CodeBuilder;
 use crate::counting::Counting;
 use crate::emitter::Emitter;
@@ -28,7 +29,8 @@ pub(crate) fn compile(
     let (header, body, types) = (header(db, file), body(db, file), infer(db, project, file));
     let counting = if unit.is_counted { Counting::except(uncovered(db, file)) } else { Counting::default() };
     let emitter = Emitter::new(unit, file.text(db), counting);
-    let mut statements = Statements::new(Expressions::new(emitter, body, types), header);
+    let closings = Closings::of(db, file);
+    let mut statements = Statements::new(Expressions::new(emitter, body, types), header, closings);
     let signature = signature(db, project, file);
     let program = Declarations { out: statements.out(), header, body, types }
         .declare(&signature.params)
@@ -44,8 +46,9 @@ fn whole(
 ) -> Result<Program> {
     let stack_bytes = statements.out().frame().bytes();
     statements.block(&body.block)?;
+    statements.end();
     let (code, tables, frame) = statements.out().finish()?;
-    let CodeBuilder { lines, texts, copies, instructions, calls, tasks, counters, .. } = tables;
+    let CodeBuilder { lines, closings, texts, copies, instructions, calls, tasks, counters, .. } = tables;
     let Finished { size, nums, parts } = frame;
     Ok(Program {
         name: signature.name.to_string(),
@@ -59,6 +62,7 @@ fn whole(
         parts,
         code,
         lines,
+        closings,
         texts,
         copies,
         instructions,

@@ -11,6 +11,7 @@ use val3_analysis::items::program::Header;
 use val3_bytecode::{Callee, InstructionSite, Op};
 use val3_syntax::TextRange;
 
+use crate::closings::Closings;
 use crate::counting::{BranchId, FALSE, TRUE};
 use crate::emitter::Emitter;
 use crate::error::{CompileLimit, Result};
@@ -23,14 +24,31 @@ pub(crate) struct Statements<'u, 'db> {
     /// Compiler for expressions.
     values: Expressions<'u, 'db>,
     header: &'db Header,
+    /// Keywords that close the blocks.
+    closings: Closings,
     /// Range of the present statement.
     range: TextRange,
 }
 
 impl<'u, 'db> Statements<'u, 'db> {
     /// Creates the compiler for the statements of a program with this header.
-    pub(crate) fn new(values: Expressions<'u, 'db>, header: &'db Header) -> Self {
-        Self { values, header, range: TextRange::default() }
+    pub(crate) fn new(values: Expressions<'u, 'db>, header: &'db Header, closings: Closings) -> Self {
+        Self { values, header, closings, range: TextRange::default() }
+    }
+
+    /// Lets the next operation be the place of `end`.
+    pub(crate) fn end(&mut self) {
+        if let Some(end) = self.closings.end {
+            self.out().code().closing(end);
+        }
+    }
+
+    /// Adds the place of the keyword that closes a loop.
+    pub(crate) fn loop_end(&mut self, stmt: &Stmt) {
+        if let Some(closing) = self.closings.of_loop(stmt.range) {
+            self.out().code().closing(closing);
+            self.out().emit(Op::Line);
+        }
     }
 
     /// Returns the program's output: frame, code and tables.

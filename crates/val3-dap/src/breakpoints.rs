@@ -407,7 +407,7 @@ fn instruction_rows(file: &str, controller: &Controller) -> BTreeSet<u32> {
     let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
     let programs = images.flat_map(|image| image.programs.iter().map(move |program| (image, program)));
     let own = programs.filter(|(image, program)| image.files.get(program.file as usize).is_some_and(|own| own == file));
-    own.flat_map(|(_, program)| program.lines.iter().map(|line| line.row)).collect()
+    own.flat_map(|(_, program)| program.lines.iter().chain(&program.closings).map(|line| line.row)).collect()
 }
 
 /// The file of a loaded application or library that the client means.

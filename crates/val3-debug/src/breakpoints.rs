@@ -7,7 +7,7 @@ use std::ops::Range;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use val3_bytecode::{Image, Program};
+use val3_bytecode::{Image, Program, SourceLine};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, InstanceId, Space};
@@ -281,7 +281,7 @@ struct NextLine {
     instance: InstanceId,
     image: Arc<Image>,
     program: u16,
-    line: usize,
+    line: SourceLine,
     /// Whether the task has just entered the program.
     is_entry: bool,
 }
@@ -294,7 +294,7 @@ impl NextLine {
         let thread = &controller.vm.tasks().iter().find(|known| known.id == task)?.thread;
         let frame = thread.frames.last()?;
         let image = Arc::clone(&controller.vm.space.instance(frame.instance)?.image);
-        let line = image.programs.get(usize::from(frame.program))?.line_of(thread.next)?;
+        let line = image.programs.get(usize::from(frame.program))?.halt_at(thread.next)?;
         let is_entry = controller.vm.begins_program(task);
         Some(Self { instance: frame.instance, image, program: frame.program, line, is_entry })
     }
@@ -304,24 +304,24 @@ impl NextLine {
 fn resolved_row(space: &Space, file: &str, row: u32) -> Option<u32> {
     let images = space.loaded().map(|(_, instance)| &instance.image);
     let programs = images.flat_map(|image| image.programs.iter().filter(|program| file_of(image, program) == file));
-    programs.filter_map(|program| Some(program.lines.get(program.line_from(row)?)?.row)).next()
+    programs.filter_map(|program| Some(program.halt_from(row)?.row)).next()
 }
 
 /// Returns the breakpoints on a line of a program.
 fn here<'a>(
     files: &'a BTreeMap<String, Vec<Breakpoint>>,
     (image, program): (&Image, &'a Program),
-    line: usize,
+    line: SourceLine,
 ) -> impl Iterator<Item = &'a Breakpoint> {
     let own = files.get(file_of(image, program)).into_iter().flatten();
     let rows = rows_of(program, line);
     own.filter(move |breakpoint| rows.contains(&breakpoint.row))
 }
 
-/// Returns the rows that [`Program::line_from`] resolves to the line.
-fn rows_of(program: &Program, line: usize) -> Range<u32> {
-    let Some(own) = program.lines.get(line) else { return 0..0 };
-    let is_first = program.lines.iter().all(|other| other.row != own.row || other.op >= own.op);
-    let before = program.lines.iter().map(|line| line.row).filter(|row| *row < own.row).max();
+/// Returns the rows that [`Program::halt_from`] resolves to a line or closing keyword.
+fn rows_of(program: &Program, own: SourceLine) -> Range<u32> {
+    let is_first = program.halt_from(own.row) == Some(own);
+    let rows = program.lines.iter().chain(&program.closings).map(|line| line.row);
+    let before = rows.filter(|row| *row < own.row).max();
     if is_first { before.map_or(0, |row| row + 1)..own.row + 1 } else { 0..0 }
 }

@@ -36,7 +36,7 @@ pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
 pub(crate) fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
     let image = &vm.space.instance(frame.instance)?.image;
     let program = image.programs.get(usize::from(frame.program))?;
-    let row = program.line_of(op).and_then(|line| program.lines.get(line)).map_or(0, |line| line.row);
+    let row = program.halt_at(op).map_or(0, |halt| halt.row);
     Some(TaskFrame {
         application: image.name.clone(),
         program: program.name.clone(),

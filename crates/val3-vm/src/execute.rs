@@ -202,6 +202,11 @@ impl TurnContext<'_> {
         while let Some(step) = program.code.get(at.next) {
             match step.mark {
                 LineMark::Within => {}
+                LineMark::StopWithin => {
+                    if thread.meets_stop() {
+                        return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
+                    }
+                }
                 LineMark::CountedSide(counter) => self.space.counts.add(instance.first_counter, program, counter),
                 LineMark::Line | LineMark::Stop | LineMark::CountedLine(_) => {
                     let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(TurnEnd::Busy)) };

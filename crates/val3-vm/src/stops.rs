@@ -55,12 +55,22 @@ impl Stops {
         if rows.is_none() && begins_with_stop.is_none() {
             return Vec::new();
         }
-        let lines: BTreeSet<usize> = rows.into_iter().flatten().filter_map(|row| program.line_from(*row)).collect();
+        let halts: BTreeSet<u32> =
+            rows.into_iter().flatten().filter_map(|row| program.halt_from(*row)).map(|halt| halt.op).collect();
         let marks = (0..).zip(&program.code).filter_map(|(op, step)| {
             let is_entry = begins_with_stop == Some(&true) && program.entry() == Some(op);
-            let is_stop = is_entry || program.line_of(op).is_some_and(|line| lines.contains(&line));
-            let mark = if is_stop { LineMark::Stop } else { LineMark::Line };
-            let is_kept = !step.mark.begins_line() || (!is_stop && step.mark.counter().is_some());
+            let is_stop = is_entry || program.halt_at(op).is_some_and(|halt| halts.contains(&halt.op));
+            let is_closing = program.closings.iter().any(|closing| closing.op == op);
+            let mark = match (step.mark.begins_line(), is_stop) {
+                (true, true) => LineMark::Stop,
+                (true, false) => LineMark::Line,
+                (false, true) => LineMark::StopWithin,
+                (false, false) => LineMark::Within,
+            };
+            let is_kept = match step.mark.begins_line() {
+                true => !is_stop && step.mark.counter().is_some(),
+                false => !is_closing || step.mark.counter().is_some(),
+            };
             (!is_kept && step.mark != mark).then_some((op as usize, mark))
         });
         marks.collect()

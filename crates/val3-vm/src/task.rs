@@ -125,7 +125,10 @@ impl Thread {
     /// Whether the task stops here before the end of its first program, once.
     #[cold]
     pub(crate) fn meets_end(&mut self) -> bool {
-        self.frames.len() == 1 && !std::mem::replace(&mut self.is_at_end, true)
+        let meets = self.frames.len() == 1 && !std::mem::replace(&mut self.is_at_end, true);
+        // A stop mark of the same operation has been passed.
+        self.is_at_stop |= meets;
+        meets
     }
 
     /// Moves to the beginning of a line and discards the waits within the previous one.

@@ -205,9 +205,7 @@ impl Vm {
     #[must_use]
     pub fn is_within_line(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
-        task.is_some_and(|task| {
-            !task.thread.is_at_end && self.mark(&task.thread).is_some_and(|mark| !mark.begins_line())
-        })
+        task.is_some_and(|task| !task.thread.is_at_end && self.mark(&task.thread).is_some_and(LineMark::is_within_line))
     }
 
     /// Sets whether tasks stop before their end, after the last line of their first program.
@@ -247,7 +245,7 @@ impl Vm {
 
     /// Resets tasks whose stop mark was removed, so that they stop at the next mark.
     fn forget_removed_stops(&mut self) {
-        let tasks = self.roster.tasks.iter().filter(|task| self.mark(&task.thread) == Some(LineMark::Stop));
+        let tasks = self.roster.tasks.iter().filter(|task| self.mark(&task.thread).is_some_and(LineMark::is_stop));
         let at_stops: BTreeSet<TaskNumber> = tasks.map(|task| task.id).collect();
         for task in &mut self.roster.tasks {
             task.thread.is_at_stop &= at_stops.contains(&task.id);

@@ -82,6 +82,10 @@ impl<'i> Writer<'i> {
                 self.put("\n");
             }
             self.side_counter(operation.mark);
+            for closing in program.closings.iter().filter(|closing| closing.op == at) {
+                let SourceRange { start, end } = closing.range;
+                self.put(&format!("closing {} at {start} {end}\n", closing.row));
+            }
             self.put("    ");
             Op::write(&operation.op, self);
             self.put("\n");
@@ -107,6 +111,10 @@ impl ListingReader<'_> {
                 "line" => {
                     self.line()?;
                     mark = self.line_mark()?;
+                }
+                "closing" => {
+                    let closing = self.source_line()?;
+                    self.code.closings.push(closing);
                 }
                 "side" => mark = self.side_mark()?,
                 "branch" => self.branch()?,
@@ -140,15 +148,19 @@ impl ListingReader<'_> {
 
     /// Reads `line 5 at 120 131`: the row, and the byte range in the file.
     fn line(&mut self) -> Result<()> {
+        let line = self.source_line()?;
+        self.code.lines.push(line);
+        Ok(())
+    }
+
+    fn source_line(&mut self) -> Result<SourceLine> {
         let row = self.after_word()?;
         let range = if self.accept("at") {
             SourceRange { start: self.number()?, end: self.number()? }
         } else {
             SourceRange::default()
         };
-        let op = self.here();
-        self.code.lines.push(SourceLine { op, range, row });
-        Ok(())
+        Ok(SourceLine { op: self.here(), range, row })
     }
 
     /// Returns the number of the next operation.

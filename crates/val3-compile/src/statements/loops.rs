@@ -35,6 +35,7 @@ impl Statements<'_, '_> {
         let branch = self.branch_at(condition);
         self.out().code().side(branch, TRUE, block);
         self.block(block)?;
+        self.loop_end(stmt);
         self.out().code().place(test);
         self.range = range;
         self.out().code().begin_line(line);
@@ -78,7 +79,7 @@ impl Statements<'_, '_> {
         match self.or_stop(&ids, |statements| statements.counter(counter, start, stop, step))? {
             Some(counter) => {
                 let branch = self.out().code().branch(range);
-                self.rounds(&counter, block, branch)
+                self.rounds(&counter, (stmt, block), branch)
             }
             None => Ok(()),
         }
@@ -112,7 +113,7 @@ impl Statements<'_, '_> {
         step.map(|step| self.out().frame_mut().constant_pair([limit, step])).transpose()
     }
 
-    fn rounds(&mut self, counts: &Counter, block: &[Stmt], branch: Option<BranchId>) -> Result<()> {
+    fn rounds(&mut self, counts: &Counter, (stmt, block): (&Stmt, &[Stmt]), branch: Option<BranchId>) -> Result<()> {
         let Counter { variable, register: counter, limit, is_up } = *counts;
         let (exit, body) = (self.out().code().label(), self.out().code().label());
         self.out().emit(Op::ForTest { counter, limit, exit: exit.0 });
@@ -120,6 +121,7 @@ impl Statements<'_, '_> {
         self.out().code().side(branch, ROUND, block);
         self.store_counter(variable, counter)?;
         self.block(block)?;
+        self.loop_end(stmt);
         let counted = self.out().load(variable, None)?;
         self.out().move_num(counter, counted);
         let body = body.0;

@@ -27,20 +27,23 @@ impl Statements<'_, '_> {
             std::iter::once(selector).chain(cases.iter().flat_map(|(ids, _)| ids).copied()).collect();
         self.or_stop(&compared, |statements| statements.comparisons(selector, cases, &labels))?;
         self.out().frame_mut().release(mark);
-        self.case_blocks(cases, &labels, range)
+        self.case_blocks((stmt, cases), &labels, range)
     }
 
     /// Compiles the blocks, and the jump past them.
-    fn case_blocks(&mut self, cases: &[Case], labels: &[Label], range: TextRange) -> Result<()> {
+    fn case_blocks(&mut self, (stmt, cases): (&Stmt, &[Case]), labels: &[Label], range: TextRange) -> Result<()> {
         let branch = self.out().code().branch(range);
         let (end, none) = (self.out().code().label(), self.out().code().label());
         let default = cases.iter().zip(labels).find(|((values, _), _)| values.is_empty());
         self.out().emit(Op::Jump { to: default.map_or(none, |(_, label)| *label).0 });
-        for ((values, block), label) in cases.iter().zip(labels) {
+        for (number, ((values, block), label)) in cases.iter().zip(labels).enumerate() {
             self.out().code().place(*label);
             let name = self.case_name(values);
             self.out().code().side(branch, &name, block);
             self.block(block)?;
+            if let Some(closing) = self.closings.of_case(stmt.range, number) {
+                self.out().code().closing(closing);
+            }
             self.out().emit(Op::Jump { to: end.0 });
         }
         self.out().code().place(none);

@@ -30,6 +30,7 @@ fn chains() {
             line 14
                 StoreElement $nA n18 n1
                 StoreElement $nA n0 n1
+            closing 15 at 633 636
                 Return
             end
         "#]],
@@ -60,6 +61,7 @@ fn outputs_are_set_and_inputs_read() {
             line 15
                 Line
                 Instruction assign bool dio (dio n17/l0) -> bool n2
+            closing 16 at 634 637
                 Return
             end
         "#]],
@@ -85,6 +87,7 @@ fn constant_structures_lie_in_the_frame() {
                 Copy trsf n3 n17/l1
             line 14
                 Copy mdesc n9 n23/l1
+            closing 15 at 649 652
                 Return
             end
         "#]],
@@ -114,6 +117,7 @@ fn omitted_fields_are_zero() {
                 Move n21 n23
                 Move n22 n23
                 Copy trsf n3 n17
+            closing 14 at 623 626
                 Return
             end
         "#]],
@@ -154,6 +158,7 @@ fn points_and_tools_keep_their_links() {
                 Copy dio arm Rx $tT+n6/l1 n32/l3
                 StoreFirst $tT 6 n32
                 StoreFirst $tT 7 n33
+            closing 15 at 658 661
                 Return
             end
         "#]],

@@ -58,6 +58,7 @@ fn arguments() {
             line 9
                 TextMove t0 "a"
                 Call import 0 (string t0)
+            closing 10 at 360 363
                 Return
             end
         "#]],
@@ -101,6 +102,7 @@ fn parameters() {
             LoadFirst n0 c2 0
         line 17
             Call forward (view v0 from n4)
+        closing 18 at 762 765
             Return
         end
     "#]]
@@ -124,6 +126,7 @@ fn tasks() {
             line 9
                 TextMove t0 "x"
                 CreateTask "s" n2 overrun $bLate import 0 (string t0)
+            closing 10 at 385 388
                 Return
             end
         "#]],

@@ -40,6 +40,7 @@ fn conditions_jump_where_they_are_decided() {
             line 15
                 Move n0 n2
             L10:
+            closing 17 at 483 486
                 Return
             end
         "#]],
@@ -74,6 +75,7 @@ fn negated_conditions_need_no_operation() {
             line 17
                 Move n0 n2
             L7:
+            closing 19 at 494 497
                 Return
             end
         "#]],
@@ -92,18 +94,21 @@ fn loops_are_compiled() {
                 local s string n2/t0
                 frame n5/t1
                 nums n2=1, n3=5
-                Jump L2
+                Jump L3
             L1:
             line 11
                 Add n0 n0 n2
-            L2:
+            closing 12 at 442 450
+                Line
+            L3:
             line 10
                 IfLess n0 n3 L1
-            L3:
+            L4:
             line 14
                 Subtract n0 n0 n2
             line 15
-                UnlessLessEqual n0 n4 L3
+                UnlessLessEqual n0 n4 L4
+            closing 16 at 471 474
                 Return
             end
         "#]],
@@ -126,12 +131,15 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 LoadFirst n2 $nX 0
                 Move n3 n5
                 Move n0 n4
-                ForTest n0 n2 L6
+                ForTest n0 n2 L7
             L4:
             line 11
                 Move n1 n4
+            closing 12 at 455 461
+                Line
                 ForNext n0 n2 L4
-            L6:
+            L7:
+            closing 13 at 462 465
                 Return
             end
         "#]],
@@ -148,16 +156,19 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 nums n2=10, n3=1, n5=1
             line 10
                 Move n4 n5
-                ForTest n4 n2 L7
+                ForTest n4 n2 L8
             L2:
                 StoreFirst $nX 0 n4
             line 11
                 Move n1 n5
+            closing 12 at 448 454
+                Line
                 LoadFirst n6 $nX 0
                 Move n4 n6
                 ForNextUp n4 n2 L2
-            L7:
+            L8:
                 StoreFirst $nX 0 n4
+            closing 13 at 455 458
                 Return
             end
         "#]],
@@ -186,16 +197,20 @@ fn cases_are_compared_one_after_the_other() {
             line 12
                 Line
                 Return
+            closing 13 at 453 458
                 Jump L12
             L8:
             line 15
                 Move n0 n6
+            closing 16 at 471 476
                 Jump L12
             L10:
             line 18
                 Move n1 n2
+            closing 19 at 492 497
                 Jump L12
             L12:
+            closing 21 at 508 511
                 Return
             end
         "#]],
@@ -215,8 +230,10 @@ fn cases_are_compared_one_after_the_other() {
             L2:
             line 12
                 Move n0 n2
+            closing 13 at 448 453
                 Jump L4
             L4:
+            closing 15 at 464 467
                 Return
             end
         "#]],
@@ -254,6 +271,7 @@ fn a_wait_evaluates_its_condition_again() {
                 Move n2 n9
             L11:
                 Watch n5 n1 n2 L11
+            closing 13 at 471 474
                 Return
             end
         "#]],

@@ -33,6 +33,7 @@ fn results_go_where_they_are_wanted() {
                 Concatenate t0 t0 "a"
             line 17
                 Move n0 n26
+            closing 18 at 769 772
                 Return
             end
         "#]],
@@ -76,6 +77,7 @@ fn truth_values() {
                 Equal n24 n26 n27
             L13:
                 Move n2 n24
+            closing 19 at 799 802
                 Return
             end
         "#]],
@@ -121,6 +123,7 @@ fn structures() {
                 Line
                 Instruction binary "*" trsf (trsf n3/t1, trsf n3/t1) -> trsf n24
                 Move n0 n24
+            closing 22 at 796 799
                 Return
             end
         "#]],
@@ -147,6 +150,7 @@ fn a_left_side_is_read_before_the_right_one_changes_it() {
                 Move n24 n0
                 Instruction get#2 (num n0) -> num n25
                 Add n0 n24 n25
+            closing 16 at 755 758
                 Return
             end
         "#]],

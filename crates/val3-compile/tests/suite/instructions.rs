@@ -38,6 +38,7 @@ fn values_and_references() {
             line 15
                 LocateFirst p0 flange
                 Instruction movej (joint n5/t2, tool p0, mdesc $mN)
+            closing 16 at 576 579
                 Return
             end
         "#]],
@@ -82,6 +83,7 @@ fn containers_and_slots() {
             line 18
                 Line
                 Instruction size (view c0) -> num n0
+            closing 19 at 614 617
                 Return
             end
         "#]],
@@ -109,6 +111,7 @@ fn single_values_are_passed_in_containers() {
                 Instruction toBinary (view c0, num n4, string t1, view $nA)
                 LoadFirst n5 c0 0
                 StoreFirst $pA 0 n5
+            closing 12 at 522 525
                 Return
             end
         "#]],
@@ -133,6 +136,7 @@ fn libraries() {
             line 12
                 Line
                 Instruction libSave (library part)
+            closing 13 at 535 538
                 Return
             end
         "#]],
@@ -156,6 +160,7 @@ fn truth_values_are_read_from_inputs() {
                 Line
                 Instruction assign bool dio (dio $dOut) -> bool n3
                 Function Sel n0 n3 n4 n5
+            closing 12 at 506 509
                 Return
             end
         "#]],
@@ -186,6 +191,7 @@ fn printing() {
             line 14
                 Line
                 Instruction print arm Rx (dio $dOut)
+            closing 15 at 510 513
                 Return
             end
         "#]],

@@ -64,6 +64,7 @@ fn elements() {
                 Concatenate t0 p0 "c"
                 LocateKey p1 $sColl "a"
                 TextMove p1 t0
+            closing 14 at 549 552
                 Return
             end
         "#]],
@@ -87,6 +88,7 @@ fn a_single_local_used_with_an_index_is_an_array() {
                 container @Slot[1]
             line 11
                 StoreElement c0 n1 n0
+            closing 12 at 500 503
                 Return
             end
         "#]],
@@ -120,6 +122,7 @@ fn fields() {
                 Locate p0 v1 n4
                 Load n2 p0 5
                 StoreFirst v0 0 n2
+            closing 14 at 576 579
                 Return
             end
         "#]],
@@ -147,6 +150,7 @@ fn values_of_user_types() {
                 Copy @Slot p1 p0
                 Locate p2 $tSlot n0
                 Copy @Slot c1 p2
+            closing 12 at 513 516
                 Return
             end
         "#]],
@@ -177,6 +181,7 @@ fn built_in_data_and_data_of_libraries_are_accessed() {
                 LoadFirst n2 i0 0
                 Add n3 n0 n2
                 StoreFirst i0 0 n3
+            closing 13 at 561 564
                 Return
             end
         "#]],

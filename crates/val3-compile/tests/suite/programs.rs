@@ -69,6 +69,7 @@ fn programs_of_the_old_dialect() {
             StoreFirst c0 0 n2
             LoadFirst n3 $nA 0
             Call old (view c0, num n3)
+        closing 7 at 242 245
             Return
         end
         program public old
@@ -84,6 +85,7 @@ fn programs_of_the_old_dialect() {
         line 7
             StoreElement v0 n0 n1
         L3:
+        closing 9 at 370 373
             Return
         end
     "#]]

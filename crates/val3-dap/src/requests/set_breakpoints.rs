@@ -101,4 +101,53 @@ mod tests {
         let messages = response.breakpoints.iter().map(|breakpoint| breakpoint.message.as_deref());
         assert_eq!(messages.collect::<Vec<_>>(), [Some("the run is not debugged"); 2]);
     }
+
+    /// Blocks of each kind, from line 5 to 18 of the file.
+    const BLOCKS: &str = "\
+num nAt
+num nCount
+
+program start()
+begin
+  for nAt=1 to 2
+    switch nAt
+      case 1
+        nCount=1
+      break
+      default
+        nCount=2
+      break
+    endSwitch
+  endFor
+  while nCount<4
+    nCount=nCount+1
+  endWhile
+end
+";
+
+    #[test]
+    fn a_task_stops_where_control_passes_the_end_of_a_block() {
+        let mut client = TestClient::stopped(BLOCKS);
+        let locations = json!({ "source": source("start"), "line": 5, "endLine": 18 });
+        let locations = client.body("breakpointLocations", locations)["breakpoints"].clone();
+        let lines: Vec<_> = locations.as_array().unwrap().iter().map(|found| found["line"].as_u64().unwrap()).collect();
+        assert_eq!(lines, [5, 6, 8, 9, 11, 12, 14, 15, 16, 17, 18]);
+        let wanted = [9, 14, 17, 18];
+        let breakpoints = wanted.map(|line| json!({ "line": line }));
+        let set = client.body("setBreakpoints", json!({ "source": source("start"), "breakpoints": breakpoints }));
+        let placed = set["breakpoints"].as_array().unwrap().iter().map(|found| found["line"].as_u64().unwrap());
+        assert_eq!(placed.collect::<Vec<_>>(), wanted);
+        let mut stops = Vec::new();
+        for _ in 0..6 {
+            assert_eq!(client.stop_after("continue", json!({ "threadId": MAIN_THREAD }))["reason"], "breakpoint");
+            stops.push(client.place().1);
+        }
+        assert_eq!(stops, [9, 14, 14, 17, 17, 18]);
+        assert_eq!(client.value("nCount"), "4");
+        let back = client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((&back["reason"], client.place().1), (&json!("breakpoint"), 17));
+        client.body("setBreakpoints", json!({ "source": source("start"), "breakpoints": [] }));
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        assert!(client.run().iter().all(|(event, _)| event != "stopped"));
+    }
 }

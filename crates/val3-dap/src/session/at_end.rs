@@ -101,7 +101,7 @@ mod tests {
         let stops = bodies(&client.run(), "stopped");
         assert_eq!(stops[0]["reason"], "breakpoint");
         let exit = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
-        assert_eq!((&exit["reason"], client.place().1), (&json!("pause"), 5));
+        assert_eq!((&exit["reason"], client.place().1), (&json!("pause"), 6));
     }
 
     #[test]
