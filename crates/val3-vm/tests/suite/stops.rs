@@ -21,7 +21,7 @@ program add
     frame n1
     line 1 LoadFirst n0 $nSum 0
     line 2 Instruction print (num n0)
-    Return
+    closing 3 Return
 end
 program count
     file 1
@@ -52,7 +52,7 @@ again:
     line 4 UnlessLess n0 n2 end
     line 5 Jump again
 end:
-    Return
+    closing 6 Return
 end
 "#;
 
@@ -63,8 +63,7 @@ fn position(bench: &Bench, task: TaskNumber) -> String {
     let task = bench.vm.tasks().iter().find(|known| known.id == task).unwrap();
     let frame = task.thread.frames.last().unwrap();
     let program = &bench.vm.space.instance(frame.instance).unwrap().image.programs[usize::from(frame.program)];
-    let line = program.line_of(task.thread.next).unwrap();
-    format!("{}:{}", program.name, program.lines[line].row)
+    format!("{}:{}", program.name, program.halt_at(task.thread.next).unwrap().row)
 }
 
 /// Returns the stops of a run up to a time.
@@ -93,6 +92,16 @@ fn a_task_stops_before_each_marked_line_once() {
 }
 
 #[test]
+fn a_task_stops_before_a_closing_keyword_and_before_its_end() {
+    let mut bench = Bench::new(TASKS);
+    stop_at(&mut bench, "add", &[3]);
+    stop_at(&mut bench, "start", &[6]);
+    bench.vm.stop_at_ends(true);
+    // A mark on the `end` of the task and the stop before the end are two stops at one place.
+    expect!["add:3 add:3 add:3 start:6 start:6"].assert_eq(&stops(&mut bench, 200 * LINE));
+}
+
+#[test]
 fn a_removed_mark_stops_no_task() {
     let mut bench = Bench::new(TASKS);
     stop_at(&mut bench, "add", &[2]);
@@ -106,7 +115,7 @@ fn a_removed_mark_stops_no_task() {
 fn stops_change_no_line_and_no_time() {
     let whole = record(&[], CycleWatch::Nothing);
     assert_eq!(whole[0].lines().count(), 3);
-    for rows in [&[1][..], &[2], &[1, 2], &[0, 1, 2, 3, 4, 5]] {
+    for rows in [&[1][..], &[2], &[1, 2], &[3], &[6], &[0, 1, 2, 3, 4, 5, 6]] {
         assert_eq!(record(rows, CycleWatch::Failures), whole, "{rows:?}");
         assert_eq!(record(rows, CycleWatch::Lines), whole, "{rows:?}");
     }
@@ -120,6 +129,7 @@ fn record(rows: &[u32], watch: CycleWatch) -> [String; 3] {
         stop_at(&mut bench, file, rows);
     }
     bench.schedule.watch = watch;
+    bench.vm.stop_at_ends(!rows.is_empty());
     stops(&mut bench, 9000 * LINE);
     let end = format!("{} {:?}", bench.schedule.now, bench.vm.tasks()[0].thread.next);
     [bench.host.record, format!("{:?}", bench.host.changes), end]
