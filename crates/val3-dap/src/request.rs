@@ -38,6 +38,14 @@ pub(crate) trait DebugRequest {
 #[serde(deny_unknown_fields)]
 pub(crate) struct NoArguments {}
 
+/// Arguments of a request about a task.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) struct ThreadArguments {
+    /// Thread of the task.
+    pub(crate) thread_id: i32,
+}
+
 /// Body without properties.
 #[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub(crate) struct Empty {}

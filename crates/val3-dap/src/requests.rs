@@ -37,6 +37,8 @@ mod set_function_breakpoints;
 mod set_variable;
 mod stack_trace;
 mod step_back;
+mod step_back_into;
+mod step_back_out;
 mod step_in;
 mod step_in_targets;
 mod step_out;
@@ -126,6 +128,8 @@ static REQUESTS: &[RequestHandler] = &[
     standard::<set_variable::SetVariable>(ChangesRun),
     standard::<set_expression::SetExpression>(ChangesRun),
     standard::<evaluate::Evaluate>(MayChangeRun),
+    own::<step_back_into::StepBackInto>(NeedsStop),
+    own::<step_back_out::StepBackOut>(NeedsStop),
     own::<motion_mode::MotionModeRequest>(Steers),
     own::<motion_step::MotionStep>(NeedsStop),
     own::<motion_queue::MotionQueue>(Inspects),

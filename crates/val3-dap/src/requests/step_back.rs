@@ -4,7 +4,7 @@ use val3_debug::{Goal, StepKind};
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::protocol::StepBackArguments;
+use crate::protocol::{StepBackArguments, SteppingGranularity};
 use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
@@ -22,7 +22,11 @@ impl DebugRequest for StepBack {
         arguments: StepBackArguments,
     ) -> Result<(), RequestFailure> {
         let task = DebugSession::task(arguments.thread_id, run)?;
-        session.goal = Some(Goal::Line(task, StepKind::Over));
+        let kind = match arguments.granularity {
+            Some(SteppingGranularity::Instruction) => StepKind::In,
+            _ => StepKind::Over,
+        };
+        session.goal = Some(Goal::Line(task, kind));
         Ok(())
     }
 }

@@ -5,6 +5,7 @@ import type { Client } from "../client";
 import type { CodeFiles } from "../codeView/files";
 import type { Walkthrough } from "../walkthrough";
 import { Adapter } from "./adapter";
+import { registerStepsBack } from "./backwards";
 import { Configurations, TYPE } from "./configurations";
 import { registerLenses } from "./lenses";
 import { OtherBreakpoints } from "./otherBreakpoints";
@@ -40,6 +41,7 @@ export function registerDebugging(
     vscode.window.registerWebviewViewProvider("val3.userPage", page),
     ...registerSignals(run),
     ...registerMotion(run, views, icons, report),
+    ...registerStepsBack(run),
     ...registerLenses(),
     vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),
   ];

@@ -92,6 +92,16 @@ export interface DebugRequests {
     arguments: NoArguments;
     body: ArmSample;
   };
+  /** Request `val3/stepBackInto`. */
+  "val3/stepBackInto": {
+    arguments: ThreadArguments;
+    body: Empty;
+  };
+  /** Request `val3/stepBackOut`. */
+  "val3/stepBackOut": {
+    arguments: ThreadArguments;
+    body: Empty;
+  };
   /** Request `val3/subscribe`. */
   "val3/subscribe": {
     arguments: SubscribeArguments;
@@ -302,6 +312,12 @@ export interface SubscribeArguments {
   userPage?: boolean | null;
   /** Whether `val3/view` is sent. */
   view?: boolean | null;
+}
+
+/** Arguments of a request about a task. */
+export interface ThreadArguments {
+  /** Thread of the task. */
+  threadId: number;
 }
 
 /** Command with its arguments. */

@@ -1,0 +1,17 @@
+// Steps back into and out of programs, which VS Code's own button does not know.
+
+import * as vscode from "vscode";
+import type { DebuggedRun } from "./run";
+
+export function registerStepsBack(run: DebuggedRun): vscode.Disposable[] {
+  const step = async (command: "val3/stepBackInto" | "val3/stepBackOut"): Promise<void> => {
+    const threadId = vscode.debug.activeStackItem?.threadId;
+    if (threadId !== undefined) {
+      await run.change(command, { threadId });
+    }
+  };
+  return [
+    vscode.commands.registerCommand("val3.stepBackInto", () => step("val3/stepBackInto")),
+    vscode.commands.registerCommand("val3.stepBackOut", () => step("val3/stepBackOut")),
+  ];
+}
