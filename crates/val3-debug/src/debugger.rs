@@ -272,8 +272,12 @@ impl Debugger {
         if self.controller.vm.is_at_end(task) { self.exit(task) } else { self.hit(task) }
     }
 
-    /// Returns the stop before the end of a task if no other task runs.
+    /// Returns the stop before the end of a task if no other task runs. The program `stop`, which runs afterwards, has no
+    /// such stop.
     fn exit(&self, task: TaskNumber) -> Option<Stop> {
+        if self.controller.is_stopping() {
+            return None;
+        }
         let tasks = self.controller.vm.tasks();
         let is_last = tasks.iter().all(|known| known.id == task || !known.is_running());
         is_last.then_some(Stop::Exit { task })

@@ -191,6 +191,12 @@ impl Controller {
         }
     }
 
+    /// Whether the program `stop` of the application runs.
+    #[must_use]
+    pub fn is_stopping(&self) -> bool {
+        matches!(self.phase, RunPhase::Stopping)
+    }
+
     fn end(&mut self) {
         self.kill_tasks();
         self.devices.lines.shut_down();

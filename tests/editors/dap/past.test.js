@@ -31,6 +31,30 @@ test("steps back go to the line before, over programs that were called", async (
   });
 });
 
+test("steps back lead into the last line of a program that was called, and out to its call", async () => {
+  await counted(async (session) => {
+    await session.run("stepBack", "step");
+    await session.run("stepBack", "step");
+    await session.run("next", "step");
+    await session.run("val3/stepBackInto", "step");
+    assert.match(await session.place(), /^square:/);
+    await session.run("val3/stepBackOut", "step");
+    assert.equal(await session.place(), `start:${app.line("start", "call tools")}`);
+  });
+});
+
+test("a run stops before its end if the client wants to, and goes back from there", async () => {
+  await debug(app.folder(), { stopOnExit: true }, async (session) => {
+    const stop = await session.stopped("pause");
+    assert.equal(stop.description, "Paused before the end of the application");
+    assert.equal(await session.place(), `start:${app.line("start", "logMsg") + 1}`);
+    await session.run("stepBack", "step");
+    await session.run("continue", "pause");
+    await session.ask("continue", { threadId: session.thread });
+    await session.event("terminated");
+  });
+});
+
 test("the run goes back to breakpoints, and then to its beginning", async () => {
   await counted(async (session) => {
     await session.setBreakpoints(app.file("add"), { line: app.line("add", "x_nTotal="), condition: "x_nValue==3" });

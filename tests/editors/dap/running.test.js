@@ -445,7 +445,13 @@ test("a run in which no task can continue stops, and continues after the input i
       await session.run("stepBack", "step");
       assert.equal(await session.evaluate("nA"), "1");
       await session.run("next", "pause");
-      await session.ask("val3/ioForce", { link, value: true });
+      const io = (await session.scope("I/O")).variables;
+      const { variablesReference } = io.find(({ name }) => name === "BasicIO-1");
+      const set = await session.ask("setVariable", { variablesReference, name: "%I0", value: "true" });
+      assert.equal(set.value, "true (input)");
+      assert.match(await session.evaluate("diIn"), /^true/, "all views agree");
+      const { signals } = await session.ask("val3/io");
+      assert.equal(signals.find((signal) => signal.link === link).value, 1);
       await session.ask("continue", { threadId: session.thread });
       const printed = await session.eventWhere("output", ({ category }) => category === "stdout");
       assert.deepEqual([printed.output, printed.line], ["on\n", own.line("start", "putln")]);

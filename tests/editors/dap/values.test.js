@@ -181,7 +181,9 @@ test("scopes of the cell and of libraries", async () => {
     const io = (await session.scope("I/O")).variables;
     const board = await session.inside(io.find(({ name }) => name === "BasicIO-1"));
     assert.match(board.find(({ name }) => name === "%Q5").value, /^(true|false) \(output\)$/);
-    assert.ok(board.every(({ presentationHint }) => presentationHint.attributes.includes("readOnly")));
+    assert.ok(board.every(({ presentationHint }) => presentationHint === undefined), "each signal can be set");
+    const properties = (await session.scope("Robot")).variables;
+    assert.ok(properties.every(({ presentationHint }) => presentationHint.attributes.includes("readOnly")));
     assert.deepEqual(await names("Motion queue"), []);
     const slots = await session.variable("Globals", "tSlots");
     const [slot] = await session.inside(slots, { start: 5, count: 1 });
