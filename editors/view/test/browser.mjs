@@ -32,7 +32,6 @@ async function open(address, size, theme, prepare) {
   page.on("dialog", () => assert.fail("a name was executed"));
   await prepare?.(page);
   await page.goto(address);
-  await page.waitForSelector(".pendant .screen");
   return page;
 }
 
@@ -71,6 +70,10 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
   for (const theme of ["light", "dark"]) {
     const page = await open(pathToFileURL(recording).href, { width, height }, theme);
     await page.waitForFunction(() => document.querySelector(".time")?.textContent.includes("of 20.000 s"));
+    await check(page, `folded-${theme}-${width}`);
+    await page.click("header button:text-is('Panels')");
+    await page.click("summary:text-is('Keys of the pendant')");
+    await page.waitForSelector(".pendant .screen");
     await page.locator("input[type=range]").fill("15.4");
     await page.waitForTimeout(300);
     const shot = (name) => check(page, `${name}-${theme}-${width}`);
@@ -94,6 +97,10 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
 const live = await open(pathToFileURL(join(dist, "view.html")).href, { width: 1280, height: 800 }, "light", asEditor);
 await post(live, messages("debugger").filter(({ kind }) => kind !== "end"));
 await live.waitForSelector(".axis");
+await live.click("summary:text-is('User page')");
+await live.focus("[role=separator]");
+await live.keyboard.press("ArrowLeft");
+assert.match(await live.getAttribute("main", "style"), /--panel-width: 3[78]/, "the border follows the keyboard");
 await live.focus(".screen");
 await live.keyboard.type("a");
 await live.keyboard.press("F3");
