@@ -28,7 +28,7 @@ function Page({ store }: { store: Store }): JSX.Element {
   return (
     <div class="page">
       <header>
-        <h1>{scene?.application ?? "VAL 3"}</h1>
+        <h1 title={scene?.arm.name}>{scene?.application ?? "VAL 3"}</h1>
         <span class="arm">{scene?.arm.name ?? ""}</span>
         {scene?.arm.timesNote == null ? undefined : <span class="note" title={scene.arm.timesNote}>times of a model arm</span>}
         <StatusLine store={store} />
