@@ -70,6 +70,7 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
   for (const theme of ["light", "dark"]) {
     const page = await open(pathToFileURL(recording).href, { width, height }, theme);
     await page.waitForFunction(() => document.querySelector(".time")?.textContent.includes("of 20.000 s"));
+    await page.waitForFunction(() => globalThis.val3View.store.time.value > 0.1);
     await check(page, `folded-${theme}-${width}`);
     await page.click("header button:text-is('Panels')");
     await page.click("summary:text-is('Keys of the pendant')");
@@ -131,6 +132,13 @@ await live.click(".question button:text-is('Overwrite')");
 assert.deepEqual(await sent(live), [{ command: "teach", name: "pPick", key: "1" }, { command: "save", overwrite: false }, { command: "save", overwrite: true }]);
 await live.waitForSelector("text=Saved palletiser.dtx");
 await check(live, "live-light-1280");
+await live.click("[aria-label='Previous error']");
+assert.equal(await live.evaluate(() => document.querySelector("input[type=range]").value), "3.98");
+await live.hover(".track");
+await live.mouse.wheel(0, -400);
+await live.waitForSelector(".whole");
+assert.ok(await live.evaluate(() => Number(document.querySelector("input[type=range]").max) < 20), "the wheel zooms");
+await live.click(".whole");
 await live.locator("input[type=range]").fill("3");
 assert.match(await live.textContent(".blocked"), /the past/);
 await browser.close();
