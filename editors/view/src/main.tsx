@@ -33,6 +33,7 @@ function Page({ store }: { store: Store }): JSX.Element {
         {scene?.arm.timesNote == null ? undefined : <span class="note" title={scene.arm.timesNote}>times of a model arm</span>}
         <StatusLine store={store} />
         <span class="actions">
+          <LaunchButtons store={store} />
           <RecordScenario store={store} />
           <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
           <button type="button" aria-pressed={isShown} title="Show or hide the pendant, signals, tasks and points" onClick={() => showPanels(isRecording, !isShown)}>Panels</button>
@@ -49,6 +50,17 @@ function Page({ store }: { store: Store }): JSX.Element {
       </main>
       <TimeBar store={store} />
     </div>
+  );
+}
+
+/** Buttons that start the application of a preview in an editor. */
+function LaunchButtons({ store }: { store: Store }): JSX.Element | null {
+  const launch = store.launch.value;
+  return launch === undefined || store.scene.value?.role !== "preview" ? null : (
+    <>
+      <button type="button" title="Run the application" onClick={() => launch(true)}>Run</button>
+      <button type="button" title="Run the application with the debugger" onClick={() => launch(false)}>Debug</button>
+    </>
   );
 }
 

@@ -47,6 +47,8 @@ export class Store {
   send: Send = () => undefined;
   /** Opens a line in the editor, if there is one. */
   readonly openLine = signal<OpenLine | undefined>(undefined);
+  /** Starts the shown application with or without the debugger, in an editor. */
+  readonly launch = signal<((noDebug: boolean) => void) | undefined>(undefined);
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
   private readonly log: RunMessage[] = [];

@@ -141,5 +141,10 @@ assert.ok(await live.evaluate(() => Number(document.querySelector("input[type=ra
 await live.click(".whole");
 await live.locator("input[type=range]").fill("3");
 assert.match(await live.textContent(".blocked"), /the past/);
+const preview = await open(pathToFileURL(join(dist, "view.html")).href, { width: 900, height: 500 }, "dark", asEditor);
+await post(preview, messages("preview").filter(({ kind }) => kind === "scene"));
+await preview.click("header button:text-is('Debug')");
+assert.deepEqual(await sent(preview), [{ command: "launch", noDebug: false }]);
+await check(preview, "preview-dark-900");
 await browser.close();
 console.log(`test result: ok. ${checks} pages without findings of axe-core; view in the browser`);
