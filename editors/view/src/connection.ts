@@ -43,6 +43,7 @@ async function playRecording(store: Store, encoded: string): Promise<void> {
 function followEditor(store: Store, editor: Editor): void {
   store.send = (command) => editor.postMessage(command);
   store.openLine.value = (source) => editor.postMessage({ command: "reveal", source });
+  store.launch.value = (noDebug) => editor.postMessage({ command: "launch", noDebug });
   const inbox = new Inbox(store);
   window.addEventListener("message", ({ data }: MessageEvent<unknown>) => {
     for (const message of Array.isArray(data) ? data : [data]) {

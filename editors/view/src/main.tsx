@@ -2,6 +2,8 @@
 
 import { type JSX, render } from "preact";
 import { connect } from "./connection";
+import { Border } from "./layout/Border";
+import { hasPanels, share, showPanels } from "./layout/layout";
 import { followLook, isDark, toggleLook } from "./look";
 import { IoPanel } from "./panels/io/IoPanel";
 import { PendantPanel } from "./panels/pendant/PendantPanel";
@@ -11,7 +13,7 @@ import { TasksPanel } from "./panels/tasks/TasksPanel";
 import { countUpTo } from "./panels/tasks/upTo";
 import { SceneView } from "./scene/SceneView";
 import { faultsOf } from "./status/status";
-import { StatusLine } from "./status/StatusLine";
+import { FaultBar, StatusLine } from "./status/StatusLine";
 import { Store } from "./store";
 import { RecordScenario } from "./scenario/RecordScenario";
 import { TimeBar } from "./timeline/TimeBar";
@@ -20,34 +22,62 @@ import "./panels/panels.css";
 
 function Page({ store }: { store: Store }): JSX.Element {
   const scene = store.scene.value;
-  const { cell } = store.panels;
-  const faults = faultsOf(cell.history.events.slice(0, countUpTo(cell.history.events, cell.slowTime.value))).length;
+  const isRecording = scene?.role === "recording";
+  const isShown = hasPanels(isRecording);
+  const [width, height] = [share("beside"), share("below")];
   return (
     <div class="page">
       <header>
-        <h1>{scene?.application ?? "VAL 3"}</h1>
-        <span>{scene?.arm.name ?? ""}</span>
-        {scene?.arm.timesNote == null ? undefined : <span title={scene.arm.timesNote}>times of a model arm</span>}
-        <span class="space" />
-        <RecordScenario store={store} />
-        <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
+        <h1 title={scene?.arm.name}>{scene?.application ?? "VAL 3"}</h1>
+        <span class="arm">{scene?.arm.name ?? ""}</span>
+        {scene?.arm.timesNote == null ? undefined : <span class="note" title={scene.arm.timesNote}>times of a model arm</span>}
         <StatusLine store={store} />
+        <span class="actions">
+          <LaunchButtons store={store} />
+          <RecordScenario store={store} />
+          <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
+          <button type="button" aria-pressed={isShown} title="Show or hide the pendant, signals, tasks and points" onClick={() => showPanels(isRecording, !isShown)}>Panels</button>
+        </span>
+        <FaultBar store={store} />
       </header>
-      <main>
+      <main
+        class={isShown ? undefined : "without-panels"}
+        style={{ "--panel-width": width === undefined ? undefined : `${width}%`, "--panel-height": height === undefined ? undefined : `${height}%` }}
+      >
         <SceneView store={store} />
-        <div class="column panel-tabs">
-          <Tabs
-            label="Cell"
-            tabs={[
-              { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
-              { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
-              { id: "tasks", label: "Tasks", faults, content: () => <TasksPanel cell={cell} /> },
-              { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
-            ]}
-          />
-        </div>
+        {isShown ? <Border /> : null}
+        {isShown ? <Panels store={store} /> : null}
       </main>
       <TimeBar store={store} />
+    </div>
+  );
+}
+
+/** Buttons that start the application of a preview in an editor. */
+function LaunchButtons({ store }: { store: Store }): JSX.Element | null {
+  const launch = store.launch.value;
+  return launch === undefined || store.scene.value?.role !== "preview" ? null : (
+    <>
+      <button type="button" title="Run the application" onClick={() => launch(true)}>Run</button>
+      <button type="button" title="Run the application with the debugger" onClick={() => launch(false)}>Debug</button>
+    </>
+  );
+}
+
+function Panels({ store }: { store: Store }): JSX.Element {
+  const { cell } = store.panels;
+  const faults = faultsOf(cell.history.events.slice(0, countUpTo(cell.history.events, cell.slowTime.value))).length;
+  return (
+    <div class="column panel-tabs">
+      <Tabs
+        label="Cell"
+        tabs={[
+          { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
+          { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
+          { id: "tasks", label: "Tasks", faults, content: () => <TasksPanel cell={cell} /> },
+          { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
+        ]}
+      />
     </div>
   );
 }

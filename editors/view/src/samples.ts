@@ -16,6 +16,17 @@ export interface Sample {
   limit: number;
 }
 
+/** Time span in which the arm stands. The last one has no end yet. */
+export interface Rest {
+  start: number;
+  end: number;
+  /** Speed limit that holds the arm, an index into `limits` of the scene. */
+  limit: number;
+}
+
+/** Shortest time without samples that is a rest: more than a few cycles, in s. */
+const SHORTEST_REST = 0.02;
+
 /** Batches of samples as received; a sample is decoded when it is read. */
 export class Samples {
   private readonly batches: Batch[] = [];
@@ -73,6 +84,17 @@ export class Samples {
     return batch?.sample(batch.lastUpTo(t));
   }
 
+  /** Returns the rests of the arm, for which no samples are sent. */
+  *rests(): Generator<Rest> {
+    for (const [index, batch] of this.batches.entries()) {
+      yield* batch.rests();
+      const [start, end] = [batch.time(batch.count - 1), this.batches[index + 1]?.time(0) ?? Infinity];
+      if (end - start > SHORTEST_REST) {
+        yield { start, end, limit: batch.sample(batch.count - 1).limit };
+      }
+    }
+  }
+
   all(): Generator<Sample> {
     return this.from(0);
   }
@@ -92,6 +114,7 @@ export class Samples {
 /** Batch: `u8 1, u8 axes, u16, u32 count`, then the samples, little endian. */
 class Batch {
   private readonly size: number;
+  private found: Rest[] | undefined;
 
   private constructor(private readonly view: DataView, private readonly axes: number, public count: number) {
     this.size = 8 + 8 * axes + 8 + 4 + 1 + 1 + 2 + 1;
@@ -111,7 +134,16 @@ class Batch {
     return this.view.getFloat64(HEADER + index * this.size, true);
   }
 
+  /** Returns the rests between the samples of the batch. */
+  rests(): readonly Rest[] {
+    this.found ??= Array.from({ length: Math.max(0, this.count - 1) }, (_, index) => index)
+      .filter((index) => this.time(index + 1) - this.time(index) > SHORTEST_REST)
+      .map((index) => ({ start: this.time(index), end: this.time(index + 1), limit: this.sample(index).limit }));
+    return this.found;
+  }
+
   cut(t: number): void {
+    this.found = undefined;
     while (this.count > 0 && this.time(this.count - 1) > t) {
       this.count -= 1;
     }

@@ -3,7 +3,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { MOST_MESSAGES, MOST_SAMPLES, since } from "./bounds";
 import type { PointName } from "./panels/points/edits";
-import type { Answer, OpenLine } from "./panels/shared/cell";
+import type { Answer, ArmRest, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
 import type { TimedPhase } from "./panels/tasks/times";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
@@ -47,6 +47,8 @@ export class Store {
   send: Send = () => undefined;
   /** Opens a line in the editor, if there is one. */
   readonly openLine = signal<OpenLine | undefined>(undefined);
+  /** Starts the shown application with or without the debugger, in an editor. */
+  readonly launch = signal<((noDebug: boolean) => void) | undefined>(undefined);
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
   private readonly log: RunMessage[] = [];
@@ -60,6 +62,7 @@ export class Store {
         return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [] };
       }),
       samples: () => this.phases(),
+      rests: () => this.rests(),
       sourceOf: (index) => this.sources.get(index),
       seek: (t) => (this.chosen.value = t),
       selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
@@ -222,6 +225,12 @@ export class Store {
     const phases = this.scene.peek()?.phases ?? [];
     for (const { t, phase, source } of this.samples.all()) {
       yield { t, phase: phases[phase] ?? "waiting", source: source === undefined ? undefined : this.sources.get(source) };
+    }
+  }
+
+  private *rests(): Generator<ArmRest> {
+    for (const { start, end, limit } of this.samples.rests()) {
+      yield { start, end, reason: this.scene.peek()?.limits[limit] ?? "" };
     }
   }
 

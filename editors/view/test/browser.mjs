@@ -32,7 +32,6 @@ async function open(address, size, theme, prepare) {
   page.on("dialog", () => assert.fail("a name was executed"));
   await prepare?.(page);
   await page.goto(address);
-  await page.waitForSelector(".pendant .screen");
   return page;
 }
 
@@ -71,6 +70,11 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
   for (const theme of ["light", "dark"]) {
     const page = await open(pathToFileURL(recording).href, { width, height }, theme);
     await page.waitForFunction(() => document.querySelector(".time")?.textContent.includes("of 20.000 s"));
+    await page.waitForFunction(() => globalThis.val3View.store.time.value > 0.1);
+    await check(page, `folded-${theme}-${width}`);
+    await page.click("header button:text-is('Panels')");
+    await page.click("summary:text-is('Keys of the pendant')");
+    await page.waitForSelector(".pendant .screen");
     await page.locator("input[type=range]").fill("15.4");
     await page.waitForTimeout(300);
     const shot = (name) => check(page, `${name}-${theme}-${width}`);
@@ -94,6 +98,10 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
 const live = await open(pathToFileURL(join(dist, "view.html")).href, { width: 1280, height: 800 }, "light", asEditor);
 await post(live, messages("debugger").filter(({ kind }) => kind !== "end"));
 await live.waitForSelector(".axis");
+await live.click("summary:text-is('User page')");
+await live.focus("[role=separator]");
+await live.keyboard.press("ArrowLeft");
+assert.match(await live.getAttribute("main", "style"), /--panel-width: 3[78]/, "the border follows the keyboard");
 await live.focus(".screen");
 await live.keyboard.type("a");
 await live.keyboard.press("F3");
@@ -124,7 +132,19 @@ await live.click(".question button:text-is('Overwrite')");
 assert.deepEqual(await sent(live), [{ command: "teach", name: "pPick", key: "1" }, { command: "save", overwrite: false }, { command: "save", overwrite: true }]);
 await live.waitForSelector("text=Saved palletiser.dtx");
 await check(live, "live-light-1280");
+await live.click("[aria-label='Previous error']");
+assert.equal(await live.evaluate(() => document.querySelector("input[type=range]").value), "3.98");
+await live.hover(".track");
+await live.mouse.wheel(0, -400);
+await live.waitForSelector(".whole");
+assert.ok(await live.evaluate(() => Number(document.querySelector("input[type=range]").max) < 20), "the wheel zooms");
+await live.click(".whole");
 await live.locator("input[type=range]").fill("3");
 assert.match(await live.textContent(".blocked"), /the past/);
+const preview = await open(pathToFileURL(join(dist, "view.html")).href, { width: 900, height: 500 }, "dark", asEditor);
+await post(preview, messages("preview").filter(({ kind }) => kind === "scene"));
+await preview.click("header button:text-is('Debug')");
+assert.deepEqual(await sent(preview), [{ command: "launch", noDebug: false }]);
+await check(preview, "preview-dark-900");
 await browser.close();
 console.log(`test result: ok. ${checks} pages without findings of axe-core; view in the browser`);

@@ -31,6 +31,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const findings = new Findings(views);
   const started = new Client(context, output, views, findings);
   const walkthrough = new Walkthrough(context.globalState, report);
+  // The view of the robot highlights the datum that is selected in the tables.
+  const selection = new vscode.EventEmitter<string | undefined>();
   client = started;
   context.subscriptions.push(
     output,
@@ -38,6 +40,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     findings,
     started,
     walkthrough,
+    selection,
     vscode.tasks.registerTaskProvider("val3", new CheckTasks(started)),
     vscode.commands.registerCommand("val3.restartServer", () => started.restart()),
     vscode.commands.registerCommand("val3.showOutput", () => output.show()),
@@ -51,7 +54,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerEncodings(report),
     ...registerStatus(started, walkthrough),
     ...registerCodeView(views, walkthrough),
-    ...registerDataEditor(context, started, report),
+    ...registerDataEditor(context, started, report, (name) => selection.fire(name)),
     ...registerNewApplication(started, walkthrough),
     ...registerNewProgram(),
     ...registerTree(started, context.workspaceState, output),
@@ -61,7 +64,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerRename(views),
     ...registerVariables(context, started, views, report),
     whenTrusted(() => registerTesting(started, output)),
-    ...registerDebugging(context, started, views, walkthrough, report),
+    ...registerDebugging(context, started, views, walkthrough, report, selection.event),
   );
   await started.restart();
 }

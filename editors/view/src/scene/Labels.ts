@@ -1,6 +1,7 @@
 // Names over the drawing. Names that would cover more important names, buttons or figures are omitted.
 
-import { type PerspectiveCamera, Vector3 } from "three";
+import { Vector3 } from "three";
+import type { Lens } from "./Camera";
 
 export interface Label {
   text: string;
@@ -13,23 +14,32 @@ type Box = readonly [left: number, top: number, right: number, bottom: number];
 const ORDER = ["measure", "selected", "tool", "frame", "point"];
 const HEIGHT = 18;
 
+/** Distance of names of points from the axis of a link, in px. */
+const AROUND = 12;
+
 export class Labels {
   private readonly pool: HTMLElement[] = [];
 
   /** The other children of the parent's parent are above the drawing. */
   constructor(private readonly parent: HTMLElement) {}
 
-  draw(labels: readonly Label[], camera: PerspectiveCamera, canvas: HTMLElement): void {
+  /** Draws the labels. Names of points do not cover the arm at `obstacles`. */
+  draw(labels: readonly Label[], obstacles: readonly (readonly number[])[], camera: Lens, canvas: HTMLElement): void {
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const taken = this.covered(canvas);
+    const onScreen = ([x = 0, y = 0, z = 0]: readonly number[]): Vector3 => {
+      const place = new Vector3(x, y, z).project(camera);
+      return place.set((place.x + 1) * 0.5 * width, (1 - place.y) * 0.5 * height, place.z);
+    };
+    const arm = obstacles.map(onScreen).map(({ x, y }): Box => [x - AROUND, y - AROUND, x + AROUND, y + AROUND]);
     let count = 0;
     for (const label of labels.toSorted((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind))) {
-      const [px = 0, py = 0, pz = 0] = label.at;
-      const place = new Vector3(px, py, pz).project(camera);
-      const [across, down] = [Math.round((place.x + 1) * 0.5 * width), Math.round((1 - place.y) * 0.5 * height) - HEIGHT / 2];
+      const place = onScreen(label.at);
+      const [across, down] = [Math.round(place.x), Math.round(place.y) - HEIGHT / 2];
+      const avoided = label.kind === "point" ? [...taken, ...arm] : taken;
       const wide = label.text.length * 7 + 12;
       const isFree = ([x, y]: readonly [number, number]): boolean => x >= 0 && y >= 0 && x + wide <= width && y + HEIGHT <= height
-        && !taken.some(([left, top, right, bottom]) => y < bottom && top < y + HEIGHT && x < right && left < x + wide);
+        && !avoided.some(([left, top, right, bottom]) => y < bottom && top < y + HEIGHT && x < right && left < x + wide);
       // Right of the position, left of it, above and below.
       const free = ([[across + 9, down], [across - 9 - wide, down], [across - wide / 2, down - HEIGHT], [across - wide / 2, down + HEIGHT]] as const).find(isFree);
       if (place.z <= 1 && free !== undefined) {
@@ -39,6 +49,11 @@ export class Labels {
       }
     }
     this.pool.slice(count).forEach((element) => (element.hidden = true));
+  }
+
+  /** Returns the vertical extents of the elements over the drawing, in px. */
+  bars(canvas: HTMLElement): { top: number; bottom: number }[] {
+    return this.covered(canvas).map(([, top, , bottom]) => ({ top, bottom }));
   }
 
   /** Returns the areas of elements over the drawing, in its coordinates. */

@@ -46,8 +46,10 @@ export class MotionMarks {
   }
 }
 
-/** Returns the spheres in which the arm leaves and reaches the segments between points. */
-export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number; kind: "leave" | "reach" }[] {
-  return queue.flatMap(({ target, leaveDistance, reachDistance }) =>
-    ([["leave", leaveDistance], ["reach", reachDistance]] as const).flatMap(([kind, radius]) => (radius !== null && radius > 0 ? [{ at: target, radius, kind }] : [])));
+/** Returns the spheres in which the arm leaves and reaches the segments between points; one for two of the same size. */
+export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number; kind: keyof typeof CORNERS }[] {
+  return queue.flatMap(({ target, leaveDistance, reachDistance }) => {
+    const radii = leaveDistance === reachDistance ? ([["both", leaveDistance]] as const) : ([["leave", leaveDistance], ["reach", reachDistance]] as const);
+    return radii.flatMap(([kind, radius]) => (radius !== null && radius > 0 ? [{ at: target, radius, kind }] : []));
+  });
 }

@@ -9,9 +9,12 @@ import { composed, frameOf, poseOf } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { Store } from "../store";
 import { type ViewName, VIEWS } from "./Camera";
-import { CORNERS, css, phaseColour } from "./palette";
+import { LayerChoice } from "./LayerChoice";
+import { hiddenLayers } from "./layers";
+import { Legend } from "./Legend";
 import { pick, type Picked } from "./picking";
 import { hasReach } from "./reach";
+import { limitName, Readout } from "./Readout";
 import { Viewport } from "./Viewport";
 import "./scene.css";
 
@@ -79,45 +82,20 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
       {failure === undefined ? null : <p class="failure" role="alert">{failure}</p>}
       {view === undefined || view.faults.value.length === 0 ? null : <ul class="faults" role="status">{view.faults.value.map((fault) => <li key={fault}>{fault}</li>)}</ul>}
       <div class="picture-tools" role="toolbar" aria-label="Picture">
-        {(Object.keys(VIEWS) as ViewName[]).map((name) => <button key={name} type="button" onClick={() => view?.fit(name)}>{name}</button>)}
+        {(Object.keys(VIEWS) as ViewName[]).map((name) => <button key={name} type="button" title={name === "Iso" ? "Perspective from the front" : "Parallel projection along an axis"} onClick={() => view?.fit(name)}>{name}</button>)}
         <button type="button" title="Show everything" onClick={() => view?.fit()}>Fit</button>
         <button type="button" aria-pressed={isFollowing} title="Keep the tool centre point at its place" onClick={follow}>Follow</button>
         <button type="button" aria-pressed={measured !== undefined} title="Distance between two clicked positions" onClick={measure}>Measure</button>
         {cell && hasReach(cell.arm) ? <button type="button" aria-pressed={isReach} title="The space that the flange reaches" onClick={showReach}>Reach</button> : null}
+        <LayerChoice />
       </div>
-      <Position store={store} view={view} />
-      <ul class="legend" aria-label="Colours of the path">
-        {(cell?.phases ?? []).filter((phase) => phase !== "waiting").map((phase) => <li key={phase}><i style={{ background: css(phaseColour(phase)) }} />{phase}</li>)}
-        <li><i class="dashed" />ahead</li>
-        {(["leave", "reach"] as const).map((kind) => <li key={kind}><i class="ball" style={{ background: css(CORNERS[kind]) }} />{kind} distance</li>)}
-      </ul>
+      <Readout store={store} view={view} />
+      <Legend store={store} view={view} />
       <div class="picked" role="status">
         {measured === undefined ? <PickedText store={store} picked={picked} /> : <MeasureText ends={measured} />}
       </div>
     </section>
   );
-}
-
-function Position({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element {
-  const sample = store.shown.value;
-  const pose = view && sample ? poseOf(view.tcp) : [];
-  return (
-    <dl class="position" aria-label="Tool centre point in world">
-      {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{figure(pose[axis], axis < 3 ? 2 : 1)}</dd></div>)}
-      <div class="wide"><dt>Speed</dt><dd>{sample ? `${sample.speed.toFixed(0)} mm/s` : "–"}</dd></div>
-      <div class="wide"><dt>Limited by</dt><dd>{limitName(store, sample?.limit) ?? "–"}</dd></div>
-    </dl>
-  );
-}
-
-/** Returns the name of a speed limit. */
-function limitName(store: Store, limit: number | undefined): string | undefined {
-  return limit === undefined ? undefined : store.scene.value?.limits[limit];
-}
-
-/** Formats a number without the sign of a rounded zero. */
-function figure(value: number | undefined, digits: number): string {
-  return value === undefined ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 }
 
 function PickedText({ store, picked }: { store: Store; picked: Picked | undefined }): JSX.Element | null {
@@ -195,6 +173,7 @@ function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElemen
     }),
     effect(() => {
       store.sampleCount.valueOf();
+      hiddenLayers.valueOf();
       view.update();
     }),
   ];

@@ -1,7 +1,7 @@
 // Drawing of the cell. It is updated only after changes.
 
 import { signal } from "@preact/signals";
-import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Sphere, Vector3, WebGLRenderer } from "three";
+import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
@@ -11,6 +11,9 @@ import type { Store } from "../store";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type Label, Labels } from "./Labels";
+import { DropLines } from "./DropLines";
+import { areaBetween } from "./fitting";
+import { hiddenLayers } from "./layers";
 import { Lines } from "./lines";
 import { MotionMarks } from "./MotionMarks";
 import { AXES, DARK, LIGHT, type Look } from "./palette";
@@ -37,13 +40,18 @@ export class Viewport {
   private readonly ruler = new Lines({ width: 2, isOnTop: true });
   private readonly points = new PointMarks();
   private readonly motion = new MotionMarks();
+  private readonly drops = new DropLines();
   private room = new Group();
   private arm: ArmShape | undefined;
   private reach: Mesh | undefined;
   private cell: Cell | undefined;
   private look: Look = LIGHT;
   private names: Label[] = [];
+  /** Positions along the links of the arm. */
+  private obstacles: readonly (readonly number[])[] = [];
   private isWaiting = false;
+  /** Whether the picture shows everything, because the user has not changed its view. */
+  private isFirst = false;
   private length = 1000;
   private floor = 0;
 
@@ -55,7 +63,7 @@ export class Viewport {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
-    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object);
   }
 
   get drawCalls(): number {
@@ -65,8 +73,8 @@ export class Viewport {
   resize(width: number, height: number): void {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    this.camera.lens.aspect = width / Math.max(height, 1);
-    this.camera.lens.updateProjectionMatrix();
+    this.camera.resize(width / Math.max(height, 1));
+    this.fitAgain();
     this.request();
   }
 
@@ -83,6 +91,7 @@ export class Viewport {
       if (fault !== undefined) {
         this.faults.value = [...this.faults.peek(), fault];
       }
+      this.fitAgain();
       this.request();
     });
     this.scene.add(this.room, this.arm.group);
@@ -109,6 +118,7 @@ export class Viewport {
     const before = this.tcp.position;
     this.tcp = composed(placed.flange, frameOf(sample?.tool ?? []));
     this.arm?.place(placed);
+    this.obstacles = along([base, ...placed.links, placed.flange].map(({ position }) => position));
     if (this.isFollowing) {
       this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
     }
@@ -117,8 +127,21 @@ export class Viewport {
     this.motion.place(motion.value);
     this.names = [...this.points.labels];
     this.placeFrames(cell, placed.flange, base);
+    this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...cell.frames.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
+    this.showLayers();
     this.request();
+  }
+
+  private showLayers(): void {
+    const hidden = hiddenLayers.peek();
+    this.points.object.visible = !hidden.has("points");
+    this.drops.object.visible &&= !hidden.has("heights");
+    for (const [objects, layer] of [[this.trail.objects, "path"], [this.motion.objects, "ahead"]] as const) {
+      objects.forEach((object) => (object.visible &&= !hidden.has(layer)));
+    }
+    const isShown = ({ kind }: Label): boolean => !(kind === "point" && hidden.has("points")) && !(kind === "frame" && hidden.has("frames"));
+    this.names = hidden.has("names") ? this.names.filter(({ kind }) => kind === "measure" || kind === "selected") : this.names.filter(isShown);
   }
 
   /** Shows the view of the last visit, otherwise everything. */
@@ -126,33 +149,51 @@ export class Viewport {
     const view = storedView(remembered(viewKey(cell)));
     if (view === undefined) {
       this.fit("Iso");
+      this.isFirst = true;
     } else {
       this.camera.restore(view);
     }
   }
 
+  /** Shows everything again, until the user has changed the view. */
+  private fitAgain(): void {
+    if (this.isFirst) {
+      this.fit();
+      this.isFirst = true;
+    }
+  }
+
   private rememberView(): void {
+    this.isFirst = false;
     if (this.cell !== undefined) {
       remember(viewKey(this.cell), JSON.stringify(this.camera.view));
     }
   }
 
+  /** Shows the arm, its path, and the points and frames near it, between the bars over the picture. */
   fit(view?: ViewName): void {
     const { cell } = this;
-    const box = new Box3();
     const base = new Vector3(...frameOf(cell?.base ?? []).position);
-    const height = cell?.arm.links[0]?.offset[2] ?? 0;
-    box.expandByPoint(base).expandByPoint(base.clone().add(new Vector3(0, 0, height + this.length * 0.55)));
-    const near = (at: readonly number[]): void => {
-      const place = new Vector3(at[0], at[1], at[2]);
-      if (place.distanceTo(base) < this.length * 3) {
-        box.expandByPoint(place);
+    const positions: (readonly [number, number, number])[] = [[base.x, base.y, this.floor]];
+    const add = (at: readonly number[]): void => {
+      const [x = 0, y = 0, z = 0] = at;
+      if (new Vector3(x, y, z).distanceTo(base) < this.length * 3) {
+        positions.push([x, y, z]);
       }
     };
-    near(this.tcp.position);
-    this.store.panels.cell.points.value.forEach(({ pose }) => near(pose));
-    cell?.frames.forEach(({ pose }) => near(pose));
-    this.camera.show(box.getBoundingSphere(new Sphere()), view);
+    positions.push(...this.corners(), ...this.trail.positions());
+    add(this.tcp.position);
+    this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
+    cell?.frames.forEach(({ pose }) => add(pose));
+    this.camera.show(positions, areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas)), view);
+    this.isFirst = false;
+  }
+
+  /** Returns the corners of the boxes around the parts of the arm. */
+  private corners(): [number, number, number][] {
+    this.arm?.group.updateMatrixWorld(true);
+    const boxes = this.arm?.group.children.map((part) => new Box3().setFromObject(part)).filter((box) => !box.isEmpty()) ?? [];
+    return boxes.flatMap(({ min, max }) => [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z): [number, number, number] => [x, y, z]))));
   }
 
   /** Returns the position on the arm or the floor at a location of the canvas. */
@@ -187,7 +228,7 @@ export class Viewport {
   private draw(): void {
     this.renderer.render(this.scene, this.camera.lens);
     this.frames += 1;
-    this.labels.draw(this.names, this.camera.lens, this.canvas);
+    this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas);
   }
 
   private placeFrames(cell: Cell, flange: Frame, base: Frame): void {
@@ -197,7 +238,7 @@ export class Viewport {
     if (Math.hypot(...base.position) > 1) {
       this.triad(base, this.length * 0.2);
     }
-    for (const { name, pose } of cell.frames) {
+    for (const { name, pose } of hiddenLayers.peek().has("frames") ? [] : cell.frames) {
       const isChosen = chosen?.kind === "frame" && chosen.name === name;
       this.triad(frameOf(pose), this.length * (isChosen ? 0.24 : 0.13));
       this.names.push({ text: name, at: pose, kind: isChosen ? "selected" : "frame" });
@@ -237,4 +278,12 @@ export class Viewport {
     }
     this.ruler.show();
   }
+}
+
+/** Returns positions on the lines between others. */
+function along(positions: readonly (readonly number[])[]): number[][] {
+  return positions.slice(1).flatMap((end, index) => [0.2, 0.4, 0.6, 0.8, 1].map((share) => end.map((value, axis) => {
+    const start = positions[index]?.[axis] ?? value;
+    return start + (value - start) * share;
+  })));
 }

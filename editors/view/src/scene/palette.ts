@@ -35,10 +35,10 @@ export function css(colour: number): string {
 }
 
 /**
- * Spheres in which a queued move leaves its segment before the target and reaches the next segment. No phase has these
- * colours.
+ * Spheres in which a queued move leaves its segment before the target and reaches the next segment, and spheres of both.
+ * No phase has these colours.
  */
-export const CORNERS = { leave: 0xf0e442, reach: 0x7a4fbf } as const;
+export const CORNERS = { leave: 0xf0e442, reach: 0x7a4fbf, both: 0x8fa83a } as const;
 
 /** Colours of the axes x, y and z. */
 export const AXES = [0xd8453a, 0x3a9d4a, 0x3f7fe0] as const;

@@ -1,7 +1,8 @@
 // Finds the point or path piece at a location in the drawing.
 
-import { type Object3D, type PerspectiveCamera, Plane, Raycaster, Vector2, Vector3 } from "three";
+import { type Object3D, Plane, Raycaster, Vector2, Vector3 } from "three";
 import type { CellPoint } from "../panels/shared/cell";
+import type { Lens } from "./Camera";
 import type { Piece, Trail } from "./trail";
 
 const UP = new Vector3(0, 0, 1);
@@ -11,7 +12,7 @@ export type Picked = { at: readonly number[] } & ({ point: CellPoint } | { piece
 /** Largest distance in pixels at which something is hit. */
 const NEAR = 10;
 
-export function pick(x: number, y: number, size: readonly [number, number], camera: PerspectiveCamera, points: readonly CellPoint[], trail: Trail): Picked | undefined {
+export function pick(x: number, y: number, size: readonly [number, number], camera: Lens, points: readonly CellPoint[], trail: Trail): Picked | undefined {
   const place = new Vector3();
   const onScreen = (at: ArrayLike<number>): readonly [number, number] => {
     place.set(at[0] ?? 0, at[1] ?? 0, at[2] ?? 0).project(camera);
@@ -48,7 +49,7 @@ export function nearestShare([ax, ay]: readonly [number, number], [bx, by]: read
 }
 
 /** Returns the nearest position on a solid, or on the floor at its height, for measurements where no point is. */
-export function surfaceAt(floor: number, x: number, y: number, [width, height]: readonly [number, number], camera: PerspectiveCamera, solid: Object3D | undefined): readonly number[] | undefined {
+export function surfaceAt(floor: number, x: number, y: number, [width, height]: readonly [number, number], camera: Lens, solid: Object3D | undefined): readonly number[] | undefined {
   const ray = new Raycaster();
   ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);
   const hit = solid === undefined ? undefined : ray.intersectObject(solid, true)[0]?.point;

@@ -15,7 +15,7 @@ export function stage(look: Look, length: number, height: number, isDark: boolea
   Object.assign(sun.shadow.camera, { left: -length * 2, right: length * 2, top: length * 2, bottom: -length * 2, near: length * 0.1, far: length * 8 });
   const side = new DirectionalLight(0xbcd4ff, 0.7);
   side.position.set(-length, length, length);
-  const floor = new Mesh(new PlaneGeometry(length * 8, length * 8), new ShadowMaterial({ opacity: isDark ? 0.45 : 0.16 }));
+  const floor = new Mesh(new PlaneGeometry(length * 8, length * 8), new ShadowMaterial({ opacity: isDark ? 0.45 : 0.16, depthWrite: false }));
   floor.position.z = height - 1;
   floor.receiveShadow = true;
   const size = Math.ceil((length * 2.6) / 500) * 1000;

@@ -1,5 +1,6 @@
 // Path that the tool centre point has travelled, coloured by phase.
 
+import { signal } from "@preact/signals";
 import { Color } from "three";
 import { armFrames, type Chain } from "../kinematics";
 import { composed, type Frame, frameOf } from "../panels/pendant/pose";
@@ -39,8 +40,10 @@ export interface Piece {
 export class Trail {
   private readonly all = new ThinLines();
   private readonly recent = new Lines({ width: 2.6 });
-  readonly objects = [this.all.object, this.recent.object];
+  readonly objects = [this.all.object, this.all.rest, this.recent.object];
   readonly segments: Segments = this.all.segments;
+  /** Phases of all pieces, as indices. */
+  readonly occurring = signal<ReadonlySet<number>>(new Set());
   /** Number of completely shown pieces. */
   shown = 0;
   private readonly pieces: Piece[] = [];
@@ -66,6 +69,7 @@ export class Trail {
   clear(): void {
     this.segments.clear();
     this.pieces.length = 0;
+    this.occurring.value = new Set();
     this.taken = 0;
     this.last = undefined;
     this.straight = [];
@@ -112,12 +116,28 @@ export class Trail {
         this.segments.add(last.position, position, this.colour(sample.phase));
         this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed, limit: sample.limit });
         this.straight = [last.position, position];
+        this.mention(sample.phase);
         this.forget();
       }
     } else {
       this.straight = [];
     }
     this.last = { sample, position };
+  }
+
+  /** Returns the positions of the path, at most about a thousand. */
+  *positions(): Generator<Position> {
+    const step = Math.ceil(Math.max(this.pieces.length, 1) / 1000);
+    for (let index = 0; index < this.pieces.length; index += step) {
+      const [, [x = 0, y = 0, z = 0]] = this.segments.at(index);
+      yield [x, y, z];
+    }
+  }
+
+  private mention(phase: number): void {
+    if (!this.occurring.peek().has(phase)) {
+      this.occurring.value = new Set([...this.occurring.peek(), phase]);
+    }
   }
 
   private forget(): void {

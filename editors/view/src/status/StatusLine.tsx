@@ -17,15 +17,10 @@ export function StatusLine({ store }: { store: Store }): JSX.Element {
   useEffect(() => {
     document.title = application === undefined ? "VAL 3" : `${application} – ${word}`;
   }, [application, word]);
-  return (
-    <div class="status">
-      <FaultBar store={store} />
-      <p class={`status-line ${kind}`} role="status" aria-label="Status">{text}</p>
-    </div>
-  );
+  return <p class={`status-line ${kind}`} role="status" aria-label="Status" title={text}>{text}</p>;
 }
 
-function FaultBar({ store }: { store: Store }): JSX.Element | null {
+export function FaultBar({ store }: { store: Store }): JSX.Element | null {
   const { cell } = store.panels;
   const count = countUpTo(cell.history.events, cell.slowTime.value);
   const faults = useMemo(() => faultsOf(cell.history.events.slice(0, count)), [cell, count]);

@@ -4,15 +4,18 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { isDark } from "../look";
 import { type Group, groupOf } from "../panels/tasks/eventText";
+import { countUpTo } from "../panels/tasks/upTo";
 import type { Store } from "../store";
+import type { TimeZoom } from "./zoom";
 
 /** Rows of marks from the top, with their colours in the light and in the dark look. */
 const KINDS: readonly (readonly [Group, string, string])[] = [["moves", "#0072b2", "#56b4e9"], ["messages", "#57616c", "#a6b0bc"], ["errors", "#c03a00", "#ff8a4c"]];
 const HEIGHT = 12;
 
-export function Marks({ store }: { store: Store }): JSX.Element {
+export function Marks({ store, zoom }: { store: Store; zoom: TimeZoom }): JSX.Element {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const [start, end] = store.panels.cell.whole.value;
+  // The entire time is updated a few times per second.
+  const [start, end] = zoom.isZoomed.value ? zoom.range.value : store.panels.cell.whole.value;
   const dark = isDark.value;
   useEffect(() => {
     if (canvas.current !== null) {
@@ -28,7 +31,8 @@ function draw(canvas: HTMLCanvasElement, store: Store, [start, end]: readonly [n
   const brush = canvas.getContext("2d");
   // One mark per pixel, even for many events.
   const drawn = new Set<number>();
-  for (const event of store.panels.cell.history.events) {
+  const { events } = store.panels.cell.history;
+  for (const event of events.slice(countUpTo(events, start - 1e-9), countUpTo(events, end))) {
     const row = KINDS.findIndex(([group]) => group === groupOf(event));
     const x = Math.round(((event.t - start) / (end - start)) * (width - 2));
     const place = x * KINDS.length + row;

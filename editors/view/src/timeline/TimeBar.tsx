@@ -1,14 +1,20 @@
 // Shown time: pause, single cycle, speed, and the entire history.
 
-import type { JSX } from "preact";
+import { computed } from "@preact/signals";
+import type { JSX, TargetedWheelEvent } from "preact";
 import { useEffect, useMemo } from "preact/hooks";
 import { Button } from "../panels/shared/Button";
 import { Notice } from "../panels/shared/cell";
 import { NoticeLine } from "../panels/shared/NoticeLine";
 import type { Store } from "../store";
+import { jumpFrom, type Target } from "./jumps";
 import { listen } from "./keys";
 import { Marks } from "./Marks";
 import { Player } from "./player";
+import { TimeZoom } from "./zoom";
+
+/** Distance of the ends of the slider from the track, in px. */
+const THUMB = 7;
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
 
@@ -16,6 +22,7 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const player = useMemo(() => new Player(store), [store]);
   const { time, newest, oldest, chosen, isPaused } = store;
+  const zoom = useMemo(() => new TimeZoom(computed(() => [oldest.value, Math.max(newest.value, oldest.value + 0.004)]), time), [store]);
   const isPast = chosen.value !== undefined;
   const isRecording = store.scene.value?.role === "recording";
   const present = (): void => {
@@ -36,29 +43,78 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
     }
   };
   const bounded = (t: number): number => Math.min(Math.max(oldest.peek(), t), newest.peek());
+  // An export shows its run without a click.
+  useEffect(() => {
+    if (isRecording && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      player.playWhenRead();
+    }
+  }, [player, isRecording]);
   useEffect(() => listen({
     toggle, step: (seconds) => seek(bounded(time.peek() + seconds)), first: () => seek(oldest.peek()), last: () => (isRecording ? seek(newest.peek()) : present()),
   }), [store, isRecording]);
   return (
     <section class="time-bar" aria-label="Time">
       {isPast || isRecording ? <PastControls store={store} player={player} /> : <LiveControls store={store} notice={notice} />}
-      <div class="track">
-        <Marks store={store} />
-        <input
-          type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={oldest.value} max={Math.max(newest.value, oldest.value + 0.004)} step={0.004} value={time.value}
-          onKeyDown={(event) => {
-            if (event.key === " ") {
-              event.preventDefault();
-              toggle();
-            }
-          }}
-          onInput={({ currentTarget }) => seek(Number(currentTarget.value))}
-        />
-      </div>
+      <Track store={store} zoom={zoom} onSeek={seek} onToggle={toggle} />
+      <Jumps store={store} onSeek={seek} />
       <output class="time" title={oldest.value > 0 ? `What was before ${oldest.value.toFixed(0)} s is forgotten` : undefined}>{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
       {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : isPaused.value ? "Paused" : "Live"}</button>}
       <NoticeLine notice={notice} />
     </section>
+  );
+}
+
+/** The time as a slider. The wheel zooms into it. */
+function Track({ store: { time }, store, zoom, onSeek, onToggle }: { store: Store; zoom: TimeZoom; onSeek: (t: number) => void; onToggle: () => void }): JSX.Element {
+  const [start, end] = zoom.range.value;
+  const wheel = (event: TargetedWheelEvent<HTMLDivElement>): void => {
+    event.preventDefault();
+    const { left, width } = event.currentTarget.getBoundingClientRect();
+    const around = start + ((event.clientX - left - THUMB) / Math.max(1, width - 2 * THUMB)) * (end - start);
+    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+      zoom.shift(event.deltaX + event.deltaY > 0 ? 0.1 : -0.1);
+    } else {
+      zoom.zoom(event.deltaY > 0 ? 1.25 : 0.8, Math.min(Math.max(around, start), end));
+    }
+  };
+  return (
+    <>
+      <div class="track" title="The wheel zooms, with Shift it moves the shown range" onWheel={wheel}>
+        <Marks store={store} zoom={zoom} />
+        <input
+          type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={start} max={end} step={0.004} value={time.value}
+          onKeyDown={(event) => {
+            if (event.key === " ") {
+              event.preventDefault();
+              onToggle();
+            }
+          }}
+          onInput={({ currentTarget }) => onSeek(Number(currentTarget.value))}
+        />
+      </div>
+      {zoom.isZoomed.value ? <button type="button" class="whole" title="Show the entire time" onClick={() => zoom.reset()}>{start.toFixed(1)}–{end.toFixed(1)} s ×</button> : null}
+    </>
+  );
+}
+
+/** Buttons to the previous and the next move and error. */
+function Jumps({ store, onSeek }: { store: Store; onSeek: (t: number) => void }): JSX.Element {
+  const jump = (target: Target, isForward: boolean): void => {
+    const t = jumpFrom(store.panels.cell.history.events, target, store.time.peek(), isForward);
+    if (t !== undefined) {
+      onSeek(t);
+    }
+  };
+  return (
+    <>
+      {(["move", "error"] as const).map((target) => (
+        <span key={target} class="jumps" role="group" aria-label={`Jump to a${target === "error" ? "n" : ""} ${target}`}>
+          <button type="button" aria-label={`Previous ${target}`} title={`Previous ${target}`} onClick={() => jump(target, false)}>◀</button>
+          <span aria-hidden="true">{target}</span>
+          <button type="button" aria-label={`Next ${target}`} title={`Next ${target}`} onClick={() => jump(target, true)}>▶</button>
+        </span>
+      ))}
+    </>
   );
 }
 

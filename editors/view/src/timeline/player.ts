@@ -1,6 +1,6 @@
 // Plays the history: the shown time advances with the user's clock.
 
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import type { Store } from "../store";
 
 /** Seconds in which the highest speed plays the entire history. */
@@ -21,6 +21,16 @@ export class Player {
     this.isPlaying.value = true;
     this.last = undefined;
     requestAnimationFrame(this.advance);
+  }
+
+  /** Plays as soon as the history is complete. */
+  playWhenRead(): void {
+    const stop = effect(() => {
+      if (this.store.chosen.value !== undefined) {
+        queueMicrotask(() => stop());
+        this.play();
+      }
+    });
   }
 
   pause(): void {

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asHex, asText, lastTransfers } from "../../src/panels/io/lineBytes";
-import { forceKeys, levelText, numberFrom, rowsOf, type SignalFilter, type SignalInfo, type SignalState, sorted } from "../../src/panels/io/signalRows";
+import { forceKeys, levelText, longestName, nameOf, numberFrom, placeOf, rowsOf, type SignalFilter, type SignalInfo, type SignalState, sorted } from "../../src/panels/io/signalRows";
 import { SignalHistory, sparkPath, within } from "../../src/panels/io/sparkline";
 
 function signal(link: string, more: Partial<SignalInfo> = {}): SignalInfo {
@@ -61,4 +61,12 @@ test("the newest transfers of a line come first, none from the future", () => {
   const transfers = [1, 2, 3].map((t) => ({ t, link: t === 2 ? "b" : "a", dir: "in" as const, bytes: [t] }));
   assert.deepEqual(lastTransfers(transfers, "a", 3, 5).map(({ t }) => t), [3, 1]);
   assert.deepEqual(lastTransfers(transfers, "a", 2.5, 5).map(({ t }) => t), [1]);
+});
+
+test("a signal has the names of its data, otherwise its address", () => {
+  const named = signal("Board\\%I4", { names: ["io:diClear", "diClear"] });
+  const other = signal("Board\\%Q5", { names: [], direction: "output" });
+  assert.deepEqual([named, other].map(nameOf), ["io:diClear, diClear", "%Q5"]);
+  assert.deepEqual([named, other].map(placeOf), ["%I4 in", "out"]);
+  assert.equal(longestName([other, named]), "io:diClear, diClear %I4 in".length);
 });

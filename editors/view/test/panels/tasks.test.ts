@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { type TaskState, TaskSegments, visible, waitTotals } from "../../src/panels/tasks/chart";
 import { GROUPS, groupOf, shownEvents, textOf } from "../../src/panels/tasks/eventText";
-import { cutBlends, cutText, Moves } from "../../src/panels/tasks/moves";
+import { cutBlends, cutText, Moves, type MoveTimes, waitsInMoves } from "../../src/panels/tasks/moves";
 import { armTimes, share, taskTimes } from "../../src/panels/tasks/times";
 
 function task(name: string, state: string, waits: string | null = null, line = 1): TaskState {
@@ -86,4 +86,12 @@ test("the log is filtered by group and words", () => {
   assert.deepEqual(shownEvents(events, { groups: all, text: "hello <B>" }).map(({ t }) => t), [0]);
   assert.deepEqual(shownEvents(events, { groups: new Set(["errors"]), text: "" }).map(({ t }) => t), [2]);
   assert.equal(textOf({ t: 1, kind: "act", keys: { key: "F1" } }), `from outside: {"key":"F1"}`);
+});
+
+test("the arm waits within a move while it has no samples", () => {
+  const move = (id: number, started: number, done: number | undefined): MoveTimes => ({ id, type: "movel", program: "start", line: 1, recorded: started, started, blend: undefined, done, hasLeave: false });
+  const rests = [{ start: 0, end: 1 }, { start: 3, end: 3.1 }, { start: 5, end: 6 }, { start: 8, end: Infinity }];
+  const waits = waitsInMoves(rests, [move(1, 1, 4), move(2, 4.5, 7), move(3, 7.5, undefined)], 10);
+  assert.deepEqual(waits, [{ start: 5, end: 6 }, { start: 8, end: Infinity }]);
+  assert.deepEqual(waitsInMoves(rests, [], 10), []);
 });

@@ -42,6 +42,7 @@ export class DataPanel implements vscode.Disposable {
     readonly panel: vscode.WebviewPanel,
     client: Client,
     private readonly report: (fault: unknown) => void,
+    private readonly onSelected: (name: string | undefined) => void,
   ) {
     this.requests = new Requests(client, document.uri);
     this.edits = new Edits(document, this.requests);
@@ -133,6 +134,7 @@ export class DataPanel implements vscode.Disposable {
       await this.refresh();
     } else if (command === "selected") {
       this.selected = message["name"] as string | undefined;
+      this.onSelected(this.selected);
     } else if (command === "openText") {
       await this.openText(message["name"] as string | undefined);
     } else if (command === "openUse") {

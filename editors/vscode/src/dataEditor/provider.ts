@@ -11,8 +11,8 @@ import { DataPanel, type Target } from "./panel";
 const TYPE = "val3.dataEditor";
 const LANGUAGE = "val3-data";
 
-export function registerDataEditor(context: vscode.ExtensionContext, client: Client, report: (fault: unknown) => void): vscode.Disposable[] {
-  const editors = new DataEditors(client, vscode.Uri.joinPath(context.extensionUri, "dist", "data.html"), report);
+export function registerDataEditor(context: vscode.ExtensionContext, client: Client, report: (fault: unknown) => void, onSelected: (name: string | undefined) => void): vscode.Disposable[] {
+  const editors = new DataEditors(client, vscode.Uri.joinPath(context.extensionUri, "dist", "data.html"), report, onSelected);
   return [
     vscode.window.registerCustomEditorProvider(TYPE, editors, { webviewOptions: { retainContextWhenHidden: true } }),
     vscode.commands.registerCommand("val3.openData", (target?: unknown, name?: unknown) => editors.open(target, name)),
@@ -30,11 +30,16 @@ class DataEditors implements vscode.CustomTextEditorProvider {
   /** Data to show in tabs that are being opened, by URI. */
   private readonly targets = new Map<string, Target>();
 
-  constructor(private readonly client: Client, private readonly page: vscode.Uri, private readonly report: (fault: unknown) => void) {}
+  constructor(
+    private readonly client: Client,
+    private readonly page: vscode.Uri,
+    private readonly report: (fault: unknown) => void,
+    private readonly onSelected: (name: string | undefined) => void,
+  ) {}
 
   async resolveCustomTextEditor(document: vscode.TextDocument, panel: vscode.WebviewPanel): Promise<void> {
     panel.webview.options = { enableScripts: true, localResourceRoots: [] };
-    const shown = new DataPanel(document, panel, this.client, this.report);
+    const shown = new DataPanel(document, panel, this.client, this.report, this.onSelected);
     this.panels.add(shown);
     panel.onDidDispose(() => {
       this.panels.delete(shown);

@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import { checkTrust } from "../trust";
+import type { Application } from "./applications";
 import { ofApplication } from "./configurations";
 
 export const RUN = "val3.run";
@@ -16,12 +17,18 @@ export function registerLenses(): vscode.Disposable[] {
 
 /** Starts a program of the project with this .pjx. */
 async function start(project: string, program: string | undefined, noDebug: boolean): Promise<void> {
-  if (!checkTrust("Running a program")) {
-    return;
-  }
   const uri = vscode.Uri.parse(project);
   const folder = vscode.Uri.joinPath(uri, "..");
   const name = uri.path.slice(uri.path.lastIndexOf("/") + 1).replace(/\.pjx$/i, "");
-  const configuration = ofApplication({ name, folder }, program);
+  await startApplication({ name, folder }, program, noDebug);
+}
+
+/** Starts a program of an application, with or without the debugger. */
+export async function startApplication(application: Application, program: string | undefined, noDebug: boolean): Promise<void> {
+  if (!checkTrust("Running a program")) {
+    return;
+  }
+  const { folder } = application;
+  const configuration = ofApplication(application, program);
   await vscode.debug.startDebugging(vscode.workspace.getWorkspaceFolder(folder), configuration, { noDebug });
 }

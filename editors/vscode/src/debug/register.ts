@@ -19,22 +19,24 @@ import { RobotView } from "./view/panel";
 import { Preview } from "./view/preview";
 import { DebugViews } from "./views";
 
-/** `report` receives the errors of background work. */
+/** `report` receives the errors of background work; `selected` fires when a row of the data tables is selected. */
 export function registerDebugging(
   context: vscode.ExtensionContext,
   client: Client,
   files: CodeFiles,
   walkthrough: Walkthrough,
   report: (fault: unknown) => void,
+  selected: vscode.Event<string | undefined>,
 ): vscode.Disposable[] {
   const views = new DebugViews(files);
   const run = new DebuggedRun(report);
   const robot = new RobotTree(run, report);
   const icons = vscode.Uri.joinPath(context.extensionUri, "icons");
   const page = new UserPageView(run, vscode.Uri.joinPath(context.extensionUri, "media"));
-  const view = new RobotView(run, new Preview(client), vscode.Uri.joinPath(context.extensionUri, "dist/view.html"), report);
+  const view = new RobotView(run, new Preview(client), vscode.Uri.joinPath(context.extensionUri, "dist/view.html"), context.workspaceState, report);
   return [
-    vscode.commands.registerCommand("val3.showRobot", () => view.show()),
+    vscode.commands.registerCommand("val3.showRobot", (project?: unknown) => view.show(typeof project === "string" ? vscode.Uri.parse(project) : undefined)),
+    selected((name) => view.select(name)),
     vscode.Disposable.from(run, robot, page, view, new OtherBreakpoints(views, icons)),
     ...registerAdapter(client, views),
     vscode.window.registerTreeDataProvider("val3.robot", robot),

@@ -41,6 +41,7 @@ export function registerTree(client: Client, memory: vscode.Memento, output: vsc
     command("addType", ofProject((project) => addReference(client, project, "type"))),
     command("run", (node) => start(RUN, node)),
     command("debug", (node) => start(DEBUG, node)),
+    command("showRobot", ofProject(async (project) => vscode.commands.executeCommand("val3.showRobot", project.uri))),
     command("rename", ofNamed((node) => rename(client, node))),
     command("delete", ofNamed((node) => remove(client, node))),
     command("findUses", ofNamed((node) => findUses(client, node))),

@@ -7,9 +7,9 @@ import { LongTable } from "../shared/LongTable";
 import { NoticeLine } from "../shared/NoticeLine";
 import { LinesTable } from "./LinesTable";
 import { SignalCells } from "./SignalCells";
-import { rowsOf, type SignalFilter, type SignalRow, sorted } from "./signalRows";
+import { longestName, rowsOf, type SignalFilter, type SignalRow, sorted } from "./signalRows";
 
-const COLUMNS = ["Signal", "Data", "Value", "Last 10 s", "Operator", "Fault"];
+const COLUMNS = ["Signal", "Value", "Operator", "Fault", "Last 10 s"];
 const ALL: SignalFilter = { text: "", direction: "all", isMarkedOnly: false };
 
 export function IoPanel({ cell }: { cell: Cell }): JSX.Element {
@@ -17,12 +17,13 @@ export function IoPanel({ cell }: { cell: Cell }): JSX.Element {
   const [filter, setFilter] = useState(ALL);
   const scene = cell.scene.value;
   const signals = useMemo(() => sorted(scene?.signals ?? []), [scene]);
+  const longest = useMemo(() => longestName(signals), [signals]);
   // Values affect the rows only with this filter.
   const marked = filter.isMarkedOnly ? cell.levels.value : undefined;
   const rows = useMemo(() => rowsOf(signals, filter, (link) => cell.levels.peek().get(link)), [signals, filter, marked, cell]);
   const count = rows.filter((row) => "signal" in row).length;
   return (
-    <section class="panel io" aria-label="Inputs and outputs">
+    <section class="panel io" aria-label="Inputs and outputs" style={{ "--names": longest }}>
       {cell.blocked.value === undefined ? null : <p class="blocked">{cell.blocked.value}</p>}
       <div class="row tools">
         <input type="search" aria-label="Filter signals by link or data" placeholder="Filter: link or data" value={filter.text} onInput={({ currentTarget }) => setFilter({ ...filter, text: currentTarget.value })} />

@@ -16,7 +16,7 @@ export function LinesTable({ cell }: { cell: Cell }): JSX.Element | null {
     <div class="lines" tabIndex={0} role="region" aria-label="Sockets and serial lines">
       <table>
         <caption>Sockets and serial lines</caption>
-        <thead><tr><th scope="col">Line</th><th scope="col">Time</th><th scope="col">Way</th><th scope="col">Text</th><th scope="col">Bytes</th></tr></thead>
+        <thead><tr><th scope="col">Line</th><th scope="col">Time</th><th scope="col">Way</th><th scope="col">Text</th><th scope="col" class="bytes">Bytes</th></tr></thead>
         <tbody>
           {lines.flatMap(({ link, type }) => {
             const transfers = lastTransfers(cell.history.transfers, link, end, SHOWN);
@@ -26,7 +26,7 @@ export function LinesTable({ cell }: { cell: Cell }): JSX.Element | null {
               : transfers.map(({ t, dir, bytes }, index) => (
                 <tr key={`${link} ${t} ${index}`}>
                   {index === 0 ? first : null}
-                  <td>{t.toFixed(3)} s</td><td>{dir === "in" ? "received" : "sent"}</td><td><code>{asText(bytes)}</code></td><td><code>{asHex(bytes)}</code></td>
+                  <td>{t.toFixed(3)} s</td><td>{dir === "in" ? "received" : "sent"}</td><td><code>{asText(bytes)}</code></td><td class="bytes"><code>{asHex(bytes)}</code></td>
                 </tr>
               ));
           })}

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import { Button } from "../shared/Button";
 import type { Cell, Notice } from "../shared/cell";
-import { addressOf, forceKeys, levelText, numberFrom, type SignalInfo, type SignalState } from "./signalRows";
+import { addressOf, forceKeys, levelText, nameOf, numberFrom, placeOf, type SignalInfo, type SignalState } from "./signalRows";
 import { HEIGHT, sparkPath, WIDTH } from "./sparkline";
 
 const UNKNOWN: SignalState = { value: 0, isLocked: false, isSimulated: false, isProtected: false, fault: null };
@@ -20,15 +20,13 @@ interface StateProps extends Props {
 
 export function SignalCells({ cell, notice, signal }: Props): JSX.Element {
   const state = cell.levels.value.get(signal.link) ?? UNKNOWN;
-  const names = signal.names.join(", ");
   return (
     <>
-      <th scope="row" title={signal.link}><span class={`dot ${signal.isDigital ? (state.value === 0 ? "off" : "on") : "analog"}`} aria-hidden="true" />{addressOf(signal.link)} <span class="direction">{signal.direction === "input" ? "in" : "out"}</span></th>
-      <td title={names}>{names}</td>
+      <th scope="row" title={`${nameOf(signal)}: ${signal.link}`}><span class={`dot ${signal.isDigital ? (state.value === 0 ? "off" : "on") : "analog"}`} aria-hidden="true" />{nameOf(signal)} <span class="direction">{placeOf(signal)}</span></th>
       <td class="level">{signal.isDigital ? <Digital {...{ cell, notice, signal, state }} /> : <Analog {...{ cell, notice, signal, state }} />}</td>
-      <td><Sparkline cell={cell} signal={signal} /></td>
       <td class="marks"><Marks {...{ cell, notice, signal, state }} /></td>
       <td><Fault {...{ cell, notice, signal, state }} /></td>
+      <td><Sparkline cell={cell} signal={signal} /></td>
     </>
   );
 }
@@ -37,7 +35,7 @@ function Digital({ cell, notice, signal, state }: StateProps): JSX.Element {
   const text = levelText(signal, state.value);
   return (
     <Button
-      className={`toggle ${state.value === 0 ? "off" : "on"}`} label={`${addressOf(signal.link)} is ${text}`} reason={cell.blocked.value} title={`Force ${signal.link} to ${state.value === 0 ? "true" : "false"}`}
+      className={`toggle ${state.value === 0 ? "off" : "on"}`} label={`${addressOf(signal.link)} is ${text}`} reason={cell.blocked.value} title={`${state.isLocked ? "Hold" : "Force"} ${signal.link} ${state.isLocked ? "at" : "to"} ${state.value === 0 ? "true" : "false"}`}
       onPress={() => void notice.operate(cell, forceKeys(signal, state.value === 0 ? 1 : 0, state.isLocked))} onRefused={(reason) => (notice.text.value = reason)}
     >
       {text}
@@ -59,7 +57,7 @@ function Analog({ cell, notice, signal, state }: StateProps): JSX.Element {
   };
   return (
     <>
-      <input class="number" inputMode="decimal" aria-label={`Value of ${signal.link}`} value={text} readOnly={blocked !== undefined} title={blocked ?? `Force ${signal.link}`} onChange={({ currentTarget }) => force(currentTarget)} />
+      <input class="number" inputMode="decimal" aria-label={`Value of ${signal.link}`} value={text} readOnly={blocked !== undefined} title={blocked ?? `${state.isLocked ? "Held value of" : "Force"} ${signal.link}`} onChange={({ currentTarget }) => force(currentTarget)} />
       {signal.unit ? <span class="unit"> {signal.unit}</span> : null}
     </>
   );
@@ -78,7 +76,7 @@ function Marks({ cell, notice, signal: { link, direction }, state }: StateProps)
   const { isLocked, isSimulated, isProtected } = state;
   return (
     <>
-      {mark("Lock", isLocked, { [isLocked ? "unlock" : "lock"]: link }, "The operator holds the value")}
+      {mark("Lock", isLocked, { [isLocked ? "unlock" : "lock"]: link }, isLocked ? "Release the value, which the operator holds" : "Hold the present value. Its button then changes the held value")}
       {mark("Sim", isSimulated, { simulate: { [link]: !isSimulated } }, "The controller simulates the signal")}
       {direction === "output" ? mark("Prot", isProtected, { protect: { [link]: !isProtected } }, "The system reserves the output; programs that write it get error 124") : null}
     </>

@@ -23,6 +23,21 @@ export function addressOf(link: string): string {
   return link.slice(link.lastIndexOf("\\") + 1);
 }
 
+/** Returns the names of a signal's data, or its address if it has none. */
+export function nameOf({ link, names }: SignalInfo): string {
+  return names.length === 0 ? addressOf(link) : names.join(", ");
+}
+
+/** Returns the address, if it is not the name, and the direction. */
+export function placeOf({ link, names, direction }: SignalInfo): string {
+  return `${names.length === 0 ? "" : `${addressOf(link)} `}${direction === "input" ? "in" : "out"}`;
+}
+
+/** Returns the number of characters of the longest name with its place. */
+export function longestName(signals: readonly SignalInfo[]): number {
+  return signals.reduce((longest, signal) => Math.max(longest, nameOf(signal).length + placeOf(signal).length + 1), 0);
+}
+
 export function boardOf({ board, link }: SignalInfo): string {
   return board || link.slice(0, Math.max(0, link.lastIndexOf("\\"))) || "Other";
 }

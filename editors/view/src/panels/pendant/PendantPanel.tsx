@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { useMemo } from "preact/hooks";
+import { Fold } from "../../layout/Fold";
 import { type Cell, Notice } from "../shared/cell";
 import { NoticeLine } from "../shared/NoticeLine";
 import { JogControls } from "./JogControls";
@@ -17,11 +18,17 @@ export function PendantPanel({ cell }: { cell: Cell }): JSX.Element {
       {blocked.value === undefined ? null : <p class="blocked">{blocked.value}</p>}
       <NoticeLine notice={notice} />
       <div class="mcp">
-        <UserPage cell={cell} notice={notice} />
+        <Fold name="userPage" label="User page" className="screen-part" isOpenAtFirst={isUsed(cell)}><UserPage cell={cell} notice={notice} /></Fold>
         <RobotControls cell={cell} notice={notice} />
-        <Keypad cell={cell} notice={notice} />
         <JogControls cell={cell} notice={notice} />
+        <Fold name="keypad" label="Keys of the pendant" className="keypad-part" isOpenAtFirst={false}><Keypad cell={cell} notice={notice} /></Fold>
       </div>
     </section>
   );
+}
+
+/** Whether a program has written to the user page. VS Code shows its text in a view of its own. */
+function isUsed({ page: { value: page }, openLine }: Cell): boolean {
+  const hasText = page !== undefined && (page.title !== "" || page.lines.some((line) => line.trim() !== ""));
+  return page?.html != null || page?.popUp != null || (hasText && openLine.value === undefined);
 }

@@ -5,7 +5,8 @@ import { useEffect, useRef } from "preact/hooks";
 import { Spacer } from "./Spacer";
 import { useVisibleRows } from "./useVisibleRows";
 
-export const ROW_HEIGHT = 28;
+/** Height of a row in px, as in panels.css. Fingers need higher rows. */
+const ROW_HEIGHT = "matchMedia" in globalThis && matchMedia("(pointer: coarse)").matches ? 44 : 28;
 
 interface LongTableProps<Row> {
   label: string;

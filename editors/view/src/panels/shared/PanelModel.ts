@@ -5,7 +5,7 @@ import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
 import { PointValues } from "../points/pointsAt";
 import type { TimedPhase } from "../tasks/times";
-import type { Answer, ArmSample, Cell, CellHistory, CellMotion, CellScene, OpenLine, QueuedMove } from "./cell";
+import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellScene, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
 import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
@@ -24,6 +24,7 @@ export interface Surroundings {
   blocked: ReadonlySignal<string | undefined>;
   sample: ReadonlySignal<ArmSample | undefined>;
   samples: () => Iterable<TimedPhase>;
+  rests: () => Iterable<ArmRest>;
   /** Returns the line of a source. */
   sourceOf: (index: number) => { program: string; line: number } | undefined;
   seek: (t: number) => void;
@@ -126,7 +127,7 @@ export class PanelModel {
       return this.levels.at(slowTime.value);
     });
     const { signals, segments, moves, events, transfers, states } = this.past;
-    const history: CellHistory = { signals, segments, moves, events, transfers, states, samples: around.samples };
+    const history: CellHistory = { signals, segments, moves, events, transfers, states, samples: around.samples, rests: around.rests };
     return {
       ...around,
       scene: this.scene,

@@ -52,6 +52,12 @@ export interface ArmSample {
   tool: Pose;
 }
 
+export interface ArmRest {
+  start: number;
+  end: number;
+  reason: string;
+}
+
 /** History up to the newest message. Rows later than the shown time must not be shown. */
 export interface CellHistory {
   signals: SignalHistory;
@@ -61,6 +67,8 @@ export interface CellHistory {
   transfers: readonly Transfer[];
   states: readonly TimedTasks[];
   samples: () => Iterable<TimedPhase>;
+  /** Time spans in which the arm stands, with the reason in words. */
+  rests: () => Iterable<ArmRest>;
 }
 
 export interface Answer {

@@ -5,7 +5,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
 import { awaitsArm } from "./chart";
 import { type Chart, chartHeight, draw, LABELS, LANE } from "./drawChart";
-import { cutBlends, type MoveTimes } from "./moves";
+import { cutBlends, type MoveTimes, waitsInMoves } from "./moves";
 import { type Range, shifted, zoomed } from "./range";
 
 const LEGEND = [
@@ -22,7 +22,7 @@ export function TaskChart({ cell }: { cell: Cell }): JSX.Element {
   const { segments, moves } = cell.history;
   const names = segments.names();
   const all = moves.all();
-  const chart: Chart = { segments, moves: all, cut: new Set(cutBlends(all, time).map(({ move }) => move.id)), range, time };
+  const chart: Chart = { segments, moves: all, cut: new Set(cutBlends(all, time).map(({ move }) => move.id)), rests: waitsInMoves(cell.history.rests(), all, time), range, time };
   useResize(canvas, setWidth);
   useEffect(() => paint(canvas.current, width, chart));
   const timeAt = (clientX: number): number => {
@@ -102,14 +102,16 @@ function paint(element: HTMLCanvasElement | null, width: number, chart: Chart): 
 }
 
 /** Formats the bar at a location of the chart. */
-function hintAt({ segments, moves, time, cut }: Chart, t: number, y: number): string {
+function hintAt({ segments, moves, rests, time, cut }: Chart, t: number, y: number): string {
   const lane = Math.floor(y / LANE);
   if (t > time || lane < 0) {
     return "";
   }
   if (lane === 0) {
     const move = moves.findLast(({ started, done }) => (started ?? Infinity) <= t && (done ?? Infinity) >= t);
-    return move === undefined ? "" : `${move.type} ${move.id} at ${move.program}:${move.line}${cut.has(move.id) ? ", without its blend" : ""}`;
+    const rest = rests.find(({ start, end }) => start <= t && t < end);
+    const wait = rest === undefined ? "" : `, waits${rest.reason === "next move" ? " for the next move" : rest.reason === "" ? "" : ` (${rest.reason})`}`;
+    return move === undefined ? "" : `${move.type} ${move.id} at ${move.program}:${move.line}${cut.has(move.id) ? ", without its blend" : ""}${wait}`;
   }
   const name = segments.names()[lane - 1];
   const segment = name === undefined ? undefined : segments.of(name).find(({ start, end }) => start <= t && t < end);

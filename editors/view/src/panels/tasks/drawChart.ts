@@ -1,5 +1,6 @@
 // Draws the chart of moves, tasks and waits.
 
+import type { ArmRest } from "../shared/cell";
 import { awaitsArm, type Segment, type TaskSegments, visible } from "./chart";
 import type { MoveTimes } from "./moves";
 import { type Range, ticks } from "./range";
@@ -12,6 +13,8 @@ export interface Chart {
   segments: TaskSegments;
   moves: readonly MoveTimes[];
   cut: ReadonlySet<number>;
+  /** Time spans in which the arm stands, also during a move. */
+  rests: readonly ArmRest[];
   range: Range;
   time: number;
 }
@@ -23,7 +26,7 @@ export function chartHeight(tasks: number): number {
   return (tasks + 1) * LANE + AXIS;
 }
 
-export function draw(canvas: CanvasRenderingContext2D, width: number, { segments, moves, cut, range, time }: Chart, colour: Colour): void {
+export function draw(canvas: CanvasRenderingContext2D, width: number, { segments, moves, cut, rests, range, time }: Chart, colour: Colour): void {
   const names = segments.names();
   const height = chartHeight(names.length);
   const plot = width - LABELS;
@@ -33,6 +36,7 @@ export function draw(canvas: CanvasRenderingContext2D, width: number, { segments
   canvas.textBaseline = "middle";
   drawAxis(canvas, width, height, range, x, colour);
   drawMoves(canvas, { moves: moves.filter((move) => isVisible(move, range, time)), cut, x, time, colour });
+  drawRests(canvas, { rests, range, time }, x, colour);
   names.forEach((name, lane) => {
     const top = (lane + 1) * LANE;
     drawLabel(canvas, name, top, colour);
@@ -96,6 +100,19 @@ function drawMoves(canvas: CanvasRenderingContext2D, { moves, cut, x, time, colo
       canvas.lineTo(right + 5, 1);
       canvas.lineTo(right, 10);
       canvas.fill();
+    }
+  }
+}
+
+/** Replaces the bar of a move by a thin bar of a wait where the arm stands. Without a move there is no bar. */
+function drawRests(canvas: CanvasRenderingContext2D, { rests, range, time }: Pick<Chart, "rests" | "range" | "time">, x: (t: number) => number, colour: Colour): void {
+  for (const { start, end } of rests) {
+    const [left, right] = [Math.max(LABELS, x(start)), x(Math.min(end, time, range[1]))];
+    if (right - left >= 1) {
+      canvas.fillStyle = colour("--panel");
+      canvas.fillRect(left, 4, right - left, LANE - 8);
+      canvas.fillStyle = colour("--chart-waits");
+      canvas.fillRect(left, 8, right - left, LANE - 16);
     }
   }
 }

@@ -80,3 +80,27 @@ export function cutText({ move, delay }: CutBlend): string {
   const reason = delay === undefined ? "no move followed" : `the next move was recorded ${delay.toFixed(3)} s after its end`;
   return `${move.type} at ${move.program}:${move.line} stopped at its target: ${reason}.`;
 }
+
+/** Shortest wait of the arm in a move that the chart shows, in s. Live samples may be late by less. */
+const SHORTEST_WAIT = 0.25;
+
+/** Returns the parts of rests in which a move has started and is not done: the arm waits, for example for the next move. */
+export function waitsInMoves<Span extends { start: number; end: number }>(rests: Iterable<Span>, moves: readonly MoveTimes[], time: number): Span[] {
+  const begun = moves.filter(({ started = Infinity }) => started <= time);
+  let first = 0;
+  return [...rests].flatMap((rest) => {
+    // Rests and moves are in chronological order.
+    while ((begun[first]?.done ?? Infinity) <= rest.start) {
+      first += 1;
+    }
+    const waits: Span[] = [];
+    for (let index = first; (begun[index]?.started ?? Infinity) < rest.end; index += 1) {
+      const { started = Infinity, done = Infinity } = begun[index] ?? {};
+      const wait = { ...rest, start: Math.max(rest.start, started), end: Math.min(rest.end, done) };
+      if (Math.min(wait.end, time) - wait.start >= SHORTEST_WAIT) {
+        waits.push(wait);
+      }
+    }
+    return waits;
+  });
+}

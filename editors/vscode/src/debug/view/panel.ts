@@ -1,35 +1,46 @@
 // The robot next to the code: the page of `val3 run --serve` with messages from the debug session. Without a session it
-// shows the points and frames of the application at the cursor.
+// shows the points and frames of the application in the active editor.
 
 import { readFile } from "node:fs/promises";
 import * as vscode from "vscode";
 import type { DebuggedRun, Source } from "../run";
 import { checkTrust } from "../../trust";
 import { withPolicy } from "./page";
+import type { Application } from "../applications";
+import { startApplication } from "../lenses";
 import type { Preview } from "./preview";
 
 const TYPE = "val3.robotView";
 
-/** Message from the page: it is ready, shows a line, or sends a request to the controller. */
-type FromPage = { command: "ready" } | { command: "reveal"; source: Source } | { command: string; id: number };
+/** Key of the workspace's memory: whether the view was open when it was last used. */
+const IS_OPEN = "robotView.isOpen";
+
+/** Message from the page: it is ready, shows a line, starts the application, or sends a request to the controller. */
+type FromPage = { command: "ready" } | { command: "reveal"; source: Source } | { command: "launch"; noDebug: boolean } | { command: string; id: number };
 
 export class RobotView implements vscode.Disposable {
   private readonly subscription: vscode.Disposable;
   private panel: vscode.WebviewPanel | undefined;
   /** Whether the page can receive messages. */
   private isReady = false;
+  /** File of the last active editor, or the project file that was chosen in the view VAL 3. */
+  private file: vscode.Uri | undefined;
+  /** Application of the preview. */
+  private application: Application | undefined;
 
   constructor(
     private readonly run: DebuggedRun,
     private readonly preview: Preview,
     private readonly page: vscode.Uri,
+    private readonly memory: vscode.Memento,
     private readonly report: (fault: unknown) => void,
   ) {
     this.subscription = vscode.Disposable.from(
       run.onDidView((messages) => this.post(...messages)),
-      run.onDidChangeSession(() => void this.begin().catch(report)),
+      run.onDidChangeSession(() => void this.changeSession().catch(report)),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => this.follow(textEditor, selections[0])),
-      vscode.window.onDidChangeActiveTextEditor(() => void this.showPreview().catch(report)),
+      vscode.window.tabGroups.onDidChangeTabs(() => void this.followFile().catch(report)),
+      vscode.window.tabGroups.onDidChangeTabGroups(() => void this.followFile().catch(report)),
       vscode.workspace.onDidSaveTextDocument(() => void this.showPreview().catch(report)),
     );
   }
@@ -38,13 +49,16 @@ export class RobotView implements vscode.Disposable {
     vscode.Disposable.from(this.subscription, ...(this.panel === undefined ? [] : [this.panel])).dispose();
   }
 
-  /** Shows the view next to the code. */
-  async show(): Promise<void> {
+  /** Shows the view next to the code, with the application of a project file if one is given. */
+  async show(project?: vscode.Uri): Promise<void> {
     if (!checkTrust("The view of the robot")) {
       return;
     }
+    this.file = project ?? activeFile() ?? this.file;
+    await this.memory.update(IS_OPEN, true);
     if (this.panel !== undefined) {
       this.panel.reveal(undefined, true);
+      await this.showPreview();
       return;
     }
     const options = { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [] };
@@ -54,6 +68,7 @@ export class RobotView implements vscode.Disposable {
     panel.onDidDispose(() => {
       this.panel = undefined;
       this.isReady = false;
+      void this.memory.update(IS_OPEN, false);
       void this.run.showView(false).catch(this.report);
     });
     panel.webview.onDidReceiveMessage((message: FromPage) => void this.take(message).catch(this.report));
@@ -66,6 +81,10 @@ export class RobotView implements vscode.Disposable {
       await this.begin();
     } else if (message.command === "reveal") {
       await vscode.commands.executeCommand("val3.openLine", (message as { source: Source }).source);
+    } else if (message.command === "launch") {
+      if (this.application !== undefined) {
+        await startApplication(this.application, undefined, (message as { noDebug: boolean }).noDebug);
+      }
     } else {
       const answer = await this.run.request("val3/view", message).catch((fault: unknown) => ({
         error: fault instanceof Error ? fault.message : String(fault),
@@ -86,15 +105,41 @@ export class RobotView implements vscode.Disposable {
     }
   }
 
+  /** Shows the new session. The view is opened again if it was open during the last one. */
+  private async changeSession(): Promise<void> {
+    if (this.run.session !== undefined && this.panel === undefined && this.memory.get<boolean>(IS_OPEN) === true) {
+      await this.show();
+    }
+    await this.begin();
+  }
+
+  /** Shows the application of the active editor after a change of the editor. */
+  private async followFile(): Promise<void> {
+    const file = activeFile();
+    if (file !== undefined && file.toString() !== this.file?.toString()) {
+      this.file = file;
+      await this.showPreview();
+    }
+  }
+
+  /** Shows the application of the file, if no application is being debugged. */
   private async showPreview(): Promise<void> {
-    const { activeTextEditor: editor } = vscode.window;
-    if (this.isReady && this.run.session === undefined && editor !== undefined) {
-      const scene = await this.preview.scene(editor.document.uri);
-      if (scene !== undefined) {
-        this.post(scene);
-        this.follow(editor, editor.selection);
+    if (this.isReady && this.run.session === undefined) {
+      const shown = await this.preview.of(this.file);
+      if (shown !== undefined) {
+        this.application = shown.application;
+        this.post(shown.scene);
+        const { activeTextEditor: editor } = vscode.window;
+        if (editor !== undefined) {
+          this.follow(editor, editor.selection);
+        }
       }
     }
+  }
+
+  /** Highlights a datum of the tables. */
+  select(name: string | undefined): void {
+    this.post({ kind: "select", name: name ?? null });
   }
 
   /** Highlights the point at the cursor. */
@@ -110,6 +155,12 @@ export class RobotView implements vscode.Disposable {
       void this.panel?.webview.postMessage(messages.map(withBytes));
     }
   }
+}
+
+/** Returns the file of the active tab, which shows text or tables. */
+function activeFile(): vscode.Uri | undefined {
+  const input = vscode.window.tabGroups.activeTabGroup.activeTab?.input;
+  return input instanceof vscode.TabInputText || input instanceof vscode.TabInputCustom ? input.uri : undefined;
 }
 
 /** Converts a message for the page: samples are sent as bytes. */

@@ -4,26 +4,34 @@ import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 import * as vscode from "vscode";
 import type { Client } from "../../client";
-import { applications } from "../applications";
+import { type Application, applications } from "../applications";
 
 /** Largest size of a scene, in bytes. */
 const LARGEST = 64 << 20;
+
+/** Application with its scene. */
+export interface Shown {
+  application: Application;
+  scene: object;
+}
 
 export class Preview {
   constructor(private readonly client: Client) {}
 
   /**
-   * Returns the scene for a file's application; `undefined` without an application, or if it has faults, which the
-   * editor shows.
+   * Returns the scene of a file's application, or of the only application; `undefined` without an application, or if it
+   * has faults, which the editor shows.
    */
-  async scene(file: vscode.Uri): Promise<object | undefined> {
+  async of(file: vscode.Uri | undefined): Promise<Shown | undefined> {
     // The scene contains shapes to which the folder refers.
     const command = vscode.workspace.isTrusted ? this.client.command : undefined;
-    const found = (await applications(this.client)).find(({ folder }) => file.path.startsWith(`${folder.path}/`));
-    if (command === undefined || found === undefined) {
+    const all = await applications(this.client);
+    const own = all.find(({ folder }) => file?.path.startsWith(`${folder.path}/`));
+    const application = own ?? (all.length === 1 ? all[0] : undefined);
+    if (command === undefined || application === undefined) {
       return undefined;
     }
-    const scene = promisify(execFile)(command, ["run", found.folder.fsPath, "--scene"], { maxBuffer: LARGEST });
-    return scene.then(({ stdout }) => JSON.parse(stdout) as object, () => undefined);
+    const scene = promisify(execFile)(command, ["run", application.folder.fsPath, "--scene"], { maxBuffer: LARGEST });
+    return scene.then(({ stdout }) => ({ application, scene: JSON.parse(stdout) as object }), () => undefined);
   }
 }

@@ -1,0 +1,27 @@
+// Legend of the colours that occur in the drawing.
+
+import type { JSX } from "preact";
+import type { Store } from "../store";
+import { hiddenLayers } from "./layers";
+import { spheresOf } from "./MotionMarks";
+import { CORNERS, css, phaseColour } from "./palette";
+import type { Viewport } from "./Viewport";
+
+const CORNER_NAMES = { leave: "leave distance", reach: "reach distance", both: "leave and reach distance" } as const;
+
+export function Legend({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element | null {
+  const { path, queue } = store.panels.cell.motion.value;
+  const hidden = hiddenLayers.value;
+  const hasAhead = path.length > 0 && !hidden.has("ahead");
+  const travelled = hidden.has("path") ? [] : [...(view?.trail.occurring.value ?? [])].map((phase) => store.scene.value?.phases[phase]);
+  const occurring = new Set([...travelled, ...(hasAhead ? path.map(({ phase }) => phase) : [])]);
+  const phases = (store.scene.value?.phases ?? []).filter((phase) => phase !== "waiting" && occurring.has(phase));
+  const corners = hidden.has("ahead") ? [] : [...new Set(spheresOf(queue).map(({ kind }) => kind))];
+  return phases.length + corners.length === 0 ? null : (
+    <ul class="legend" aria-label="Colours of the path">
+      {phases.map((phase) => <li key={phase}><i style={{ background: css(phaseColour(phase)) }} />{phase}</li>)}
+      {hasAhead ? <li><i class="dashed" />ahead</li> : null}
+      {corners.map((kind) => <li key={kind}><i class="ball" style={{ background: css(CORNERS[kind]) }} />{CORNER_NAMES[kind]}</li>)}
+    </ul>
+  );
+}
