@@ -26,10 +26,14 @@ pub(crate) struct ServedRun {
 
 impl ServedRun {
     pub(crate) fn of(code: &str, options: &[&str]) -> Self {
+        Self::with_variables(code, options, &[])
+    }
+
+    fn with_variables(code: &str, options: &[&str], variables: &[(&str, &str)]) -> Self {
         let folder = Folder::with(code);
         let run = ["run", "usrapp/main", "--serve", "127.0.0.1:0"];
         let mut command = folder.command(&[&run, options].concat());
-        let mut process = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut process = command.envs(variables.iter().copied()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let mut stderr = BufReader::new(process.stderr.take().unwrap());
         let [operator, guest] = [(), ()].map(|()| {
             // Findings of the application come first.
@@ -224,6 +228,17 @@ fn an_interrupted_run_rescues_unsaved_points() {
     run.signal(Signal::INT);
     assert_eq!(run.ending().0, 130);
     assert!(run.folder.read("usrapp/main/main.dtx.unsaved").contains(r#"x="3.5""#));
+}
+
+#[test]
+fn a_chosen_secret_keeps_the_addresses() {
+    let secrets = |run: &ServedRun| [&run.operator, &run.guest].map(|page| page.rsplit('/').nth(1).unwrap().to_owned());
+    let variable = [("VAL3_SERVE_SECRET", "correct horse battery")];
+    let [first, second] = [(); 2].map(|()| ServedRun::with_variables("delay(3600)\n", &[], &variable));
+    assert_eq!(secrets(&first), secrets(&second));
+    assert_ne!(first.operator, first.guest);
+    let other = ServedRun::of("delay(3600)\n", &[]);
+    assert_ne!(secrets(&first), secrets(&other));
 }
 
 #[test]
