@@ -87,6 +87,11 @@ impl AttachServer {
         self.session.as_mut()
     }
 
+    /// Disconnects the client at the end of a run. The next run does not wait for a client.
+    pub fn end_session(&mut self) {
+        (self.session, self.run) = (None, RunState::Running);
+    }
+
     /// Waits for a message, at most for this time.
     pub fn wait(&mut self, time: Duration) {
         if let Some(session) = &mut self.session {

@@ -155,6 +155,17 @@ impl Devices {
         saving::save(&request, loaded, &mut self.outside)
     }
 
+    /// Writes copies of the data files with the values at these places, next to the files: `main.dtx.unsaved`. Returns
+    /// the names of the copies.
+    ///
+    /// # Errors
+    /// A file cannot be read or written, or belongs to an encrypted library.
+    pub fn save_copies(&mut self, space: &Space, places: &[Place]) -> Result<Vec<String>, FileFault> {
+        let DeviceState { io, loaded, .. } = &mut self.state;
+        let request = saving::SaveRequest { space, places, io, lines: &self.lines, overwrite: false };
+        saving::save_copies(&request, loaded, &mut self.outside)
+    }
+
     /// Returns the file changes of programs. From the first call on, they stay in memory.
     pub(crate) fn media_state(&mut self) -> MediaState {
         self.outside.state(self.limits.changed)

@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use val3_geometry::{Trsf, chain};
 use val3_lang::call::{FrameRef, PointRef};
+use val3_lang::memory::Place;
 use val3_lang::references::{self, Chain};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
@@ -69,6 +70,39 @@ impl Operator {
         UnsavedMessage { points: self.changed.iter().cloned().collect() }
     }
 
+    /// Writes the changed points to copies of their files, next to them: `main.dtx.unsaved`. Returns the names of the
+    /// copies.
+    ///
+    /// # Errors
+    /// A file cannot be read or written, or belongs to an encrypted library.
+    pub fn save_copies(&self, controller: &mut Controller) -> Result<Vec<String>, CommandError> {
+        let places = self.changed_places(controller);
+        controller.devices.save_copies(&controller.vm.space, &places).map_err(not_saved)
+    }
+
+    /// Copies the unsaved values to a controller that has loaded the application again. Points that no longer exist are
+    /// no longer unsaved; their names are returned.
+    pub fn carry(&mut self, from: &Controller, to: &mut Controller) -> Vec<PointName> {
+        let changed: Vec<GlobalValue> =
+            positions::data(from).into_iter().filter(|datum| self.has_changed(datum)).collect();
+        let loaded = positions::data(to);
+        let mut kept = BTreeSet::new();
+        for old in &changed {
+            let new = loaded.iter().find(|new| (&new.name, &new.key, new.base) == (&old.name, &old.key, old.base));
+            if new.is_some_and(|new| copy_numbers((old, from), (new, to)).is_some()) {
+                kept.insert(PointName { name: old.name.clone(), key: old.key.clone() });
+            }
+        }
+        let before = std::mem::replace(&mut self.changed, kept);
+        before.difference(&self.changed).cloned().collect()
+    }
+
+    /// Places of the changed points, without points that the program has removed meanwhile.
+    fn changed_places(&self, controller: &Controller) -> Vec<Place> {
+        let data = positions::data(controller).into_iter();
+        data.filter(|datum| self.has_changed(datum)).map(|datum| datum.place).collect()
+    }
+
     fn change(
         &mut self,
         point: GlobalValue,
@@ -85,10 +119,9 @@ impl Operator {
             && self.changed.contains(&PointName { name: datum.name.clone(), key: datum.key.clone() })
     }
 
-    /// Writes the changed points to their files, without points that the program has removed meanwhile.
+    /// Writes the changed points to their files.
     fn save(&mut self, save: &Save, controller: &mut Controller) -> Result<Saved, CommandError> {
-        let data = positions::data(controller).into_iter();
-        let places: Vec<_> = data.filter(|datum| self.has_changed(datum)).map(|datum| datum.place).collect();
+        let places = self.changed_places(controller);
         let saved = controller.devices.save_values(&controller.vm.space, &places, save.overwrite);
         Ok(match saved.map_err(not_saved)? {
             SavedValues::Conflict(files) => Saved::Conflict(files),
@@ -98,6 +131,16 @@ impl Operator {
             }
         })
     }
+}
+
+/// Copies all numbers of a value, with its configuration; `None` if their counts differ.
+fn copy_numbers((old, from): (&GlobalValue, &Controller), (new, to): (&GlobalValue, &mut Controller)) -> Option<()> {
+    let (from, to) = (&from.vm.space.memory, &mut to.vm.space.memory);
+    let count = from.store(old.place.store).ok()?.kind.size.num;
+    if to.store(new.place.store).ok()?.kind.size.num != count {
+        return None;
+    }
+    (0..count).try_for_each(|lane| to.set_num(new.place, lane, from.num(old.place, lane).ok()?).ok())
 }
 
 fn not_saved(fault: FileFault) -> CommandError {

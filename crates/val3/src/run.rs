@@ -1,5 +1,6 @@
 //! `val3 run`: runs an application on the embedded controller.
 
+mod again;
 mod console;
 mod course;
 mod debug;
@@ -39,11 +40,12 @@ pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
 pub(crate) use outside::{check_script, read_script, unusable_script};
 
 use course::Course;
-use debug::run_attended;
+use debug::{open_port, run_attended};
 use guide::NoDebugger;
 use observers::Observers;
 use record::Record;
 use replay::RunRecording;
+use viewers::Viewers;
 
 /// Exit code of a run that reached the limit of `--until`.
 const EXIT_LIMIT: u8 = 3;
@@ -62,7 +64,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     let recording = args.replay.as_deref().map(RunRecording::open).transpose()?;
     let ready = match open(args, AnnouncementReader::Terminal, &mut |write| to_stderr_in_color(color, write))? {
         OpenedApplication::Ready(ready) => *ready,
-        OpenedApplication::Faulty(code) => return refuse(args, code),
+        OpenedApplication::Faulty { code, .. } => return refuse(args, code),
     };
     if let (Some(_), Some(checked)) = (&written, &ready.checked) {
         to_stderr(|out| writeln!(out, "note: {checked}"));
@@ -74,17 +76,34 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         return Ok(ExitCode::SUCCESS);
     }
     let mut course = Course::open(args, ready, Observers::open(args, recording, color)?)?;
-    let signals = Signals::catch()?;
-    let end = match args.debug_port {
-        Some(port) => run_attended(&mut course, port, &signals)?,
-        None => course.run(&mut NoDebugger, &signals)?,
-    };
-    let code = course.exit_code(end);
-    course.close(end, &signals)?;
+    if let Some(address) = args.serve {
+        let viewers = Viewers::open(address, args, &course.debugger.controller)?;
+        course.serve(viewers);
+    }
+    let code = run_to_end(course, color)?;
     if let Some(written) = written {
         written.report();
     }
     Ok(ExitCode::from(code))
+}
+
+/// Runs an application, and again as often as operators of its page start it. Returns the exit code of the last run.
+fn run_to_end(mut course: Course<'_>, color: Color) -> Result<u8, UserError> {
+    let args = course.args;
+    let signals = Signals::catch()?;
+    let mut port = args.debug_port.map(|port| open_port(args, port)).transpose()?;
+    loop {
+        let end = match &mut port {
+            Some(server) => run_attended(&mut course, server, &signals)?,
+            None => course.run(&mut NoDebugger, &signals)?,
+        };
+        let code = course.exit_code(end);
+        let Some(ended) = course.close(end)? else { return Ok(code) };
+        match ended.wait_for_start(args, color, &signals) {
+            Some(again) => course = again,
+            None => return Ok(code),
+        }
+    }
 }
 
 /// Ends a run that cannot begin. Its event record contains only the end.

@@ -3,6 +3,7 @@
 use std::env;
 use std::fmt::{self, Display, Write as _};
 
+use sha2::{Digest, Sha256};
 use val3_dap::Secret;
 
 use crate::user_error::UserError;
@@ -13,6 +14,9 @@ const SECRET_BYTES: usize = 16;
 /// Environment variable with a secret for debuggers. Other users can read the arguments of a process, but not its
 /// environment.
 const VARIABLE: &str = "VAL3_DEBUG_SECRET";
+
+/// Environment variable with the secret of the page, so that its addresses stay valid after a restart of the server.
+const PAGE_VARIABLE: &str = "VAL3_SERVE_SECRET";
 
 /// Minimum length of a secret chosen by the user, in characters.
 const MINIMUM: usize = 16;
@@ -25,11 +29,47 @@ pub(crate) fn random() -> Result<String, UserError> {
     let mut bytes = [0; SECRET_BYTES];
     getrandom::fill(&mut bytes)
         .map_err(|error| UserError::new(format!("the system has no random numbers: {error}")))?;
-    Ok(bytes.iter().fold(String::new(), |mut text, byte| {
+    Ok(hexadecimal(&bytes))
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
         // Writing to a string cannot fail.
         let _ = write!(text, "{byte:02x}");
         text
-    }))
+    })
+}
+
+/// Returns the secrets of a page for each role: random, or derived from the secret of the environment variable.
+///
+/// # Errors
+/// The secret in the variable is too short, or the system has no random numbers.
+pub(crate) fn for_page<const COUNT: usize>(roles: [&str; COUNT]) -> Result<[String; COUNT], UserError> {
+    let chosen = chosen(PAGE_VARIABLE)?;
+    let mut secrets = [const { String::new() }; COUNT];
+    for (secret, role) in secrets.iter_mut().zip(roles) {
+        *secret = chosen.as_deref().map_or_else(random, |chosen| Ok(derived(chosen, role)))?;
+    }
+    Ok(secrets)
+}
+
+/// Derives the secret of a role, from which neither the chosen secret nor the secret of another role can be computed.
+fn derived(chosen: &str, role: &str) -> String {
+    let hash = Sha256::digest(format!("val3 page {role} {chosen}"));
+    hexadecimal(hash.get(..SECRET_BYTES).unwrap_or_default())
+}
+
+/// Returns the secret of an environment variable; `None` if the variable is not set.
+///
+/// # Errors
+/// The secret is too short.
+fn chosen(variable: &str) -> Result<Option<String>, UserError> {
+    let Some(text) = env::var_os(variable) else { return Ok(None) };
+    match text.to_str().filter(|text| text.chars().count() >= MINIMUM) {
+        Some(text) => Ok(Some(text.to_owned())),
+        None => Err(UserError::new(format!("`{variable}` is no text of at least {MINIMUM} characters"))
+            .with_help("choose a longer secret, or unset the variable for a random one")),
+    }
 }
 
 /// Secret of a debug port.
@@ -45,13 +85,9 @@ impl DebugSecret {
     /// # Errors
     /// The secret in the variable is too short, or the system has no random numbers.
     pub(crate) fn choose() -> Result<Self, UserError> {
-        match env::var_os(VARIABLE) {
+        match chosen(VARIABLE)? {
             None => random().map(|text| Self { secret: Secret::new(text.clone()), shown: Some(text) }),
-            Some(text) => match text.to_str().filter(|text| text.chars().count() >= MINIMUM) {
-                Some(text) => Ok(Self { secret: Secret::new(text), shown: None }),
-                None => Err(UserError::new(format!("`{VARIABLE}` is no text of at least {MINIMUM} characters"))
-                    .with_help("choose a longer secret, or unset the variable for a random one")),
-            },
+            Some(text) => Ok(Self { secret: Secret::new(text), shown: None }),
         }
     }
 }
@@ -76,5 +112,14 @@ mod tests {
         assert_eq!(first.len(), 32);
         assert!(first.bytes().all(|byte| byte.is_ascii_hexdigit()));
         assert_ne!(first, second);
+    }
+
+    #[test]
+    fn each_role_has_its_own_lasting_secret() {
+        let chosen = "correct horse battery";
+        let [operator, guest] = ["operator", "guest"].map(|role| derived(chosen, role));
+        assert_eq!((operator.len(), &operator), (32, &derived(chosen, "operator")));
+        assert_ne!(operator, guest);
+        assert_ne!(operator, derived("correct horse batterY", "operator"));
     }
 }

@@ -1,4 +1,4 @@
-//! `--serve`: server that shows a run in browsers, in a separate thread.
+//! `--serve`: server that shows successive runs in browsers, in a separate thread.
 //!
 //! The run loop appends messages to a log and polls commands, and never waits for the server. Each viewer has a cursor
 //! in the log, so a viewer that does not read costs nothing.
@@ -101,6 +101,11 @@ impl Server {
     pub(crate) fn guest_page(&self) -> &str {
         let [_, guest] = &self.pages;
         guest
+    }
+
+    /// Begins a new run: viewers receive no more messages of the previous run.
+    pub(crate) fn begin_run(&self) {
+        self.log.lock().begin_run();
     }
 
     /// Adds messages to the log.

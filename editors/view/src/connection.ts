@@ -79,9 +79,8 @@ function openSocket(store: Store, address: URL): void {
     store.isSilent.value = false;
     inbox.empty();
     const hasEnded = store.end.peek() !== undefined;
-    store.lose(hasEnded ? "The run has ended." : "The connection to the run is lost.");
-    if (!hasEnded) {
-      setTimeout(() => openSocket(store, address), AGAIN);
-    }
+    store.lose(hasEnded ? "The run and its server have ended." : "The connection to the run is lost.");
+    // The next server on this address may have the same secret.
+    setTimeout(() => openSocket(store, address), AGAIN);
   });
 }

@@ -57,6 +57,7 @@ export class Store {
     this.panels = new PanelModel({
       time: this.time, newest: this.newest, oldest: this.oldest, isPaused: this.isPaused, blocked: this.blocked,
       hasEnded: computed(() => this.end.value !== undefined),
+      canRestart: computed(() => this.scene.value?.role === "operator"),
       sample: computed(() => {
         const sample = this.shown.value;
         return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [] };

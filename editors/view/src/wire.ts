@@ -96,7 +96,8 @@ export type Command =
   | UserPage & { command: "userPage" }
   | Pace & { command: "pace" }
   | Cycle & { command: "cycle" }
-  | RecordScenario & { command: "record" };
+  | RecordScenario & { command: "record" }
+  | { command: "run" };
 
 /** Arguments of `cycle`. */
 export interface Cycle {

@@ -97,6 +97,27 @@ test("a point is taught and saved, and nothing else is", () => served(BOXES, asy
   assert.ok(overwritten.endsWith("<!-- by hand -->\n"));
 }));
 
+test("a stopped application starts again with its unsaved point", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await until(page, 3);
+  await page.getByRole("tab", { name: "Points" }).click();
+  const point = await page.evaluate(() => window.val3View.store.panels.cell.points.value.find(({ name }) => !name.includes(":")));
+  await page.getByRole("button", { name: point.key === null ? point.name : `${point.name}[${point.key}]`, exact: true }).click();
+  await page.getByRole("button", { name: /here/i }).click();
+  const save = page.getByRole("button", { name: "Save to .dtx (1)" });
+  await save.waitFor();
+  await page.getByRole("tab", { name: "Pendant" }).click();
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await page.waitForFunction(() => window.val3View.store.end.value !== undefined);
+  const ended = await page.evaluate(() => window.val3View.store.newest.value);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await page.waitForFunction((ended) => window.val3View.store.end.value === undefined && window.val3View.store.newest.value < ended, ended);
+  await until(page, 0.5);
+  await page.getByRole("tab", { name: "Points" }).click();
+  await save.click();
+  await page.getByText("Saved palletiser.dtx.").waitFor();
+}));
+
 test("an exported run plays from the disk with the poses of its trace", () => served([...BOXES, "--export", "run.html", "--trace", "trace.csv"], async (run) => {
   const live = await run.open();
   await until(live, 6);

@@ -26,6 +26,7 @@ class Served {
     this.process = spawn(process.env.VAL3_SERVER, [...run, ...options], { cwd: this.folder });
     this.ended = new Promise((resolve) => this.process.on("close", resolve));
     this.faults = [];
+    this.hasEnded = false;
   }
 
   /** Returns the addresses of the page, for operators and guests. */
@@ -46,7 +47,8 @@ class Served {
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
     page.setDefaultTimeout(TIMEOUT);
     page.on("pageerror", (fault) => this.faults.push(String(fault)));
-    page.on("console", (message) => message.type() === "error" && this.faults.push(message.text()));
+    // A page tries to connect again after the end of its server.
+    page.on("console", (message) => message.type() === "error" && !this.hasEnded && this.faults.push(message.text()));
     await page.goto(this.pages[role]);
     await page.waitForFunction(() => window.val3View?.store.scene.value !== undefined);
     return page;
@@ -55,6 +57,7 @@ class Served {
   /** Ends the run like Ctrl-C. */
   async end() {
     this.process.stderr.resume();
+    this.hasEnded = true;
     this.process.kill("SIGINT");
     await this.ended;
     assert.deepEqual(this.faults, []);

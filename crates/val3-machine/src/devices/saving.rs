@@ -17,7 +17,7 @@ use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
 use links::LoadedLinks;
 pub use operator_edits::SavedValues;
-pub(super) use operator_edits::{SaveRequest, save};
+pub(super) use operator_edits::{SaveRequest, save, save_copies};
 use values::Saver;
 
 /// Returns the size of an application's or library's global data, in bytes.

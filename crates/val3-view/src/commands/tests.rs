@@ -92,3 +92,20 @@ fn wrong_commands_say_why() {
     let short = json!({ "name": "pPick", "key": "1", "local": [1, 2, 3] });
     assert!(refused("setPoint", short).contains("six numbers"));
 }
+
+#[test]
+fn unsaved_values_survive_a_new_start() {
+    let mut old = controller();
+    let mut operator = Operator::default();
+    let point = json!({ "name": "pPick", "key": "1", "local": [7, 8, 9, 0, 0, 0] });
+    operator.execute("setPoint", point.as_object().unwrap(), &mut old).unwrap();
+    let mut new = controller();
+    assert_eq!(operator.carry(&old, &mut new), []);
+    assert_eq!(shown_point(&new)["local"], json!([7.0, 8.0, 9.0, 0.0, 0.0, 0.0]));
+    assert_eq!(operator.unsaved().points.len(), 1);
+
+    let mut other = Running::start("num nOther\nprogram start()\nbegin\n  delay(1)\nend\n").controller;
+    let lost = operator.carry(&new, &mut other);
+    assert_eq!(lost, [PointName { name: "pPick".to_owned(), key: Some("1".to_owned()) }]);
+    assert_eq!(operator.unsaved().points, []);
+}

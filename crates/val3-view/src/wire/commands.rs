@@ -34,6 +34,8 @@ pub enum Command {
     Cycle(Cycle),
     /// Records a scenario of a served run.
     Record(RecordScenario),
+    /// Starts the application of an ended served run again.
+    Run,
 }
 
 /// Arguments of `operate`.

@@ -10,7 +10,9 @@ use val3_machine::controller::RunStatus;
 use val3_machine::event::{EndReason, EventKind};
 use val3_session::{Delay, FrameEvaluator, Pace};
 use val3_suite::{Stages, Transition};
+use val3_view::wire::Pace as NewPace;
 
+use super::again::EndedRun;
 use super::end::End;
 use super::export::Export;
 use super::guide::{ATTENTION, Guide};
@@ -53,7 +55,6 @@ impl<'a> Course<'a> {
     /// Opens the files that the arguments name, so that a run does not begin if a file cannot be written.
     pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
         let motion = MotionObservers::open(args, &ready.controller)?;
-        let viewers = args.serve.map(|address| Viewers::open(address, args, &ready.controller)).transpose()?;
         let export = args.export.as_deref().map(|path| Export::open(path, &ready.controller)).transpose()?;
         let tempo = Tempo::new(pace(args, &observers), ready.controller.now());
         let debugger = Debugger::new(ready.controller);
@@ -64,7 +65,7 @@ impl<'a> Course<'a> {
             evaluator,
             observers,
             motion,
-            viewers,
+            viewers: None,
             export,
             tempo,
             silence: Silence::new(Instant::now()),
@@ -72,6 +73,13 @@ impl<'a> Course<'a> {
             test: ready.test,
             has_failed_test: None,
         })
+    }
+
+    /// Adds viewers, which may have chosen a pace in an earlier run.
+    pub(super) fn serve(&mut self, viewers: Viewers) {
+        let pace = NewPace { is_paused: None, speed: viewers.speed() };
+        self.tempo.change(&pace, self.debugger.controller.now());
+        self.viewers = Some(viewers);
     }
 
     /// Runs the controller until the run ends, and sends all events to the observers and the debug client.
@@ -326,9 +334,9 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Writes the reports at the end of a run, explains the end, and serves viewers until a signal arrives.
-    pub(super) fn close(self, end: End, signals: &Signals) -> Result<(), UserError> {
-        let (args, controller) = (self.args, self.debugger.controller);
+    /// Writes the reports at the end of a run, and explains the end. Returns the served run, unless its server ends, too.
+    pub(super) fn close(self, end: End) -> Result<Option<EndedRun>, UserError> {
+        let (args, mut controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;
         let pendant = &controller.devices.state.pendant;
         match args.screen {
@@ -340,10 +348,12 @@ impl<'a> Course<'a> {
         console.explain(end, args, &controller);
         self.motion.close()?;
         self.export.map_or(Ok(()), Export::close)?;
-        if let Some(viewers) = self.viewers.filter(|_| !matches!(end, End::BrokenOff(_) | End::Left)) {
-            viewers.linger(&controller, signals);
+        let Some(viewers) = self.viewers else { return Ok(None) };
+        if matches!(end, End::BrokenOff(_) | End::Left) {
+            viewers.rescue(&mut controller);
+            return Ok(None);
         }
-        Ok(())
+        Ok(Some(EndedRun { viewers, controller }))
     }
 }
 

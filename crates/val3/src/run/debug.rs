@@ -110,7 +110,7 @@ fn reopen(session: &mut DebugSession, args: &RunArgs, settings: &DebugSettings) 
     }
     match opened {
         Ok(OpenedApplication::Ready(ready)) => Some(*ready),
-        Ok(OpenedApplication::Faulty(_)) => None,
+        Ok(OpenedApplication::Faulty { .. }) => None,
         Err(error) => {
             session.say(&format!("{error}\n"));
             None
@@ -132,7 +132,7 @@ fn run(
     session.begin(&mut DebuggedRun { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
     let end = course.run(session, signals)?;
     let code = course.exit_code(end);
-    course.close(end, signals)?;
+    course.close(end)?;
     Ok(match end {
         End::Restart => Next::Restart,
         End::Left => Next::Exit(0),
@@ -144,16 +144,28 @@ fn run(
     })
 }
 
-/// Runs a course to which clients can attach through a port of this machine.
-pub(super) fn run_attended(course: &mut Course<'_>, port: u16, signals: &Signals) -> Result<End, UserError> {
-    let waits = course.args.debug_wait;
+/// Opens a port of this machine, through which clients can attach to the runs of an application.
+///
+/// # Errors
+/// The port is in use, or the chosen secret is too short.
+pub(super) fn open_port(args: &RunArgs, port: u16) -> Result<AttachServer, UserError> {
+    let waits = args.debug_wait;
     let secret = DebugSecret::choose()?;
     let state = if waits { RunState::Fresh } else { RunState::Running };
-    let mut server = AttachServer::new(state, secret.secret.clone());
+    let server = AttachServer::new(state, secret.secret.clone());
     let address = listener::receive(port, server.clients())?;
     let state = if waits { "the run waits for a debugger" } else { "a debugger can attach" };
     to_stderr(|out| writeln!(out, "note: {state} on {address} {secret}"));
-    let end = course.run(&mut server, signals)?;
+    Ok(server)
+}
+
+/// Runs a course to which clients can attach.
+pub(super) fn run_attended(
+    course: &mut Course<'_>,
+    server: &mut AttachServer,
+    signals: &Signals,
+) -> Result<End, UserError> {
+    let end = course.run(server, signals)?;
     if let Some(session) = server.session() {
         session.end(course.exit_code(end));
         for _ in 0..FAREWELLS {
@@ -163,5 +175,6 @@ pub(super) fn run_attended(course: &mut Course<'_>, port: u16, signals: &Signals
             session.wait(ATTENTION);
         }
     }
+    server.end_session();
     Ok(end)
 }

@@ -23,7 +23,7 @@ use crate::engine::Session;
 use crate::format::human;
 use crate::opening::OpenRequest;
 use crate::paths::{Paths, current_folder};
-use crate::report::FindingSeverity;
+use crate::report::{Finding, FindingSeverity};
 use crate::sockets::{AnnouncementReader, Announcements};
 use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -33,7 +33,12 @@ pub(crate) enum OpenedApplication {
     /// The application is in memory.
     Ready(Box<ReadyApplication>),
     /// The application has faults, which were displayed.
-    Faulty(ExitCode),
+    Faulty {
+        /// Exit code of the command.
+        code: ExitCode,
+        /// Errors of the check: file, line and message.
+        errors: Vec<String>,
+    },
 }
 
 /// An application in memory, with its database.
@@ -71,7 +76,7 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
     let checked = show_faults(&mut session, project, show)?;
     if let Some(code) = checked.refusal {
-        return Ok(OpenedApplication::Faulty(code));
+        return Ok(OpenedApplication::Faulty { code, errors: checked.errors });
     }
     let application = Application::of(session.into_workspace(), project);
     application.check_readable()?;
@@ -79,7 +84,8 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
         Ok(image) => image,
         Err(error) => {
             show_limit(&error, show)?;
-            return Ok(OpenedApplication::Faulty(ExitCode::FAILURE));
+            let errors = vec![format!("this controller cannot load the application: {}", error.limit)];
+            return Ok(OpenedApplication::Faulty { code: ExitCode::FAILURE, errors });
         }
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
@@ -168,6 +174,8 @@ struct Checked {
     refusal: Option<ExitCode>,
     /// Note with the number of findings.
     counts: String,
+    /// Errors: file, line and message.
+    errors: Vec<String>,
 }
 
 /// Shows why the controller's compiler rejects the application, and the other errors.
@@ -182,5 +190,10 @@ fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> R
     report.findings.retain(|finding| finding.severity == FindingSeverity::Error);
     show(&|out| human::write(&report, out));
     let code = if report.is_complete() { ExitCode::FAILURE } else { ExitCode::from(EXIT_USAGE) };
-    Ok(Checked { refusal: is_refused.then_some(code), counts })
+    let errors = report.findings.iter().map(located).collect();
+    Ok(Checked { refusal: is_refused.then_some(code), counts, errors })
+}
+
+fn located(finding: &Finding) -> String {
+    format!("{}:{}: {}", finding.place.file.path, finding.place.start().line, finding.message)
 }

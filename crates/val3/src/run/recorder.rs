@@ -41,6 +41,12 @@ impl ScenarioRecorder {
         Ok(Self { application, controller, events: Vec::new(), is_full: false, is_writing: Arc::default() })
     }
 
+    /// Discards the events, because the application starts again.
+    pub(super) fn restart(&mut self) {
+        self.events.clear();
+        self.is_full = false;
+    }
+
     /// Adds events of a cycle that began at `start`. Later events, from which a debugger has gone back, are discarded.
     pub(super) fn add_events(&mut self, start: Time, events: &[Event]) {
         let start = seconds(start);

@@ -10,13 +10,12 @@ use val3_machine::event::{EndReason, Event, seconds};
 use val3_view::wire::{self, Arguments as _, Role};
 use val3_view::{Feed, Operator};
 
-use super::guide::ATTENTION;
 use super::recorder::ScenarioRecorder;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
+use crate::printable::one_line;
 use crate::serve::{PendingCommand, ServeAddress, Server, StoredMessage, browser};
-use crate::signals::Signals;
 use crate::user_error::UserError;
 
 /// Kinds of messages to which later messages refer.
@@ -24,6 +23,15 @@ const LASTING: [&str; 3] = ["scene", "source", "tool"];
 
 /// Command that writes a scenario of the run.
 const RECORD: &str = "record";
+
+/// Command that starts the application again after its end.
+const RUN: &str = "run";
+
+/// Commands that are executed after the end of a run, between which no cycle is required.
+const AFTER_END: [&str; 3] = ["save", "setPoint", "teach"];
+
+/// Reason why other commands are not executed after the end of a run.
+const ENDED: &str = "the run has ended; Run starts the application again";
 
 /// Real time between two clock messages.
 const HEARTBEAT: Duration = Duration::from_secs(1);
@@ -91,6 +99,21 @@ impl Viewers {
         Ok(viewers)
     }
 
+    /// Begins another run of the application: viewers receive its scene and complete state.
+    pub(super) fn begin(&mut self, controller: &Controller) {
+        self.feed = Feed::new(controller, Role::Operator);
+        self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
+        self.recorder.restart();
+        (self.sent, self.heartbeat) = (0, Heartbeat { last: None });
+        self.server.begin_run();
+        self.publish();
+    }
+
+    /// Pace in the last clock message.
+    pub(super) fn speed(&self) -> Option<wire::PaceSpeed> {
+        self.heartbeat.last.as_ref().map(|(_, clock)| clock.speed)
+    }
+
     /// Publishes a finished cycle that began at `start`.
     pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.feed.see(start, events, controller);
@@ -116,6 +139,10 @@ impl Viewers {
         for command in self.take_commands() {
             if command.name == RECORD {
                 self.recorder.record(command, controller.now());
+                continue;
+            }
+            if command.name == RUN {
+                command.answer(Err("the application is running".to_owned()));
                 continue;
             }
             let (now, arguments) = (controller.now(), &command.message);
@@ -162,18 +189,50 @@ impl Viewers {
         self.arrived.extend(self.server.wait_for_command(time));
     }
 
-    /// Keeps the server running after the end of the run, until a signal arrives.
-    pub(super) fn linger(mut self, controller: &Controller, signals: &Signals) {
-        to_stderr(|out| writeln!(out, "note: the run has ended; Ctrl-C ends the server"));
-        while signals.exit_code().is_none() {
-            self.wait(ATTENTION);
-            for command in self.take_commands() {
-                match command.name.as_str() {
-                    RECORD => self.recorder.record(command, controller.now()),
-                    _ => command.answer(Err("the run has ended".to_owned())),
+    /// Executes the pending commands after the end of the run. Returns the command that starts the application again.
+    pub(super) fn attend_end(&mut self, controller: &mut Controller) -> Option<PendingCommand> {
+        let mut start = None;
+        for command in self.take_commands() {
+            match command.name.as_str() {
+                RECORD => self.recorder.record(command, controller.now()),
+                RUN if start.is_none() => start = Some(command),
+                RUN => command.answer(Err("the application is starting".to_owned())),
+                name if AFTER_END.contains(&name) => {
+                    let result = self.operate(name, &command.message, controller);
+                    controller.write_files();
+                    command.answer(result);
+                    self.feed.refresh(controller);
                 }
+                _ => command.answer(Err(ENDED.to_owned())),
             }
         }
+        self.publish();
+        start
+    }
+
+    /// Copies the unsaved values to a controller that has loaded the application again.
+    pub(super) fn carry(&mut self, from: &Controller, to: &mut Controller) {
+        let lost = self.operator.carry(from, to);
+        if !lost.is_empty() {
+            let names: Vec<String> = lost.into_iter().map(shown_point).collect();
+            to_stderr(|out| writeln!(out, "note: unsaved points no longer exist: {}", names.join(", ")));
+        }
+    }
+
+    /// Writes unsaved points to copies of their files before the server ends.
+    pub(super) fn rescue(&self, controller: &mut Controller) {
+        if self.operator.unsaved().points.is_empty() {
+            return;
+        }
+        let written = self.operator.save_copies(controller);
+        controller.write_files();
+        to_stderr(|out| match &written {
+            Ok(files) => files.iter().try_for_each(|file| {
+                let file = one_line(file);
+                writeln!(out, "note: `{file}` contains the unsaved points; it replaces the file without `.unsaved`")
+            }),
+            Err(error) => writeln!(out, "error: the unsaved points are lost: {error}"),
+        });
     }
 
     fn take_commands(&mut self) -> VecDeque<PendingCommand> {
@@ -187,6 +246,14 @@ impl Viewers {
         let messages: Vec<StoredMessage> = self.feed.take().into_iter().map(encoded).collect();
         self.sent += messages.iter().map(StoredMessage::bytes).sum::<usize>();
         self.server.publish(messages);
+    }
+}
+
+/// Formats the name as a program writes it.
+fn shown_point(point: wire::PointName) -> String {
+    match point.key {
+        Some(key) => format!("`{}[{key}]`", point.name),
+        None => format!("`{}`", point.name),
     }
 }
 

@@ -44,12 +44,13 @@ pub(super) struct Grant {
 }
 
 impl Access {
-    /// Creates the access to a server at this address, with new secrets.
+    /// Creates the access to a server at this address, with random or chosen secrets.
     ///
     /// # Errors
-    /// The system has no random numbers.
+    /// The chosen secret is too short, or the system has no random numbers.
     pub(super) fn new(address: SocketAddr) -> Result<Self, UserError> {
-        Ok(Self { operator: secret::random()?, guest: secret::random()?, address })
+        let [operator, guest] = secret::for_page(["operator", "guest"])?;
+        Ok(Self { operator, guest, address })
     }
 
     /// Secret of a role.

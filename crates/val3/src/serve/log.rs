@@ -28,7 +28,7 @@ impl StoredMessage {
 /// Message that replaces dropped messages.
 const GAP: &str = r#"{"kind":"gap"}"#;
 
-/// Messages of a run, bounded in bytes. Each viewer has a cursor in the log.
+/// Messages of the current run, bounded in bytes. Each viewer has a cursor in the log.
 #[derive(Debug, Default)]
 pub(crate) struct MessageLog {
     messages: VecDeque<StoredMessage>,
@@ -36,6 +36,8 @@ pub(crate) struct MessageLog {
     lasting: Vec<StoredMessage>,
     /// Number of the first message that was not dropped.
     first: u64,
+    /// Number of the first message of the current run.
+    begun: u64,
     bytes: usize,
     limit: usize,
 }
@@ -60,6 +62,15 @@ impl MessageLog {
         }
     }
 
+    /// Discards the messages of the previous run.
+    pub(super) fn begin_run(&mut self) {
+        self.first = self.end();
+        self.begun = self.first;
+        self.messages.clear();
+        self.lasting.clear();
+        self.bytes = 0;
+    }
+
     /// Size of all messages, in bytes.
     #[cfg(test)]
     pub(super) const fn bytes(&self) -> usize {
@@ -75,6 +86,7 @@ impl MessageLog {
     /// dropped, the lasting messages and a `gap` come first.
     pub(super) fn messages_since(&self, cursor: &mut u64, count: usize) -> Vec<StoredMessage> {
         let mut messages = Vec::new();
+        *cursor = (*cursor).max(self.begun);
         if *cursor < self.first {
             messages.extend(self.lasting.iter().cloned());
             messages.push(StoredMessage::Text(Utf8Bytes::from_static(GAP)));

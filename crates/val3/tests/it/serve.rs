@@ -26,10 +26,14 @@ pub(crate) struct ServedRun {
 
 impl ServedRun {
     pub(crate) fn of(code: &str, options: &[&str]) -> Self {
+        Self::with_variables(code, options, &[])
+    }
+
+    fn with_variables(code: &str, options: &[&str], variables: &[(&str, &str)]) -> Self {
         let folder = Folder::with(code);
         let run = ["run", "usrapp/main", "--serve", "127.0.0.1:0"];
         let mut command = folder.command(&[&run, options].concat());
-        let mut process = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut process = command.envs(variables.iter().copied()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let mut stderr = BufReader::new(process.stderr.take().unwrap());
         let [operator, guest] = [(), ()].map(|()| {
             // Findings of the application come first.
@@ -157,9 +161,84 @@ fn the_server_stays_after_the_end_of_the_run() {
     let mut viewer = Viewer::new(&run.operator);
     assert_eq!(viewer.next_of("end")["exitCode"], 0);
     let answer = viewer.command(json!({ "id": 1, "command": "pace", "isPaused": true }));
-    assert_eq!(answer["error"], "the run has ended");
+    assert_eq!(answer["error"], "the run has ended; Run starts the application again");
     run.signal(Signal::INT);
     assert_eq!(run.ending().0, 0);
+}
+
+#[test]
+fn an_operator_starts_the_application_again() {
+    let mut run = ServedRun::of("? 1\n", &[]);
+    run.wait_for("the run has ended");
+    let mut viewer = Viewer::new(&run.operator);
+    assert_eq!(viewer.next_of("end")["reason"], "finished");
+    let start = json!({ "id": 1, "command": "run" });
+    let file = "usrapp/main/start.pgx";
+    let before = run.folder.read(file);
+    run.folder.write(file, &before.replace("? 1", "? nUnknown"));
+    let reason = viewer.command(start.clone())["error"].as_str().unwrap().to_owned();
+    assert!(reason.contains("start.pgx:") && reason.contains("nUnknown"), "{reason}");
+    run.wait_for("nUnknown");
+
+    run.folder.write(file, &before.replace("? 1", "? 2\n    wait(false)"));
+    assert_eq!(viewer.command(start.clone())["error"], Value::Null);
+    assert_eq!(viewer.next_of("scene")["role"], "operator");
+    assert_eq!(viewer.next_print().1, "2");
+    let mut late = Viewer::new(&run.guest);
+    assert_eq!(late.next()["kind"], "scene");
+    assert_eq!(late.next_print().1, "2");
+    assert_eq!(viewer.command(start)["error"], "the application is running");
+    run.signal(Signal::INT);
+    assert_eq!(run.ending().0, 130);
+}
+
+#[test]
+fn unsaved_points_survive_the_end_and_a_new_start() {
+    let mut run = ServedRun::of("point pA\n? pA.trsf.x\n", &[]);
+    run.wait_for("the run has ended");
+    let mut viewer = Viewer::new(&run.operator);
+    let file = "usrapp/main/main.dtx";
+    let before = run.folder.read(file);
+    let set = |x: f64| json!({ "id": 1, "command": "setPoint", "name": "pA", "local": [x, 0, 0, 0, 0, 0] });
+    assert_eq!(viewer.command(set(7.25))["error"], Value::Null);
+    assert_eq!(viewer.command(json!({ "id": 2, "command": "run" }))["error"], Value::Null);
+    assert_eq!(viewer.next_of("unsaved")["points"], json!([{ "name": "pA", "key": null }]));
+    assert_eq!(viewer.next_print().1, "7.25");
+    viewer.next_of("end");
+    assert_eq!(viewer.command(json!({ "id": 3, "command": "save" }))["files"], json!(["Disk://main/main.dtx"]));
+    let saved = run.folder.read(file);
+    assert!(saved != before && saved.contains(r#"x="7.25""#), "{saved}");
+
+    assert_eq!(viewer.command(set(8.5))["error"], Value::Null);
+    run.signal(Signal::INT);
+    let (code, text) = run.ending();
+    assert_eq!(code, 0);
+    assert!(text.contains("`Disk://main/main.dtx.unsaved` contains the unsaved points"), "{text}");
+    assert_eq!(run.folder.read(file), saved);
+    assert_eq!(run.folder.read("usrapp/main/main.dtx.unsaved"), saved.replace(r#"x="7.25""#, r#"x="8.5""#));
+}
+
+/// A signal while the application runs loses no points either.
+#[test]
+fn an_interrupted_run_rescues_unsaved_points() {
+    let mut run = ServedRun::of("point pA\ndelay(3600)\n", &[]);
+    let mut viewer = Viewer::new(&run.operator);
+    let set = json!({ "id": 1, "command": "setPoint", "name": "pA", "local": [3.5, 0, 0, 0, 0, 0] });
+    assert_eq!(viewer.command(set)["error"], Value::Null);
+    run.signal(Signal::INT);
+    assert_eq!(run.ending().0, 130);
+    assert!(run.folder.read("usrapp/main/main.dtx.unsaved").contains(r#"x="3.5""#));
+}
+
+#[test]
+fn a_chosen_secret_keeps_the_addresses() {
+    let secrets = |run: &ServedRun| [&run.operator, &run.guest].map(|page| page.rsplit('/').nth(1).unwrap().to_owned());
+    let variable = [("VAL3_SERVE_SECRET", "correct horse battery")];
+    let [first, second] = [(); 2].map(|()| ServedRun::with_variables("delay(3600)\n", &[], &variable));
+    assert_eq!(secrets(&first), secrets(&second));
+    assert_ne!(first.operator, first.guest);
+    let other = ServedRun::of("delay(3600)\n", &[]);
+    assert_ne!(secrets(&first), secrets(&other));
 }
 
 #[test]

@@ -46,7 +46,8 @@ export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilen
     return { kind: "stopped", text: "You are looking at the past.", word: "past" };
   }
   if (end !== undefined) {
-    return { kind: "stopped", text: `The run has ended: ${end}.`, word: "ended" };
+    const remedy = role === "operator" ? " Press Run to start the application again." : "";
+    return { kind: "stopped", text: `The run has ended: ${end}.${remedy}`, word: "ended" };
   }
   if (isPaused || isStopped) {
     return isStopped || role === "debugger"

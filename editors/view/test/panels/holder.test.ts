@@ -69,5 +69,6 @@ test("reasons say what the operator has to do first", () => {
   assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "open" }), "Release the E-stop before you switch the power on.");
   assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "released" }), undefined);
   assert.match(stopText({ ...STATE, emergencyStop: "released" }), /acknowledge/);
-  assert.deepEqual([runReason(true, false), runReason(false, false)], [undefined, "The application is running."]);
+  assert.deepEqual([runReason(true, false, true), runReason(false, false, true)], [undefined, "The application is running."]);
+  assert.deepEqual([runReason(false, true, true), runReason(false, true, false)], [undefined, "The run has ended. Start it again in the editor."]);
 });

@@ -18,7 +18,7 @@ function state(t: number, more: Partial<StateMessage> = {}): StateMessage {
 function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const time = signal(0);
   const around: Surroundings = {
-    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), blocked: signal(undefined),
+    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), canRestart: signal(true), blocked: signal(undefined),
     sample: signal<ArmSample | undefined>(undefined), samples: () => [], rests: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
   };

@@ -47,6 +47,20 @@ fn a_viewer_that_never_reads_costs_nothing() {
 }
 
 #[test]
+fn viewers_only_receive_the_current_run() {
+    let server = server(ServerLimits { log_bytes: 30, ..ServerLimits::default() });
+    let mut early = open(server.operator_page()).unwrap();
+    server.publish([StoredMessage::Lasting("{\"old\":1}".into()), text("{\"old\":2}"), text("{\"old\":3}"), text("{}")]);
+    while next(&mut early).unwrap() != b"{}" {}
+    server.begin_run();
+    server.publish([text("{\"new\":1}"), text("{\"new\":2}")]);
+    let late = open(server.guest_page()).unwrap();
+    for mut viewer in [early, late] {
+        assert_eq!([(); 2].map(|()| next_json(&mut viewer)["new"].as_u64()), [Some(1), Some(2)]);
+    }
+}
+
+#[test]
 fn commands_are_answered_to_their_viewer() {
     let server = server(ServerLimits::default());
     let [mut first, mut second] = [0, 1].map(|_| open(server.operator_page()).unwrap());

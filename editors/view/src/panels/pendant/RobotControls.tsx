@@ -16,13 +16,14 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
   const ended = cell.hasEnded.value ? "The run has ended." : undefined;
   const operate = (keys: object): void => void notice.operate(cell, keys);
   const refused = (reason: string): void => void (notice.text.value = reason);
+  const run = (): void => void (cell.hasEnded.peek() ? notice.send(cell, "run", {}) : notice.send(cell, "pace", { isPaused: false }));
   const isPowered = state?.power ?? false;
   const isStopped = state?.emergencyStop === "open";
   const isHeld = state?.isHeld ?? false;
   return (
     <div class="robot-controls" role="group" aria-label="Robot">
       <div class="row">
-        <Button reason={blocked ?? runReason(cell.isPaused.value, cell.hasEnded.value)} onPress={() => void notice.send(cell, "pace", { isPaused: false })} onRefused={refused}>Run</Button>
+        <Button title={cell.hasEnded.value ? "Read the files and start the application again" : "Continue the run"} reason={blocked ?? runReason(cell.isPaused.value, cell.hasEnded.value, cell.canRestart.value)} onPress={run} onRefused={refused}>Run</Button>
         <Button reason={blocked ?? ended} title="Stop the application" onPress={() => operate({ stop: true })} onRefused={refused}>Stop</Button>
         <Button reason={blocked ?? ended} title={isHeld ? "Let the programs move the arm" : "Hold the arm"} onPress={() => operate({ move: isHeld })} onRefused={refused}>
           {isHeld ? "Move" : "Hold"}

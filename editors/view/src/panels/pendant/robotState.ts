@@ -43,6 +43,9 @@ export function jogReason(state: CellState | undefined): string | undefined {
 }
 
 /** Returns the reason why Run is disabled. */
-export function runReason(isPaused: boolean, hasEnded: boolean): string | undefined {
-  return hasEnded ? "The run has ended. Start it again with val3 run." : isPaused ? undefined : "The application is running.";
+export function runReason(isPaused: boolean, hasEnded: boolean, canRestart: boolean): string | undefined {
+  if (hasEnded) {
+    return canRestart ? undefined : "The run has ended. Start it again in the editor.";
+  }
+  return isPaused ? undefined : "The application is running.";
 }

@@ -20,6 +20,8 @@ export interface Surroundings {
   oldest: ReadonlySignal<number>;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
+  /** Whether Run starts the application again after its end. */
+  canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
   sample: ReadonlySignal<ArmSample | undefined>;

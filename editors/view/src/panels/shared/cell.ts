@@ -98,6 +98,8 @@ export interface Cell {
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
+  /** Whether Run starts the application again after its end. */
+  canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
   /** Names of points that were changed by hand and not saved. */
