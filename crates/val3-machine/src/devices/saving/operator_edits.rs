@@ -1,9 +1,11 @@
 //! Saves values that an operator has changed to the files from which they were loaded.
 
+use val3_data::rounded_number_text;
 use val3_lang::memory::Place;
 use val3_vm::{InstanceId, Space};
 
 use super::Saving;
+use super::values::Saver;
 use crate::devices::lines::ChannelTable;
 use crate::devices::loaded::LoadedProjects;
 use crate::devices::outside::{Outside, controller_path};
@@ -38,7 +40,8 @@ pub(in crate::devices) struct SaveRequest<'s> {
     pub(in crate::devices) overwrite: bool,
 }
 
-/// Writes only the requested values into the data files; all other values in the files are kept.
+/// Writes only the requested values into the data files, with six decimals at most; all other values in the files are
+/// kept.
 ///
 /// # Errors
 /// A file cannot be read or written, or belongs to an encrypted library.
@@ -51,7 +54,8 @@ pub(in crate::devices) fn save(
     let SaveRequest { space, io, lines, .. } = *request;
     for (saved, instance) in space.loaded() {
         let saving = Saving { space, from: saved, saved, io, lines, limit: u64::MAX };
-        let data = saving.saver().map(|saver| saver.at(request.places)).unwrap_or_default();
+        let saver = saving.saver().map(|saver| Saver { number_text: rounded_number_text, ..saver });
+        let data = saver.map(|saver| saver.at(request.places)).unwrap_or_default();
         if data.is_empty() {
             continue;
         }
