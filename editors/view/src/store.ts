@@ -57,7 +57,7 @@ export class Store {
       hasEnded: computed(() => this.end.value !== undefined),
       sample: computed(() => {
         const sample = this.shown.value;
-        return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [] };
+        return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [], toolName: this.tools.get(sample.tool)?.name };
       }),
       samples: () => this.phases(),
       sourceOf: (index) => this.sources.get(index),
