@@ -21,6 +21,7 @@ pub use read::{read, type_name};
 pub use reference::is_old_reference;
 pub use rewrite::{edits, rewrite};
 pub use saved_data::{
-    SavedContainer, SavedContent, SavedData, SavedField, SavedValue, default_of, is_same, number_text, same_text,
+    SavedContainer, SavedContent, SavedData, SavedField, SavedValue, default_of, is_same, number_text,
+    rounded_number_text, same_text,
 };
 pub use written::{WrittenAttribute, WrittenVariable, written};

@@ -64,6 +64,20 @@ pub fn number_text(number: f64) -> String {
     if size != 0.0 && !(1e-5..1e15).contains(&size) { format!("{number:e}") } else { format!("{number}") }
 }
 
+/// Factor that shifts six decimals before the point.
+const SIX_DECIMALS: f64 = 1e6;
+
+/// Number from which a double has no room for six decimals.
+const WITHOUT_DECIMALS: f64 = 1e9;
+
+/// Number as [`number_text`] spells it, rounded to six decimals: a millionth of a mm or degree has no meaning for an
+/// arm, and further digits only differ from file to file.
+#[must_use]
+pub fn rounded_number_text(number: f64) -> String {
+    let is_small = number.abs() < WITHOUT_DECIMALS;
+    number_text(if is_small { (number * SIX_DECIMALS).round() / SIX_DECIMALS + 0.0 } else { number })
+}
+
 impl SavedValue {
     /// Attribute text; `None` for the default.
     #[must_use]
@@ -153,6 +167,13 @@ mod tests {
             assert_eq!(number_text(number).parse::<f64>(), Ok(number));
         }
         assert_eq!([1e15, 0.25, -3.0, 1e-16].map(number_text), ["1e15", "0.25", "-3", "1e-16"]);
+    }
+
+    #[test]
+    fn rounded_numbers_have_six_decimals_at_most() {
+        let numbers = [-521.010_071_662_834_3, 0.1 + 0.2, 1e-7, -1e-7, 0.000_001, 113.596_594, 6.022e23];
+        let texts = ["-521.010072", "0.3", "0", "0", "1e-6", "113.596594", "6.022e23"];
+        assert_eq!(numbers.map(rounded_number_text), texts);
     }
 
     #[test]

@@ -1,13 +1,14 @@
 //! Commands of pages.
 
-use std::collections::BTreeSet;
+mod edits;
+mod lookup;
+mod range;
+mod solve;
+mod teach;
 
 use serde::Serialize;
 use serde_json::{Map, Value};
-use val3_geometry::{Trsf, chain};
-use val3_lang::call::{FrameRef, PointRef};
 use val3_lang::memory::Place;
-use val3_lang::references::{self, Chain};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_machine::devices::SavedValues;
@@ -17,20 +18,24 @@ use val3_machine::script::ScriptAction;
 
 use crate::positions::{self, GlobalValue};
 use crate::wire::{
-    Arguments as _, CommandError, ElementKey, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach,
-    UnsavedMessage, UserPage,
+    Arguments as _, CommandError, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage,
+    UserPage,
 };
+use edits::Edits;
+use lookup::{datum, no_datum};
+use range::check_range;
+use solve::solve;
+use teach::teach;
 
 /// Operators of a run. All pages share the changes that were not saved.
 #[derive(Debug, Default)]
 pub struct Operator {
-    /// Points with new values.
-    changed: BTreeSet<PointName>,
+    edits: Edits,
 }
 
 impl Operator {
-    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `save`, `userPage`. Returns the keys of
-    /// its response.
+    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `undo`, `solve`, `save`, `userPage`.
+    /// Returns the keys of its response.
     ///
     /// # Errors
     /// The command is unknown, its arguments are invalid, or the controller rejects it.
@@ -44,13 +49,20 @@ impl Operator {
             "operate" => operate(Operate::read(arguments)?, controller)?,
             "setPoint" => {
                 let point_set = SetPoint::read(arguments)?;
-                let local = point_set.trsf();
-                let point = point(&point_set.name, point_set.key, controller)?;
-                self.change(point, |point| write(point, &local, controller))?;
+                let local = point_set.local;
+                let point = datum(&point_set.name, point_set.key, controller)?;
+                self.edits.change(point, controller, |point, controller| set_point(point, &local, controller))?;
             }
             "teach" => {
-                let Teach { name, key } = Teach::read(arguments)?;
-                self.change(point(&name, key, controller)?, |point| teach(point, controller))?;
+                let Teach { name, key, tool } = Teach::read(arguments)?;
+                let datum = datum(&name, key, controller)?;
+                self.edits.change(datum, controller, |datum, controller| teach(datum, tool, controller))?;
+            }
+            "undo" => self.edits.undo(controller)?,
+            "solve" => {
+                let Teach { name, key, tool } = Teach::read(arguments)?;
+                let datum = datum(&name, key, controller)?;
+                return Ok(response(&solve(&datum, tool, controller)?));
             }
             "save" => return Ok(response(&self.save(&Save::read(arguments)?, controller)?)),
             "userPage" => user_page(&UserPage::read(arguments)?, controller),
@@ -64,13 +76,13 @@ impl Operator {
         Ok(Map::new())
     }
 
-    /// Message `unsaved`: the points with unsaved changes.
+    /// Message `unsaved`: the points and joint positions with unsaved changes.
     #[must_use]
     pub fn unsaved(&self) -> UnsavedMessage {
-        UnsavedMessage { points: self.changed.iter().cloned().collect() }
+        self.edits.message()
     }
 
-    /// Writes the changed points to copies of their files, next to them: `main.dtx.unsaved`. Returns the names of the
+    /// Writes the changed values to copies of their files, next to them: `main.dtx.unsaved`. Returns the names of the
     /// copies.
     ///
     /// # Errors
@@ -80,67 +92,30 @@ impl Operator {
         controller.devices.save_copies(&controller.vm.space, &places).map_err(not_saved)
     }
 
-    /// Copies the unsaved values to a controller that has loaded the application again. Points that no longer exist are
+    /// Copies the unsaved values to a controller that has loaded the application again. Values that no longer exist are
     /// no longer unsaved; their names are returned.
     pub fn carry(&mut self, from: &Controller, to: &mut Controller) -> Vec<PointName> {
-        let changed: Vec<GlobalValue> =
-            positions::data(from).into_iter().filter(|datum| self.has_changed(datum)).collect();
-        let loaded = positions::data(to);
-        let mut kept = BTreeSet::new();
-        for old in &changed {
-            let new = loaded.iter().find(|new| (&new.name, &new.key, new.base) == (&old.name, &old.key, old.base));
-            if new.is_some_and(|new| copy_numbers((old, from), (new, to)).is_some()) {
-                kept.insert(PointName { name: old.name.clone(), key: old.key.clone() });
-            }
-        }
-        let before = std::mem::replace(&mut self.changed, kept);
-        before.difference(&self.changed).cloned().collect()
+        self.edits.carry(from, to)
     }
 
-    /// Places of the changed points, without points that the program has removed meanwhile.
+    /// Places of the changed values, without values that the program has removed meanwhile.
     fn changed_places(&self, controller: &Controller) -> Vec<Place> {
         let data = positions::data(controller).into_iter();
-        data.filter(|datum| self.has_changed(datum)).map(|datum| datum.place).collect()
+        data.filter(|datum| self.edits.has_changed(datum)).map(|datum| datum.place).collect()
     }
 
-    fn change(
-        &mut self,
-        point: GlobalValue,
-        write: impl FnOnce(&GlobalValue) -> Result<(), CommandError>,
-    ) -> Result<(), CommandError> {
-        write(&point)?;
-        self.changed.insert(PointName { name: point.name, key: point.key });
-        Ok(())
-    }
-
-    /// Whether a value is a changed point.
-    fn has_changed(&self, datum: &GlobalValue) -> bool {
-        datum.base == BaseType::Point
-            && self.changed.contains(&PointName { name: datum.name.clone(), key: datum.key.clone() })
-    }
-
-    /// Writes the changed points to their files.
+    /// Writes the changed values to their files.
     fn save(&mut self, save: &Save, controller: &mut Controller) -> Result<Saved, CommandError> {
         let places = self.changed_places(controller);
         let saved = controller.devices.save_values(&controller.vm.space, &places, save.overwrite);
         Ok(match saved.map_err(not_saved)? {
             SavedValues::Conflict(files) => Saved::Conflict(files),
             SavedValues::Written(files) => {
-                self.changed.clear();
+                self.edits.mark_saved();
                 Saved::Files(files)
             }
         })
     }
-}
-
-/// Copies all numbers of a value, with its configuration; `None` if their counts differ.
-fn copy_numbers((old, from): (&GlobalValue, &Controller), (new, to): (&GlobalValue, &mut Controller)) -> Option<()> {
-    let (from, to) = (&from.vm.space.memory, &mut to.vm.space.memory);
-    let count = from.store(old.place.store).ok()?.kind.size.num;
-    if to.store(new.place.store).ok()?.kind.size.num != count {
-        return None;
-    }
-    (0..count).try_for_each(|lane| to.set_num(new.place, lane, from.num(old.place, lane).ok()?).ok())
 }
 
 fn not_saved(fault: FileFault) -> CommandError {
@@ -178,36 +153,25 @@ pub fn response(response: &impl Serialize) -> Map<String, Value> {
     }
 }
 
-/// Finds the point that a command names.
-fn point(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result<GlobalValue, CommandError> {
-    let key = key.map(ElementKey::into_text);
-    let mut points = positions::data(controller).into_iter().filter(|datum| datum.base == BaseType::Point);
-    let found = points.find(|point| point.name == name && point.key == key);
-    found.ok_or_else(|| {
-        CommandError(match key {
-            Some(key) => format!("there is no point `{name}[{key}]`"),
-            None => format!("there is no point `{name}` with a single value"),
-        })
-    })
+/// Sets the coordinates of a point in its frame. Its configuration is unchanged.
+fn set_point(point: &GlobalValue, local: &[f64; 6], controller: &mut Controller) -> Result<(), CommandError> {
+    if point.base != BaseType::Point {
+        return Err(no_datum("point", &point.name, point.key.as_deref()));
+    }
+    let present = positions::nums(&controller.vm.space.memory, point.place, 6).unwrap_or_default();
+    check_range(local, &present)?;
+    write(point, (0..).zip(*local), controller)
 }
 
-/// Sets a point to the current pose of the tool centre point, relative to the point's father. Its configuration is
-/// unchanged.
-fn teach(point: &GlobalValue, controller: &mut Controller) -> Result<(), CommandError> {
-    let here = Trsf::from(controller.arm().sample().pose);
-    let memory = &controller.vm.space.memory;
-    let frame = references::frame_of(memory, PointRef(point.place));
-    let frame = frame.and_then(|FrameRef(frame)| references::of_frame(memory, FrameRef(frame)));
-    let frame = frame.map_err(|fault| CommandError(format!("the point has no frame (error {})", fault.0)))?;
-    let local = chain::position(&Chain::from_iter([here]), &frame);
-    write(point, &local, controller)
-}
-
-fn write(point: &GlobalValue, local: &Trsf, controller: &mut Controller) -> Result<(), CommandError> {
+/// Writes numbers of a value by lane.
+fn write(
+    datum: &GlobalValue,
+    numbers: impl IntoIterator<Item = (u32, f64)>,
+    controller: &mut Controller,
+) -> Result<(), CommandError> {
     let memory = &mut controller.vm.space.memory;
-    let numbers = crate::numbers(local);
-    let written = (0..).zip(numbers).try_for_each(|(lane, number)| memory.set_num(point.place, lane, number));
-    written.map_err(|fault| CommandError(format!("the point cannot be changed (error {})", fault.0)))
+    let written = numbers.into_iter().try_for_each(|(lane, number)| memory.set_num(datum.place, lane, number));
+    written.map_err(|fault| CommandError(format!("`{}` cannot be changed (error {})", datum.name, fault.0)))
 }
 
 #[cfg(test)]

@@ -15,7 +15,9 @@ use crate::motion::{self, MotionKey};
 use crate::positions::PositionComputer;
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
-use crate::wire::{CellPoint, DataMessage, End, EventsMessage, PageMessage, Rewind, Role, Source, StateMessage, Tool};
+use crate::wire::{
+    CellPoint, DataMessage, End, EventsMessage, JointValue, PageMessage, Rewind, Role, Source, StateMessage, Tool,
+};
 use crate::{numbers, positions, scene, state, user_page, wire};
 
 /// Polling interval of the state, in nanoseconds on the controller's clock.
@@ -53,6 +55,7 @@ pub struct Feed {
     motion: Option<MotionKey>,
     page: Option<PageMessage>,
     points: Vec<CellPoint>,
+    joints: Vec<JointValue>,
     signals: SignalStates,
     /// Latest time in the messages.
     seen: Time,
@@ -75,6 +78,7 @@ impl Feed {
             motion: None,
             page: None,
             points: Vec::new(),
+            joints: Vec::new(),
             signals: SignalStates::default(),
             seen: 0,
             messages: Vec::new(),
@@ -113,7 +117,8 @@ impl Feed {
 
     fn forget(&mut self) {
         (self.state, self.page, self.motion) = (None, None, None);
-        (self.signals, self.points) = (SignalStates::default(), Vec::new());
+        (self.points, self.joints) = (Vec::new(), Vec::new());
+        self.signals = SignalStates::default();
     }
 
     /// Compares the complete state immediately: after a command, at a stop, or after stepping back.
@@ -180,16 +185,22 @@ impl Feed {
 
     fn see_positions(&mut self, time: Time, controller: &Controller) {
         let data = positions::data(controller);
-        let points = PositionComputer::new(&data, &controller.vm.space.memory).of_type(BaseType::Point);
-        let known = std::mem::take(&mut self.points);
+        let memory = &controller.vm.space.memory;
+        let points = PositionComputer::new(&data, memory).of_type(BaseType::Point);
+        let joints = positions::joints(&data, memory);
+        let has_known = !self.points.is_empty() || !self.joints.is_empty();
         // The scene contains the initial positions.
-        if !known.is_empty() || self.looks > 0 {
-            let changed: Vec<CellPoint> = points.iter().filter(|point| !known.contains(point)).cloned().collect();
-            if !changed.is_empty() {
-                self.tell(&wire::Message::Data(DataMessage { t: seconds(time), points: changed }));
+        if has_known || self.looks > 0 {
+            let message = DataMessage {
+                t: seconds(time),
+                points: changed(&points, &self.points),
+                joints: changed(&joints, &self.joints),
+            };
+            if !message.points.is_empty() || !message.joints.is_empty() {
+                self.tell(&wire::Message::Data(message));
             }
         }
-        self.points = points;
+        (self.points, self.joints) = (points, joints);
     }
 
     /// Removes and returns the pending messages.
@@ -286,6 +297,13 @@ impl Feed {
         }));
         number
     }
+}
+
+/// Values that differ from all known values, which include their names.
+fn changed<T: PartialEq + Clone>(values: &[T], known: &[T]) -> Vec<T> {
+    // Values are nearly always at the same index as before.
+    let is_known = |(index, value): &(usize, &T)| known.get(*index) == Some(*value) || known.contains(value);
+    values.iter().enumerate().filter(|value| !is_known(value)).map(|(_, value)| value.clone()).collect()
 }
 
 fn is_same(known: &[f64; 6], tool: &[f64; 6]) -> bool {

@@ -5,6 +5,7 @@
 
 mod arm;
 mod commands;
+mod configuration;
 mod feed;
 mod motion;
 mod positions;

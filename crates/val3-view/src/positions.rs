@@ -3,15 +3,14 @@
 use rustc_hash::FxHashMap;
 use val3_debug::subscript;
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
-use val3_lang::enumerations;
 use val3_lang::memory::{KindBase, LinkPlace, Memory, Place};
 use val3_lang::references::{self, Poses};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_machine::io::{LinkId, SignalId};
 
-use crate::numbers;
 use crate::wire::{CellPoint, JointValue};
+use crate::{configuration, numbers};
 
 /// A global value in an application or library.
 #[derive(Debug, Clone)]
@@ -129,29 +128,31 @@ impl<'a> PositionComputer<'a> {
 pub(crate) fn joints(data: &[GlobalValue], memory: &Memory) -> Vec<JointValue> {
     let joints = data.iter().filter(|datum| datum.base == BaseType::Joint);
     let values = joints.filter_map(|GlobalValue { name, key, place, .. }| {
-        let axes = memory.store(place.store).ok()?.kind.size.num;
-        Some(JointValue { name: name.clone(), key: key.clone(), values: nums(memory, *place, axes)? })
+        Some(JointValue { name: name.clone(), key: key.clone(), values: all_nums(memory, *place)? })
     });
     values.collect()
 }
 
-/// Enumerators of a point's configuration: shoulder, elbow, wrist; a SCARA arm has only a shoulder.
-fn configuration(memory: &Memory, place: Place) -> String {
-    let is_scara = memory
+/// Words of a point's configuration; empty if the point does not exist.
+fn configuration(memory: &Memory, point: Place) -> String {
+    let is_scara = is_for_scara(memory, point);
+    configuration::of_point(memory, point, is_scara)
+        .map_or_else(String::new, |config| configuration::words(&config, is_scara))
+}
+
+/// Whether a point or joint position is for a SCARA arm.
+pub(crate) fn is_for_scara(memory: &Memory, place: Place) -> bool {
+    memory
         .store(place.store)
-        .is_ok_and(|store| matches!(store.kind.base, KindBase::Builtin(_, Some(val3_lang::types::Arm::Scara))));
-    let fields = [BaseType::Shoulder, BaseType::Elbow, BaseType::Wrist];
-    let fields = (6..).zip(fields).take(if is_scara { 1 } else { 3 });
-    let names = fields.filter_map(|(lane, field)| {
-        let number = memory.num(place, lane).ok()?;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the place of an enumerator")]
-        let place = number as usize;
-        enumerations::values(field).nth(place).map(|row| row.name)
-    });
-    names.collect::<Vec<_>>().join(" ")
+        .is_ok_and(|store| matches!(store.kind.base, KindBase::Builtin(_, Some(val3_lang::types::Arm::Scara))))
+}
+
+/// All numbers of a value; `None` if it does not exist.
+pub(crate) fn all_nums(memory: &Memory, place: Place) -> Option<Vec<f64>> {
+    nums(memory, place, memory.store(place.store).ok()?.kind.size.num)
 }
 
 /// First numbers of a value.
-fn nums(memory: &Memory, place: Place, count: u32) -> Option<Vec<f64>> {
+pub(crate) fn nums(memory: &Memory, place: Place, count: u32) -> Option<Vec<f64>> {
     (0..count).map(|lane| memory.num(place, lane).ok()).collect()
 }

@@ -1,9 +1,11 @@
 //! Message `state`: tasks and robot.
 
+use val3_lang::values::ConfigValue;
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::seconds;
 use val3_vm::{Rate, Task};
 
+use crate::configuration;
 use crate::wire::{StateMessage, TaskState};
 
 /// Creates the message at a time in seconds.
@@ -29,6 +31,7 @@ pub(crate) fn message(t: f64, controller: &Controller) -> StateMessage {
         held_because: hold.map(|hold| hold.text().to_owned()),
         awaited_hold: awaited_hold.map(|hold| hold.operator_text().to_owned()),
         monitor_speed: robot.monitor_speed(),
+        config: configuration::words(&ConfigValue::at(arm.model(), &arm.joint()), arm.model().is_scara()),
     }
 }
 

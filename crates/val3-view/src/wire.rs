@@ -9,8 +9,8 @@ mod scene;
 mod state;
 
 pub use commands::{
-    Arguments, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice, PointName,
-    RecordScenario, Recorded, Save, Saved, SetPoint, Teach, UserPage,
+    Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice,
+    PointName, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, Teach, ToolName, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
@@ -45,9 +45,9 @@ pub enum Message {
     Page(PageMessage),
     /// Events of the run.
     Events(EventsMessage),
-    /// Points with other values.
+    /// Points and joint positions with other values.
     Data(DataMessage),
-    /// Points with unsaved changes.
+    /// Points and joint positions with unsaved changes.
     Unsaved(UnsavedMessage),
     /// The run has ended.
     End(End),
@@ -135,20 +135,24 @@ pub struct RunEvent {
     pub data: Map<String, Value>,
 }
 
-/// Points with other values.
+/// Points and joint positions with other values.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct DataMessage {
     /// Time in s.
     pub t: f64,
     /// Changed points.
     pub points: Vec<CellPoint>,
+    /// Changed joint positions.
+    pub joints: Vec<JointValue>,
 }
 
-/// Points with unsaved changes.
+/// Points and joint positions with unsaved changes.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct UnsavedMessage {
-    /// Names of the points.
+    /// Names of the points and joint positions.
     pub points: Vec<PointName>,
+    /// Point or joint position that `undo` restores; `null` if nothing was changed.
+    pub undo: Option<PointName>,
 }
 
 /// End of the run.
@@ -205,6 +209,7 @@ pub fn schema() -> Value {
     let root = messages.subschema_for::<Message>();
     messages.subschema_for::<Saved>();
     messages.subschema_for::<Recorded>();
+    messages.subschema_for::<Solved>();
     let mut commands = SchemaSettings::draft2020_12().for_deserialize().into_generator();
     commands.subschema_for::<Command>();
     let mut definitions = messages.take_definitions(true);

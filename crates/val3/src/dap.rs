@@ -71,7 +71,9 @@ fn open(start: &SessionStart, handshake: &mut Handshake) -> Result<(RunArgs, Deb
     }
     match opened {
         Ok(OpenedApplication::Ready(ready)) => Ok((args, settings, *ready)),
-        Ok(OpenedApplication::Faulty { .. }) => Err("the application has errors, which the debug console shows".to_owned()),
+        Ok(OpenedApplication::Faulty { .. }) => {
+            Err("the application has errors, which the debug console shows".to_owned())
+        }
         Err(error) => Err(error.to_string()),
     }
 }

@@ -60,7 +60,7 @@ export class Store {
       canRestart: computed(() => this.scene.value?.role === "operator"),
       sample: computed(() => {
         const sample = this.shown.value;
-        return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [] };
+        return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [], toolName: this.tools.get(sample.tool)?.name };
       }),
       samples: () => this.phases(),
       rests: () => this.rests(),

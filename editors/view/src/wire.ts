@@ -25,6 +25,18 @@ export interface ArmChain {
   timesNote: string | null;
 }
 
+/** Joint position in a configuration. */
+export interface ArmSolution {
+  /** Configuration in words; `null` for a joint position. */
+  config: string | null;
+  /** Whether `movej` would end at these joints. */
+  isChosen: boolean;
+  /** Positions of the axes, in degrees or mm; `null` if the arm cannot reach the pose in this configuration. */
+  joints: readonly number[] | null;
+  /** Reason why the arm cannot reach the pose. */
+  reason: string | null;
+}
+
 /** Axis limits, in degrees or, for a linear axis, mm. */
 export interface Axis {
   /** Whether the axis is linear. */
@@ -92,6 +104,8 @@ export type Command =
   | Operate & { command: "operate" }
   | SetPoint & { command: "setPoint" }
   | Teach & { command: "teach" }
+  | { command: "undo" }
+  | Teach & { command: "solve" }
   | Save & { command: "save" }
   | UserPage & { command: "userPage" }
   | Pace & { command: "pace" }
@@ -105,8 +119,10 @@ export interface Cycle {
   cycles?: number;
 }
 
-/** Points with other values. */
+/** Points and joint positions with other values. */
 export interface DataMessage {
+  /** Changed joint positions. */
+  joints: readonly JointValue[];
   /** Changed points. */
   points: readonly CellPoint[];
   /** Time in s. */
@@ -455,6 +471,12 @@ export interface SignalState {
   value: number;
 }
 
+/** Response of `solve`. */
+export interface Solved {
+  /** Configurations in their order; a single entry for a joint position. */
+  solutions: readonly ArmSolution[];
+}
+
 /** Line that requests moves. */
 export interface Source {
   /** Path of the program's file. */
@@ -473,6 +495,8 @@ export interface Source {
 export interface StateMessage {
   /** Why the arm that a task waits for does not move, as sentences for an operator. */
   awaitedHold: string | null;
+  /** Configuration of the arm in words, as in points. */
+  config: string;
   /** State of the emergency stop: `none`, `released` or `open`. */
   emergencyStop: string;
   /** Reason why the arm is held. */
@@ -517,12 +541,14 @@ export interface TaskState {
   waits: string | null;
 }
 
-/** Arguments of `teach`. */
+/** Arguments of `teach` and `solve`. */
 export interface Teach {
   /** Index or key; `null` for data with a single value. */
   key?: ElementKey | null;
   /** Data name, prefixed by the library. */
   name: string;
+  /** Tool whose centre point counts; the tool of the last move if missing. */
+  tool?: ToolName;
 }
 
 /** Tool, from flange to tool centre point. */
@@ -535,10 +561,20 @@ export interface Tool {
   pose: readonly number[];
 }
 
-/** Points with unsaved changes. */
+/** Tool name, with an index or key. */
+export interface ToolName {
+  /** Index or key; `null` for data with a single value. */
+  key?: ElementKey | null;
+  /** Data name, prefixed by the library, or `flange`. */
+  name: string;
+}
+
+/** Points and joint positions with unsaved changes. */
 export interface UnsavedMessage {
-  /** Names of the points. */
+  /** Names of the points and joint positions. */
   points: readonly PointName[];
+  /** Point or joint position that `undo` restores; `null` if nothing was changed. */
+  undo: PointName | null;
 }
 
 /** Arguments of `userPage`. */

@@ -15,10 +15,15 @@ impl ConfigValue {
     /// Configuration of `arm` at a joint position. A SCARA arm has only a shoulder.
     #[must_use]
     pub fn at(arm: &Arm, joint: &[f64; 6]) -> Self {
-        let Configuration { shoulder, elbow, wrist } = arm.configuration(joint);
+        Self::of(arm.configuration(joint), arm.is_scara())
+    }
+
+    /// Value with exactly this configuration. A SCARA arm has only a shoulder.
+    #[must_use]
+    pub fn of(Configuration { shoulder, elbow, wrist }: Configuration, is_scara: bool) -> Self {
         let place = |is_first| if is_first { FIRST } else { SECOND };
         let shoulder = place(shoulder == Shoulder::Lefty);
-        if arm.is_scara() {
+        if is_scara {
             return Self([shoulder, SAME, SAME]);
         }
         Self([shoulder, place(elbow == Elbow::Positive), place(wrist == Wrist::Positive)])

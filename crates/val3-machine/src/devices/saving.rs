@@ -7,6 +7,7 @@ mod links;
 mod operator_edits;
 mod values;
 
+use val3_data::number_text;
 use val3_vm::{InstanceId, Space};
 
 use super::lines::ChannelTable;
@@ -75,6 +76,6 @@ impl<'s> Saving<'s> {
 
     fn saver(&self) -> Option<Saver<'s>> {
         let instance = self.space.instance(self.saved)?;
-        Some(Saver { memory: &self.space.memory, instance, links: LoadedLinks::new(self, instance) })
+        Some(Saver { memory: &self.space.memory, instance, links: LoadedLinks::new(self, instance), number_text })
     }
 }

@@ -64,13 +64,61 @@ fn an_index_is_a_number_or_a_text() {
 }
 
 #[test]
-fn the_present_position_is_taught() {
+fn a_value_gets_the_present_position() {
     let mut controller = controller();
     run(&mut controller, "teach", json!({ "name": "pPick", "key": "1" })).unwrap();
     let here = crate::coordinates(&controller.arm().sample().pose);
     let pose = shown_point(&controller)["pose"].clone();
     let near = |(index, expected): (usize, &f64)| (pose[index].as_f64().unwrap() - expected).abs() < 1e-9;
     assert!(here.iter().enumerate().all(near), "{pose} {here:?}");
+}
+
+#[test]
+fn a_point_gets_the_configuration_of_the_arm_except_for_fields_that_stay_the_same() {
+    let mut controller = controller();
+    controller.devices.state.arm.start_at([10.0, 20.0, 80.0, 0.0, -70.0, 0.0]).unwrap();
+    run(&mut controller, "teach", json!({ "name": "pPick", "key": 1, "tool": { "name": "flange" } })).unwrap();
+    assert_eq!(shown_point(&controller)["config"], "lefty esame wsame");
+    let free = "pPick[1].config.elbow=efree\n  pPick[1].config.wrist=wpositive";
+    let listing = LISTING.replace("pPick[1].config.shoulder=righty", free);
+    let mut controller = Running::start(&listing).controller;
+    controller.step();
+    controller.devices.state.arm.start_at([10.0, 20.0, 80.0, 0.0, -70.0, 0.0]).unwrap();
+    run(&mut controller, "teach", json!({ "name": "pPick", "key": 1 })).unwrap();
+    assert_eq!(shown_point(&controller)["config"], "ssame epositive wnegative");
+}
+
+#[test]
+fn joint_positions_are_taught_and_changes_are_undone() {
+    let listing = LISTING.replace("frame fTable", "joint jHome\nframe fTable");
+    let mut controller = Running::start(&listing).controller;
+    controller.step();
+    let taught = [10.0, 20.0, 80.0, 1.0, -70.0, 5.0];
+    controller.devices.state.arm.start_at(taught).unwrap();
+    let mut operator = Operator::default();
+    let mut execute = |name: &str, arguments: Value, controller: &mut Controller| {
+        let done = operator.execute(name, arguments.as_object().unwrap(), controller);
+        done.map_err(|error| error.to_string()).map(|_| json!(operator.unsaved()))
+    };
+    let joints = |controller: &Controller| {
+        positions::joints(&positions::data(controller), &controller.vm.space.memory).remove(0).values
+    };
+    let home = json!({ "name": "jHome", "key": null });
+    let unsaved = execute("teach", json!({ "name": "jHome" }), &mut controller).unwrap();
+    assert_eq!((joints(&controller), &unsaved["undo"]), (taught.to_vec(), &home));
+    let moved = json!({ "name": "pPick", "key": 1, "local": [1, 2, 3, 0, 0, 0] });
+    let unsaved = execute("setPoint", moved, &mut controller).unwrap();
+    assert_eq!((unsaved["points"].as_array().unwrap().len(), &unsaved["undo"]["name"]), (2, &json!("pPick")));
+    let unsaved = execute("undo", json!({}), &mut controller).unwrap();
+    assert_eq!((&shown_point(&controller)["local"][0], &unsaved["points"]), (&json!(0.0), &json!([home])));
+    let unsaved = execute("undo", json!({}), &mut controller).unwrap();
+    assert_eq!((joints(&controller), unsaved), (vec![0.0; 6], json!({ "points": [], "undo": null })));
+    assert_eq!(execute("undo", json!({}), &mut controller).unwrap_err(), "nothing was changed");
+    let named = json!({ "name": "jHome", "local": [1, 2, 3, 0, 0, 0] });
+    assert_eq!(
+        execute("setPoint", named, &mut controller).unwrap_err(),
+        "there is no point `jHome` with a single value"
+    );
 }
 
 #[test]
@@ -89,6 +137,10 @@ fn wrong_commands_say_why() {
     let mut refused = |name: &str, arguments| run(&mut controller, name, arguments).unwrap_err();
     assert_eq!(refused("fly", json!({})), "`fly` is not a command");
     assert_eq!(refused("teach", json!({ "name": "pGone" })), "there is no point `pGone` with a single value");
+    let far = json!({ "name": "pPick", "key": "1", "local": [99_999_999, 2, 3, 0, 0, 0] });
+    assert!(refused("setPoint", far).contains("outside the range from -100000 to 100000 mm"));
+    let tool = json!({ "name": "pPick", "key": "1", "tool": { "name": "tGone" } });
+    assert_eq!(refused("teach", tool), "there is no tool `tGone` with a single value");
     let short = json!({ "name": "pPick", "key": "1", "local": [1, 2, 3] });
     assert!(refused("setPoint", short).contains("six numbers"));
 }
@@ -109,3 +161,5 @@ fn unsaved_values_survive_a_new_start() {
     assert_eq!(lost, [PointName { name: "pPick".to_owned(), key: Some("1".to_owned()) }]);
     assert_eq!(operator.unsaved().points, []);
 }
+
+mod laws;

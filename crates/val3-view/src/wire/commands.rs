@@ -22,8 +22,12 @@ pub enum Command {
     Operate(Operate),
     /// Sets a point.
     SetPoint(SetPoint),
-    /// Sets a point to the current pose of the tool centre point.
+    /// Sets a point or joint position to the current position of the arm.
     Teach(Teach),
+    /// Restores the value before the last change by `setPoint` or `teach`.
+    Undo,
+    /// Computes the joint positions that reach a point or joint position. Changes nothing.
+    Solve(Teach),
     /// Writes changed points to their files.
     Save(Save),
     /// Shows another user page.
@@ -54,10 +58,22 @@ pub struct PointName {
     pub key: Option<String>,
 }
 
-/// Arguments of `teach`.
+/// Arguments of `teach` and `solve`.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 pub struct Teach {
     /// Data name, prefixed by the library.
+    pub name: String,
+    /// Index or key; `null` for data with a single value.
+    pub key: Option<ElementKey>,
+    /// Tool whose centre point counts; the tool of the last move if missing.
+    #[schemars(with = "ToolName", default)]
+    pub tool: Option<ToolName>,
+}
+
+/// Tool name, with an index or key.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+pub struct ToolName {
+    /// Data name, prefixed by the library, or `flange`.
     pub name: String,
     /// Index or key; `null` for data with a single value.
     pub key: Option<ElementKey>,
@@ -168,6 +184,27 @@ pub enum Saved {
     Conflict(Vec<String>),
 }
 
+/// Response of `solve`.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Solved {
+    /// Configurations in their order; a single entry for a joint position.
+    pub solutions: Vec<ArmSolution>,
+}
+
+/// Joint position in a configuration.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct ArmSolution {
+    /// Configuration in words; `null` for a joint position.
+    pub config: Option<String>,
+    /// Positions of the axes, in degrees or mm; `null` if the arm cannot reach the pose in this configuration.
+    pub joints: Option<Vec<f64>>,
+    /// Reason why the arm cannot reach the pose.
+    pub reason: Option<String>,
+    /// Whether `movej` would end at these joints.
+    pub is_chosen: bool,
+}
+
 /// Response of `record`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Recorded {
@@ -197,7 +234,7 @@ impl Arguments for Operate {
 impl Arguments for SetPoint {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
         let local = value(arguments, "local", "`local` has six numbers: x, y, z, rx, ry, rz")?;
-        let Teach { name, key } = Teach::read(arguments)?;
+        let Teach { name, key, .. } = Teach::read(arguments)?;
         Ok(Self { name, key, local })
     }
 }
@@ -206,7 +243,10 @@ impl Arguments for Teach {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
         let name = value(arguments, "name", "`name` is that of a point")?;
         let reason = "`key` is a whole number from 0, or a text: \"1\", \"1,2\" or the key of a collection";
-        Ok(Self { name, key: optional::<Option<ElementKey>>(arguments, "key", reason)?.flatten() })
+        let key = optional::<Option<ElementKey>>(arguments, "key", reason)?.flatten();
+        let reason = "`tool` has the `name` and `key` of a tool";
+        let tool = optional::<Option<ToolName>>(arguments, "tool", reason)?.flatten();
+        Ok(Self { name, key, tool })
     }
 }
 

@@ -25,6 +25,8 @@ pub struct StateMessage {
     pub awaited_hold: Option<String>,
     /// Monitor speed in %.
     pub monitor_speed: f64,
+    /// Configuration of the arm in words, as in points.
+    pub config: String,
 }
 
 /// State of a task.

@@ -31,7 +31,7 @@ fn small_messages_follow_the_schema() {
         Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Fastest(Fastest::Max), is_paused: false, is_stopped: false }),
         Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Times(2.0), is_paused: true, is_stopped: true }),
         Message::Events(EventsMessage { events: vec![print] }),
-        Message::Unsaved(UnsavedMessage { points: vec![point] }),
+        Message::Unsaved(UnsavedMessage { points: vec![point.clone()], undo: Some(point) }),
         Message::End(End { t: 2.0, reason: EndReason::Limit, exit_code: 3 }),
         Message::Rewind(Rewind { t: 0.0 }),
         Message::Gap,
@@ -56,6 +56,9 @@ fn commands_follow_the_schema() {
         json!({ "command": "operate", "keys": { "power": true } }),
         json!({ "command": "setPoint", "name": "pPick", "key": 1, "local": [0, 1, 2, 3, 4, 5] }),
         json!({ "command": "teach", "name": "pPick", "key": "1" }),
+        json!({ "command": "teach", "name": "jHome", "tool": { "name": "flange" } }),
+        json!({ "command": "solve", "name": "pPick", "tool": { "name": "tTools", "key": 1 } }),
+        json!({ "command": "undo" }),
         json!({ "command": "save" }),
         json!({ "command": "userPage", "to": "next" }),
         json!({ "command": "pace", "isPaused": true, "speed": "max" }),
@@ -72,5 +75,8 @@ fn commands_follow_the_schema() {
 fn responses_follow_the_schema() {
     check(&validator_of("Saved"), &json!(Saved::Conflict(vec!["a.dtx".to_owned()])));
     let (file, text) = ("tests/first.toml".to_owned(), String::new());
+    let reason = Some("axis 1 would be at 200".to_owned());
+    let solution = ArmSolution { config: None, joints: None, reason, is_chosen: false };
+    check(&validator_of("Solved"), &json!(Solved { solutions: vec![solution] }));
     check(&validator_of("Recorded"), &json!(Recorded { file, text, remarks: vec![] }));
 }

@@ -31,7 +31,9 @@ impl EndedRun {
         color: Color,
         signals: &Signals,
     ) -> Option<Course<'a>> {
-        to_stderr(|out| writeln!(out, "note: the run has ended; Run on the page starts it again, Ctrl-C ends the server"));
+        to_stderr(|out| {
+            writeln!(out, "note: the run has ended; Run on the page starts it again, Ctrl-C ends the server")
+        });
         loop {
             let command = self.next_start(signals)?;
             match reopen(args, color) {

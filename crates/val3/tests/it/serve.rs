@@ -33,7 +33,8 @@ impl ServedRun {
         let folder = Folder::with(code);
         let run = ["run", "usrapp/main", "--serve", "127.0.0.1:0"];
         let mut command = folder.command(&[&run, options].concat());
-        let mut process = command.envs(variables.iter().copied()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut process =
+            command.envs(variables.iter().copied()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let mut stderr = BufReader::new(process.stderr.take().unwrap());
         let [operator, guest] = [(), ()].map(|()| {
             // Findings of the application come first.

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { type ArmChain, flangeAt, jointsNear } from "../../src/panels/pendant/armModel";
-import { cartesianStep, fraction, jointStep, mayContinue } from "../../src/panels/pendant/jogSteps";
+import { cartesianStep, fraction, goStep, jointStep, mayContinue } from "../../src/panels/pendant/jogSteps";
 import { composed, frameOf, IDENTITY, poseOf } from "../../src/panels/pendant/pose";
 
 const SIX: ArmChain = {
@@ -87,4 +87,11 @@ test("a held button waits for the arm", () => {
 
 test("a bar shows where a value is between its limits", () => {
   assert.deepEqual([fraction(-180, -180, 180), fraction(0, -180, 180), fraction(500, -180, 180), fraction(1, 1, 1)], [0, 0.5, 1, 0]);
+});
+
+test("a way in joints has steps of 5 degrees and ends at its target", () => {
+  const step = goStep([10, -4]);
+  assert.deepEqual(step([0, 0]), { joints: [5, -2] });
+  assert.deepEqual(step([6, -3]), { joints: [10, -4] });
+  assert.deepEqual(step([10, -4]), { refusal: "The arm is there." });
 });

@@ -51,8 +51,20 @@ test("points that operators change are unsaved, those that programs change are n
   assert.deepEqual([cell.points.value[0]?.local, cell.unsaved.value.size], [[5], 0]);
   panels.addUnsaved({ points: [{ name: "pA", key: null }, { name: "pB", key: "2" }] });
   assert.deepEqual([...cell.unsaved.value], ["pA", "pB[2]"]);
-  panels.addUnsaved({ points: [] });
+  assert.equal(cell.undo.value, undefined);
+  panels.addUnsaved({ points: [], undo: { name: "pA", key: null } });
+  assert.deepEqual(cell.undo.value, { name: "pA", key: null });
   assert.equal(cell.unsaved.value.size, 0);
+});
+
+test("joint positions follow their changes", (context) => {
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  const { model: panels, cell, show } = model();
+  panels.addScene({ ...SCENE, joints: [{ name: "jHome", key: null, values: [0, 0] }] });
+  panels.addData({ t: 1, points: [], joints: [{ name: "jHome", key: null, values: [5, 6] }] });
+  assert.deepEqual(cell.joints.value.map(({ values }) => values), [[0, 0]]);
+  show(1);
+  assert.deepEqual(cell.joints.value.map(({ values }) => values), [[5, 6]]);
 });
 
 test("the range of the chart follows the run until it is zoomed", (context) => {

@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { firstChoice, solutionsOf, solutionText } from "../../src/panels/points/solutions";
+import { taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
 import { editedTrsf, fatherText, fieldTexts, pointText } from "../../src/panels/points/edits";
 
 test("points have the names that programs write", () => {
@@ -23,4 +25,24 @@ test("frames are listed up to world, even in a circle", () => {
   assert.equal(fatherText("fA", fathers), "fA in fB in world");
   assert.equal(fatherText(null, fathers), "world");
   assert.equal(fatherText("fX", fathers), "fX in fY in world");
+});
+
+test("the configuration of the arm is taught, but fields that stay the same keep their words", () => {
+  assert.deepEqual(taughtConfig("righty efree wsame", "lefty epositive wnegative"), ["lefty", "epositive", "wsame"]);
+  assert.deepEqual(taughtConfig(null, "lefty"), ["lefty"]);
+  assert.deepEqual(taughtConfig("righty", undefined), []);
+});
+
+test("the tool is the chosen one or the one of the last move", () => {
+  const tool = { name: "tTools", key: "1" };
+  assert.deepEqual([toolText(tool, "tA"), toolText(undefined, "tA"), toolText(undefined, null)], ["tTools[1]", "tA", "the last move's tool"]);
+  assert.deepEqual([toolArguments(undefined), toolArguments(tool)], [{}, { tool }]);
+});
+
+test("the arm goes to the joints of movej, or to others in reach", () => {
+  const far = { config: "lefty", joints: null, reason: "too far", isChosen: false };
+  const near = { config: "righty", joints: [1, -0.04], reason: null, isChosen: false };
+  assert.deepEqual(solutionsOf({ error: null, solutions: [far, near, 1] }), [far, near]);
+  assert.deepEqual([firstChoice([far, near]), firstChoice([near, { ...near, isChosen: true }]), firstChoice([far])], [1, 1, -1]);
+  assert.deepEqual([solutionText(far), solutionText(near)], ["too far", "1.0  -0.0"]);
 });

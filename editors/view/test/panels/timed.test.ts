@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PointValues } from "../../src/panels/points/pointsAt";
+import type { CellPoint } from "../../src/panels/shared/cell";
+import { DataValues } from "../../src/panels/points/pointsAt";
 import { latest, TimedLevels } from "../../src/panels/shared/timed";
 
 test("the last entry up to a time is shown", () => {
@@ -18,7 +19,7 @@ test("signals have the states of the shown time", () => {
 });
 
 test("points have the values of the shown time", () => {
-  const points = new PointValues();
+  const points = new DataValues<CellPoint>((message) => message.points);
   points.restart([{ name: "pA", key: null, father: null, local: [1], pose: [1] }, { name: "pB", key: "0", father: "f", local: [2], pose: [2] }]);
   points.add({ t: 3, points: [{ name: "pB", key: "0", local: [7], pose: [8] }] });
   assert.deepEqual(points.at(2).map(({ local }) => local), [[1], [2]]);

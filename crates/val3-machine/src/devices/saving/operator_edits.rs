@@ -1,11 +1,13 @@
 //! Saves values that an operator has changed to the files from which they were loaded.
 
+use val3_data::rounded_number_text;
 use val3_lang::memory::Place;
 use val3_vm::{Instance, InstanceId, Space};
 
 use std::sync::Arc;
 
 use super::Saving;
+use super::values::Saver;
 use crate::devices::lines::ChannelTable;
 use crate::devices::loaded::LoadedProjects;
 use crate::devices::outside::{Outside, controller_path};
@@ -46,7 +48,8 @@ pub(in crate::devices) struct SaveRequest<'s> {
     pub(in crate::devices) overwrite: bool,
 }
 
-/// Writes only the requested values into the data files; all other values in the files are kept.
+/// Writes only the requested values into the data files, with six decimals at most; all other values in the files are
+/// kept.
 ///
 /// # Errors
 /// A file cannot be read or written, or belongs to an encrypted library.
@@ -127,7 +130,8 @@ impl Change {
     ) -> Result<Option<Self>, FileFault> {
         let SaveRequest { space, io, lines, .. } = *request;
         let saving = Saving { space, from: saved, saved, io, lines, limit: u64::MAX };
-        let data = saving.saver().map(|saver| saver.at(request.places)).unwrap_or_default();
+        let saver = saving.saver().map(|saver| Saver { number_text: rounded_number_text, ..saver });
+        let data = saver.map(|saver| saver.at(request.places)).unwrap_or_default();
         if data.is_empty() {
             return Ok(None);
         }

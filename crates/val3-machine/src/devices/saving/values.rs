@@ -1,7 +1,7 @@
 //! Converts global data to file content: values with attributes according to their types.
 
 use val3_bytecode::DataDef;
-use val3_data::{SavedContent, SavedData, SavedField, SavedValue, number_text};
+use val3_data::{SavedContent, SavedData, SavedField, SavedValue};
 use val3_lang::enumerations;
 use val3_lang::fault::Result;
 use val3_lang::memory::{
@@ -17,6 +17,8 @@ pub(super) struct Saver<'s> {
     pub(super) memory: &'s Memory,
     pub(super) instance: &'s Instance,
     pub(super) links: LoadedLinks<'s>,
+    /// Spelling of numbers.
+    pub(super) number_text: fn(f64) -> String,
 }
 
 /// Value within global data, as loaded.
@@ -131,7 +133,7 @@ impl Saver<'_> {
                 if attribute.default == DefaultValue::Number(number) {
                     return Ok(None);
                 }
-                number_text(number)
+                (self.number_text)(number)
             }
             AttributeValue::Choice(ty) => choice(ty, self.memory.num(at, 0)?).to_owned(),
         };

@@ -50,7 +50,12 @@ fn a_viewer_that_never_reads_costs_nothing() {
 fn viewers_only_receive_the_current_run() {
     let server = server(ServerLimits { log_bytes: 30, ..ServerLimits::default() });
     let mut early = open(server.operator_page()).unwrap();
-    server.publish([StoredMessage::Lasting("{\"old\":1}".into()), text("{\"old\":2}"), text("{\"old\":3}"), text("{}")]);
+    server.publish([
+        StoredMessage::Lasting("{\"old\":1}".into()),
+        text("{\"old\":2}"),
+        text("{\"old\":3}"),
+        text("{}"),
+    ]);
     while next(&mut early).unwrap() != b"{}" {}
     server.begin_run();
     server.publish([text("{\"new\":1}"), text("{\"new\":2}")]);

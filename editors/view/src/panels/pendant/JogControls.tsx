@@ -1,9 +1,10 @@
 // Jogging: the axes with their limits, and buttons for joint and Cartesian steps.
 
-import type { JSX, TargetedMouseEvent, TargetedPointerEvent } from "preact";
+import type { JSX } from "preact";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Cell, CellScene, Notice } from "../shared/cell";
 import { flangeAt } from "./armModel";
+import { HoldButton } from "./HoldButton";
 import { Holder, type Step } from "./Holder";
 import { cartesianStep, fraction, jointStep, STEPS } from "./jogSteps";
 import { composed, type Frame, frameOf, inverse, poseOf } from "./pose";
@@ -66,7 +67,7 @@ function Axes({ cell, notice, scene, holder, step, reason, hasButtons }: Control
       {scene.arm.axes.map(({ isLinear, min, max }, axis) => {
         const [value, unit, name] = [joints[axis] ?? 0, isLinear ? "mm" : "°", `J${axis + 1}`];
         const button = (sign: 1 | -1): JSX.Element | null => hasButtons
-          ? <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} sign={sign} {...{ holder, reason, notice }} step={(from) => jointStep(scene.arm, from, axis, sign * step)} />
+          ? <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} {...{ holder, reason, notice }} step={(from) => jointStep(scene.arm, from, axis, sign * step)}>{sign > 0 ? "+" : "−"}</HoldButton>
           : null;
         return (
           <div class="axis" key={axis}>
@@ -100,7 +101,7 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
     <div class="axes">
       {DIRECTIONS.map((name, direction) => {
         const move = (sign: 1 | -1): Step => (from) => cartesianStep(scene.arm, from, { direction, step: sign * step, frame, base, tool });
-        const button = (sign: 1 | -1): JSX.Element => <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} sign={sign} {...{ holder, reason, notice }} step={move(sign)} />;
+        const button = (sign: 1 | -1): JSX.Element => <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} {...{ holder, reason, notice }} step={move(sign)}>{sign > 0 ? "+" : "−"}</HoldButton>;
         return (
           <div class="axis cartesian" key={name}>
             <span class="axis-name">{name}</span>
@@ -118,41 +119,4 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
 function frameOfWay(scene: CellScene, way: string): Frame | undefined {
   const name = way.startsWith("frame:") ? way.slice("frame:".length) : "";
   return way === "tool" ? undefined : frameOf(scene.frames.find((frame) => frame.name === name)?.pose ?? []);
-}
-
-interface HoldButtonProps {
-  label: string;
-  sign: 1 | -1;
-  holder: Holder;
-  notice: Notice;
-  reason: string | undefined;
-  step: Step;
-}
-
-/** Moves while the pointer holds the button; the keyboard executes single steps. */
-function HoldButton({ label, sign, holder, notice, reason, step }: HoldButtonProps): JSX.Element {
-  const down = (event: TargetedPointerEvent<HTMLSpanElement>): void => {
-    if (reason === undefined && event.button === 0) {
-      holder.hold(step);
-    }
-  };
-  const release = (): void => holder.release();
-  return (
-    <span class="hold" onPointerDown={down} onPointerUp={release} onPointerLeave={release} onPointerCancel={release}>
-      <KeyButton label={label} reason={reason} notice={notice} onKey={() => holder.once(step)}>{sign > 0 ? "+" : "−"}</KeyButton>
-    </span>
-  );
-}
-
-function KeyButton({ label, reason, notice, onKey, children }: { label: string; reason: string | undefined; notice: Notice; onKey: () => void; children: string }): JSX.Element {
-  const press = (event: TargetedMouseEvent<HTMLButtonElement>): void => {
-    if (reason !== undefined) {
-      notice.text.value = reason;
-    } else if (event.detail === 0) {
-      onKey();
-    }
-  };
-  return (
-    <button type="button" aria-label={label} title={reason ?? label} aria-disabled={reason === undefined ? undefined : true} onClick={press}>{children}</button>
-  );
 }

@@ -59,6 +59,22 @@ export function cartesianStep(arm: ArmChain, joints: readonly number[], way: Car
   return jointsNear(arm, joints, composed(inverse(way.base), target), way.tool);
 }
 
+/** Step of an arm that goes to a joint position, in degrees or mm of the axis with the longest way. */
+const GO_STEP = 5;
+
+/** Returns the steps of a straight way in joints to a target. */
+export function goStep(target: readonly number[]): (joints: readonly number[]) => JogTarget {
+  return (joints) => {
+    const ways = target.map((joint, axis) => joint - (joints[axis] ?? 0));
+    const longest = Math.max(0, ...ways.map(Math.abs));
+    if (longest < 1e-6) {
+      return { refusal: "The arm is there." };
+    }
+    const factor = Math.min(1, GO_STEP / longest);
+    return { joints: target.map((joint, axis) => (factor === 1 ? joint : (joints[axis] ?? 0) + factor * (ways[axis] ?? 0))) };
+  };
+}
+
 /** Returns the relative position of a value between its limits, from 0 to 1. */
 export function fraction(value: number, min: number, max: number): number {
   return max > min ? Math.min(1, Math.max(0, (value - min) / (max - min))) : 0;

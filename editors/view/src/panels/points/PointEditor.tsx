@@ -1,22 +1,27 @@
-// Fields with the values of a point, and Teach here.
+// Fields with the values of a point, teaching, and the way there.
 
 import type { JSX, TargetedSubmitEvent } from "preact";
 import { useState } from "preact/hooks";
-import { Button } from "../shared/Button";
 import type { Cell, CellPoint, Notice } from "../shared/cell";
 import { COORDINATES, editedTrsf, fieldTexts, pointText } from "./edits";
+import { GoTo } from "./GoTo";
+import { TeachButton } from "./TeachButton";
+import { type ChosenTool, taughtConfig, toolText } from "./tools";
 
 interface Props {
   cell: Cell;
   notice: Notice;
   point: CellPoint;
+  tool: ChosenTool;
   fathers: string;
 }
 
-export function PointEditor({ cell, notice, point, fathers }: Props): JSX.Element {
+export function PointEditor({ cell, notice, point, tool, fathers }: Props): JSX.Element {
   const [texts, setTexts] = useState(() => fieldTexts(point.local));
   const { name, key } = point;
   const blocked = cell.blocked.value;
+  const config = taughtConfig(point.config, cell.state.value?.config).join("/");
+  const details = `tool ${toolText(tool, cell.sample.value?.toolName)}${config === "" ? "" : `, ${config}`}`;
   const refused = (reason: string): void => void (notice.text.value = reason);
   const apply = (): void => {
     const edited = editedTrsf(texts, point.local);
@@ -46,9 +51,10 @@ export function PointEditor({ cell, notice, point, fathers }: Props): JSX.Elemen
       </div>
       <div class="row">
         <button type="submit" aria-disabled={blocked === undefined ? undefined : true} title={blocked}>Apply</button>
-        <Button reason={blocked} title="Takes the present position of the tool centre point" onPress={() => void notice.send(cell, "teach", { name, key })} onRefused={refused}>Teach here</Button>
+        <TeachButton cell={cell} notice={notice} point={point} tool={tool} details={details} />
         <button type="button" onClick={() => setTexts(fieldTexts(point.local))}>Reset fields</button>
       </div>
+      <GoTo cell={cell} notice={notice} point={point} tool={tool} />
     </form>
   );
 }

@@ -6,14 +6,18 @@ import { type Cell, type CellPoint, Notice } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
 import { NoticeLine } from "../shared/NoticeLine";
 import { COORDINATES, fatherText, pointText, samePoint, shortNumber } from "./edits";
+import { JointsTable } from "./JointsTable";
 import { PointEditor } from "./PointEditor";
 import { SaveBar } from "./SaveBar";
+import { ToolChoice } from "./ToolChoice";
+import type { ChosenTool } from "./tools";
 
 const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
 
 export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const [text, setText] = useState("");
+  const [tool, setTool] = useState<ChosenTool>(undefined);
   const points = cell.points.value;
   const scene = cell.scene.value;
   const fathers = useMemo(() => new Map((scene?.frames ?? []).map(({ name, father }) => [name, father])), [scene]);
@@ -29,6 +33,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
       <div class="row tools">
         <input type="search" aria-label="Filter points" placeholder="Filter" value={text} onInput={({ currentTarget }) => setText(currentTarget.value)} />
         <span class="count" role="status">{shown.length} of {points.length}</span>
+        <ToolChoice cell={cell} tool={tool} onChange={setTool} />
         <SaveBar cell={cell} notice={notice} changed={unsaved.size} />
       </div>
       <NoticeLine notice={notice} />
@@ -45,7 +50,8 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
           </>
         )}
       />
-      {present === undefined ? <p class="hint">Choose a point to change it.</p> : <PointEditor key={`${pointText(present)} ${present.local.join()}`} cell={cell} notice={notice} point={present} fathers={fatherText(present.father, fathers)} />}
+      {present === undefined ? <p class="hint">Choose a point to change it, or to move the arm there.</p> : <PointEditor key={`${pointText(present)} ${present.local.join()} ${present.config ?? ""}`} cell={cell} notice={notice} point={present} tool={tool} fathers={fatherText(present.father, fathers)} />}
+      <JointsTable cell={cell} notice={notice} joints={cell.joints.value} />
     </section>
   );
 }

@@ -1,9 +1,10 @@
-// Saves changed points, with a confirmation if a file was changed on the disk.
+// Undoes changes, and saves changed values, with a confirmation if a file was changed on the disk.
 
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button } from "../shared/Button";
 import type { Answer, Cell, Notice } from "../shared/cell";
+import { pointText } from "./edits";
 
 interface Props {
   cell: Cell;
@@ -29,8 +30,12 @@ export function SaveBar({ cell, notice, changed }: Props): JSX.Element {
     }
   };
   const reason = cell.blocked.value ?? (changed === 0 ? "No point was changed." : undefined);
+  const undo = cell.undo.value;
+  const undoReason = cell.blocked.value ?? (undo === undefined ? "Nothing was changed." : undefined);
+  const undoTitle = undo === undefined ? undefined : `Restore ${pointText(undo)} as before its last change`;
   return (
     <div class="save">
+      <Button reason={undoReason} title={undoTitle} onPress={() => void notice.send(cell, "undo", {})} onRefused={(text) => (notice.text.value = text)}>Undo{undo === undefined ? "" : ` ${pointText(undo)}`}</Button>
       <Button reason={reason} onPress={() => void save(false)} onRefused={(text) => (notice.text.value = text)}>Save to .dtx{changed > 0 ? ` (${changed})` : ""}</Button>
       <span role="status">{result}</span>
       {conflict.length > 0 ? <Question files={conflict} onAnswer={(overwrite) => (overwrite ? void save(true) : setConflict([]))} /> : null}

@@ -3,9 +3,9 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
-import { PointValues } from "../points/pointsAt";
+import { DataValues } from "../points/pointsAt";
 import type { TimedPhase } from "../tasks/times";
-import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellScene, OpenLine, QueuedMove } from "./cell";
+import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellPoint, CellScene, JointValue, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
 import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
@@ -46,7 +46,9 @@ export class PanelModel {
   private readonly motions: MotionMessage[] = [];
   private readonly pages: PageMessage[] = [];
   private readonly levels = new TimedLevels<SignalState>();
-  private readonly points = new PointValues();
+  private readonly points = new DataValues<CellPoint>(({ points }) => points);
+  private readonly joints = new DataValues<JointValue>(({ joints }) => joints ?? []);
+  private readonly undo = signal<PointName | undefined>(undefined);
   private readonly scene = signal<CellScene | undefined>(undefined);
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
   private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
@@ -62,7 +64,9 @@ export class PanelModel {
     this.clear();
     this.scene.value = scene;
     this.points.restart(scene.points);
+    this.joints.restart(scene.joints ?? []);
     this.unsaved.value = new Set();
+    this.undo.value = undefined;
     this.chosenRange.value = undefined;
   }
 
@@ -74,6 +78,7 @@ export class PanelModel {
     this.pages.length = 0;
     this.levels.clear();
     this.points.restart(this.scene.peek()?.points ?? []);
+    this.joints.restart(this.scene.peek()?.joints ?? []);
     Object.values(this.counts).forEach((count) => (count.value += 1));
   }
 
@@ -106,10 +111,12 @@ export class PanelModel {
 
   addData(message: DataMessage): void {
     this.points.add(message);
+    this.joints.add(message);
     this.counts.data.value += 1;
   }
 
-  addUnsaved({ points }: UnsavedMessage): void {
+  addUnsaved({ points, undo }: UnsavedMessage): void {
+    this.undo.value = undo ?? undefined;
     this.unsaved.value = new Set(points.map(pointText));
   }
 
@@ -145,8 +152,10 @@ export class PanelModel {
       page: after(page, (t) => latest(this.pages, t)),
       levels,
       points: after(data, (t) => this.points.at(t)),
+      joints: after(data, (t) => this.joints.at(t)),
       history,
       unsaved: this.unsaved,
+      undo: this.undo,
     };
   }
 

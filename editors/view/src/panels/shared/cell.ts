@@ -18,19 +18,25 @@ export type Pose = readonly number[];
 /** Point. Runs of earlier versions have no configuration. */
 export type CellPoint = Omit<wire.CellPoint, "config"> & { config?: string | null | undefined };
 
+/** Joint position. */
+export type JointValue = wire.JointValue;
+
 export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
   arm: ArmChain;
   frames: readonly Pick<wire.CellPoint, "name" | "father" | "pose">[];
   signals: readonly SignalInfo[];
   /** Points with their initial values. */
   points: readonly CellPoint[];
+  /** Joint positions with their initial values. */
+  joints?: readonly JointValue[];
+  tools?: readonly Pick<wire.CellPoint, "name" | "key">[];
 };
 
 /** Recorded move with its line instead of the number of the line. */
 export type QueuedMove = Omit<QueueEntry, "source"> & { program: string; line: number };
 
-/** State of the cell. Runs of earlier versions have no `awaitedHold`. */
-export type CellState = Omit<wire.StateMessage, "t" | "heldBecause" | "awaitedHold" | "tasks"> & { tasks: readonly TaskState[]; awaitedHold?: string | null | undefined };
+/** State of the cell. Runs of earlier versions have no `awaitedHold` and `config`. */
+export type CellState = Omit<wire.StateMessage, "t" | "heldBecause" | "awaitedHold" | "config" | "tasks"> & { tasks: readonly TaskState[]; awaitedHold?: string | null | undefined; config?: string | undefined };
 
 /** Recorded moves, and the path ahead. */
 export interface CellMotion {
@@ -50,6 +56,8 @@ export interface ArmSample {
   joints: readonly number[];
   /** Flange to tool centre point. */
   tool: Pose;
+  /** Name of the tool, if data have its pose. */
+  toolName?: string | null | undefined;
 }
 
 export interface ArmRest {
@@ -94,6 +102,7 @@ export interface Cell {
   page: ReadonlySignal<CellPage | undefined>;
   levels: ReadonlySignal<ReadonlyMap<string, SignalState>>;
   points: ReadonlySignal<readonly CellPoint[]>;
+  joints: ReadonlySignal<readonly JointValue[]>;
   sample: ReadonlySignal<ArmSample | undefined>;
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;
@@ -102,8 +111,10 @@ export interface Cell {
   canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
-  /** Names of points that were changed by hand and not saved. */
+  /** Names of points and joint positions that were changed by hand and not saved. */
   unsaved: ReadonlySignal<ReadonlySet<string>>;
+  /** Point or joint position whose last change can be undone. */
+  undo: ReadonlySignal<PointName | undefined>;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
   /** Opens a line in the editor, if there is one. */

@@ -1,7 +1,7 @@
 // Messages of a run: the parts that the panels use.
 
 import type * as wire from "../../wire";
-import type { CellPage, CellPoint, CellScene, CellState } from "./cell";
+import type { CellPage, CellPoint, CellScene, CellState, JointValue } from "./cell";
 
 export type SceneMessage = CellScene;
 
@@ -19,8 +19,9 @@ export type IoMessage = wire.IoMessage;
 
 export type PageMessage = Pick<wire.PageMessage, "t"> & CellPage;
 
-export type DataMessage = Pick<wire.DataMessage, "t"> & { points: readonly Omit<CellPoint, "father">[] };
+export type DataMessage = Pick<wire.DataMessage, "t"> & { points: readonly Omit<CellPoint, "father">[]; joints?: readonly JointValue[] | undefined };
 
-export type UnsavedMessage = wire.UnsavedMessage;
+/** Changed data. Runs of earlier versions have no `undo`. */
+export type UnsavedMessage = Pick<wire.UnsavedMessage, "points"> & { undo?: wire.PointName | null | undefined };
 
 export type EventsMessage = wire.EventsMessage;

@@ -1,0 +1,124 @@
+//! Changes by operators: which values were not saved, and the values before.
+
+use std::collections::BTreeSet;
+
+use val3_lang::types::BaseType;
+use val3_machine::controller::Controller;
+
+use super::write;
+use crate::positions::{self, GlobalValue};
+use crate::wire::{CommandError, PointName, UnsavedMessage};
+
+/// Largest number of changes that can be undone.
+const MOST_EDITS: usize = 1000;
+
+/// Changes of points and joint positions.
+#[derive(Debug, Default)]
+pub(super) struct Edits {
+    /// Values that differ from their files.
+    unsaved: BTreeSet<PointName>,
+    /// Changes in their order.
+    done: Vec<Edit>,
+}
+
+/// A change of a value.
+#[derive(Debug)]
+struct Edit {
+    name: PointName,
+    /// Numbers before the change.
+    before: Vec<f64>,
+    /// Whether the value before the change is in no file.
+    was_unsaved: bool,
+}
+
+impl Edits {
+    /// Changes a value.
+    ///
+    /// # Errors
+    /// The errors of `write`.
+    pub(super) fn change(
+        &mut self,
+        datum: GlobalValue,
+        controller: &mut Controller,
+        write: impl FnOnce(&GlobalValue, &mut Controller) -> Result<(), CommandError>,
+    ) -> Result<(), CommandError> {
+        let before = positions::all_nums(&controller.vm.space.memory, datum.place).unwrap_or_default();
+        write(&datum, controller)?;
+        let name = PointName { name: datum.name, key: datum.key };
+        let was_unsaved = !self.unsaved.insert(name.clone());
+        if self.done.len() >= MOST_EDITS {
+            self.done.remove(0);
+        }
+        self.done.push(Edit { name, before, was_unsaved });
+        Ok(())
+    }
+
+    /// Restores the value before the last change.
+    ///
+    /// # Errors
+    /// There is no change, or the program has removed the value.
+    pub(super) fn undo(&mut self, controller: &mut Controller) -> Result<(), CommandError> {
+        let Some(Edit { name, before, was_unsaved }) = self.done.pop() else {
+            return Err("nothing was changed".into());
+        };
+        if !was_unsaved {
+            self.unsaved.remove(&name);
+        } else {
+            self.unsaved.insert(name.clone());
+        }
+        let datum = positions::data(controller).into_iter().find(|datum| is_named(datum, &name));
+        let datum = datum.ok_or_else(|| CommandError(format!("`{}` does not exist any more", name.name)))?;
+        write(&datum, (0..).zip(before), controller)
+    }
+
+    /// Whether a value has an unsaved change.
+    pub(super) fn has_changed(&self, datum: &GlobalValue) -> bool {
+        self.unsaved.iter().any(|name| is_named(datum, name))
+    }
+
+    /// Records that the files contain all values. The values before the changes are then in no file.
+    pub(super) fn mark_saved(&mut self) {
+        self.unsaved.clear();
+        for edit in &mut self.done {
+            edit.was_unsaved = true;
+        }
+    }
+
+    /// Copies the unsaved values to a controller that has loaded the application again. Values that no longer exist are
+    /// no longer unsaved, and changes of them cannot be undone; their names are returned.
+    pub(super) fn carry(&mut self, from: &Controller, to: &mut Controller) -> Vec<PointName> {
+        let loaded = positions::data(to);
+        let mut kept = BTreeSet::new();
+        for old in positions::data(from).into_iter().filter(|datum| self.has_changed(datum)) {
+            let new = loaded.iter().find(|new| (&new.name, &new.key, new.base) == (&old.name, &old.key, old.base));
+            if new.is_some_and(|new| copy_numbers((&old, from), (new, to)).is_some()) {
+                kept.insert(PointName { name: old.name, key: old.key });
+            }
+        }
+        let before = std::mem::replace(&mut self.unsaved, kept);
+        let lost: Vec<PointName> = before.difference(&self.unsaved).cloned().collect();
+        self.done.retain(|edit| !lost.contains(&edit.name));
+        lost
+    }
+
+    /// Message `unsaved`.
+    pub(super) fn message(&self) -> UnsavedMessage {
+        let undo = self.done.last().map(|edit| edit.name.clone());
+        UnsavedMessage { points: self.unsaved.iter().cloned().collect(), undo }
+    }
+}
+
+/// Whether a value is the point or joint position with this name.
+fn is_named(datum: &GlobalValue, name: &PointName) -> bool {
+    matches!(datum.base, BaseType::Point | BaseType::Joint) && datum.name == name.name && datum.key == name.key
+}
+
+/// Copies all numbers of a value, with its configuration; `None` if their counts differ.
+fn copy_numbers((old, from): (&GlobalValue, &Controller), (new, to): (&GlobalValue, &mut Controller)) -> Option<()> {
+    let (from, to) = (&from.vm.space.memory, &mut to.vm.space.memory);
+    let count = from.store(old.place.store).ok()?.kind.size.num;
+    if to.store(new.place.store).ok()?.kind.size.num != count {
+        return None;
+    }
+    (0..count).try_for_each(|lane| to.set_num(new.place, lane, from.num(old.place, lane).ok()?).ok())
+}

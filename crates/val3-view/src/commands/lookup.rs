@@ -1,0 +1,55 @@
+//! Data that commands name.
+
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_lang::call::ToolRef;
+use val3_lang::references::Poses;
+use val3_lang::types::BaseType;
+use val3_machine::controller::Controller;
+
+use crate::positions::{self, GlobalValue};
+use crate::wire::{CommandError, ElementKey, ToolName};
+
+/// Name of the tool that every application has.
+const FLANGE: &str = "flange";
+
+/// Finds the point or joint position that a command names.
+pub(super) fn datum(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result<GlobalValue, CommandError> {
+    find(name, key, &[BaseType::Point, BaseType::Joint], controller)
+        .map_err(|key| no_datum("point", name, key.as_deref()))
+}
+
+/// Error for a name without a value.
+pub(super) fn no_datum(kind: &str, name: &str, key: Option<&str>) -> CommandError {
+    CommandError(match key {
+        Some(key) => format!("there is no {kind} `{name}[{key}]`"),
+        None => format!("there is no {kind} `{name}` with a single value"),
+    })
+}
+
+/// Pose of the tool centre point on the flange, in mm. Without a tool, it is the tool of the last move.
+pub(super) fn tool_pose(tool: Option<ToolName>, controller: &Controller) -> Result<IsometryMatrix3<f64>, CommandError> {
+    let Some(ToolName { name, key }) = tool else {
+        let sample = controller.arm().sample();
+        return Ok(controller.arm().model().flange(&sample.joints).inverse() * sample.pose);
+    };
+    if name == FLANGE {
+        return Ok(IsometryMatrix3::identity());
+    }
+    let tool = find(&name, key, &[BaseType::Tool], controller);
+    let tool = tool.map_err(|key| no_datum("tool", &name, key.as_deref()))?;
+    let pose = Poses::new(&controller.vm.space.memory).of_tool(ToolRef(tool.place));
+    let pose = pose.map_err(|fault| CommandError(format!("the tool has no father (error {})", fault.0)))?;
+    Ok(Trsf::isometry(&pose))
+}
+
+/// Finds a value of these types. The error is the key as text.
+fn find(
+    name: &str,
+    key: Option<ElementKey>,
+    types: &[BaseType],
+    controller: &Controller,
+) -> Result<GlobalValue, Option<String>> {
+    let key = key.map(ElementKey::into_text);
+    let mut data = positions::data(controller).into_iter().filter(|datum| types.contains(&datum.base));
+    data.find(|datum| datum.name == name && datum.key == key).ok_or(key)
+}

@@ -1,0 +1,44 @@
+//! Range of coordinates that operators enter.
+
+use crate::wire::CommandError;
+
+/// Largest coordinate, in mm: far beyond the reach of an arm on any axis, and below the numbers of a slip of the finger.
+const LONGEST: f64 = 100_000.0;
+
+/// Largest angle, in degrees.
+const WIDEST: f64 = 360.0;
+
+const NAMES: [(&str, f64, &str); 6] = [
+    ("x", LONGEST, "mm"),
+    ("y", LONGEST, "mm"),
+    ("z", LONGEST, "mm"),
+    ("rx", WIDEST, "degrees"),
+    ("ry", WIDEST, "degrees"),
+    ("rz", WIDEST, "degrees"),
+];
+
+/// Checks that changed coordinates are within the range. An unchanged coordinate may be outside.
+pub(super) fn check_range(local: &[f64; 6], present: &[f64]) -> Result<(), CommandError> {
+    for (index, (number, (name, most, unit))) in local.iter().zip(NAMES).enumerate() {
+        let is_changed = present.get(index) != Some(number);
+        if is_changed && !(-most..=most).contains(number) {
+            return Err(CommandError(format!("{name} is {number}, outside the range from -{most} to {most} {unit}")));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_coordinate_outside_the_range_is_named() {
+        let range = |local: [f64; 6]| check_range(&local, &[0.0, 2e9, 0.0, 720.0, 0.0, 0.0]).map_err(|error| error.0);
+        assert_eq!(range([-1e5, 2e9, 1e5, 720.0, -360.0, 360.0]), Ok(()));
+        let (far, turned) = (range([0.0, 99_999_999.0, 0.0, 0.0, 0.0, 0.0]), range([0.0, 0.0, 0.0, 0.0, 0.0, -361.0]));
+        assert_eq!(far.unwrap_err(), "y is 99999999, outside the range from -100000 to 100000 mm");
+        assert_eq!(turned.unwrap_err(), "rz is -361, outside the range from -360 to 360 degrees");
+        assert!(range([f64::NAN; 6]).is_err());
+    }
+}

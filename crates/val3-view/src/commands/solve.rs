@@ -1,0 +1,79 @@
+//! Joint positions that reach a point or joint position (`pointToJoint`, 9.6.3).
+
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_kinematics::Joints;
+use val3_lang::call::PointRef;
+use val3_lang::references::Poses;
+use val3_lang::types::BaseType;
+use val3_lang::values::ConfigValue;
+use val3_machine::controller::Controller;
+
+use super::lookup::tool_pose;
+use crate::configuration;
+use crate::positions::{self, GlobalValue};
+use crate::wire::{ArmSolution, CommandError, Solved, ToolName};
+
+/// Difference up to which two joint positions are equal, in degrees or mm.
+const SAME_JOINTS: f64 = 1e-6;
+
+/// Computes the joints in each configuration, or the reason why the arm cannot reach the value.
+pub(super) fn solve(
+    datum: &GlobalValue,
+    tool: Option<ToolName>,
+    controller: &Controller,
+) -> Result<Solved, CommandError> {
+    let is_scara = positions::is_for_scara(&controller.vm.space.memory, datum.place);
+    if is_scara != controller.arm().model().is_scara() {
+        return Err(CommandError(format!("`{}` is for another kind of arm", datum.name)));
+    }
+    if datum.base == BaseType::Joint {
+        return Ok(Solved { solutions: vec![of_joint(datum, controller)] });
+    }
+    let memory = &controller.vm.space.memory;
+    let pose = Poses::new(memory).of_point(PointRef(datum.place));
+    let pose = pose.map_err(|fault| CommandError(format!("the point has no frame (error {})", fault.0)))?;
+    let flange = Trsf::isometry(&pose) * tool_pose(tool, controller)?.inverse();
+    let config = configuration::of_point(memory, datum.place, is_scara).unwrap_or(ConfigValue([0.0; 3]));
+    Ok(Solved { solutions: of_pose(&flange, &config, controller) })
+}
+
+fn of_joint(datum: &GlobalValue, controller: &Controller) -> ArmSolution {
+    let model = controller.arm().model();
+    let values = positions::all_nums(&controller.vm.space.memory, datum.place).unwrap_or_default();
+    let mut joints = Joints::default();
+    for (joint, value) in joints.iter_mut().zip(&values) {
+        *joint = *value;
+    }
+    let violation = model.violations(&joints).next();
+    ArmSolution {
+        config: None,
+        joints: violation.is_none().then_some(values),
+        reason: violation.map(|violation| violation.to_string()),
+        is_chosen: violation.is_none(),
+    }
+}
+
+fn of_pose(flange: &IsometryMatrix3<f64>, config: &ConfigValue, controller: &Controller) -> Vec<ArmSolution> {
+    let model = controller.arm().model();
+    let near = controller.arm().joint();
+    let chosen = model.solve(&Trsf::from(*flange), &near, config.requested()).ok();
+    let mut is_open = true;
+    let solutions = model.branches().iter().map(|branch| {
+        let words = ConfigValue::of(*branch, model.is_scara());
+        let joints = model.inverse_isometry_on(*branch, flange, &near);
+        // At a singular position, several branches have the same joints.
+        let is_chosen = is_open && joints.is_ok_and(|joints| chosen.is_some_and(|chosen| is_same(&joints, &chosen)));
+        is_open &= !is_chosen;
+        ArmSolution {
+            config: Some(configuration::words(&words, model.is_scara())),
+            joints: joints.ok().map(|joints| joints.into_iter().take(model.axes()).collect()),
+            reason: joints.err().map(|reason| reason.to_string()),
+            is_chosen,
+        }
+    });
+    solutions.collect()
+}
+
+fn is_same(left: &Joints, right: &Joints) -> bool {
+    left.iter().zip(right).all(|(left, right)| (left - right).abs() < SAME_JOINTS)
+}

@@ -1,0 +1,55 @@
+//! Teaching: data get the current position of the arm (`here` and `herej`, 9.6.3 and 9.2.3).
+
+use val3_geometry::Trsf;
+use val3_lang::call::{FrameRef, PointRef};
+use val3_lang::references;
+use val3_lang::types::BaseType;
+use val3_lang::values::ConfigValue;
+use val3_machine::controller::Controller;
+
+use super::lookup::tool_pose;
+use super::write;
+use crate::positions::{self, GlobalValue};
+use crate::wire::{CommandError, ToolName};
+use crate::{configuration, coordinates};
+
+/// Sets a point to the pose of a tool's centre point with the configuration of the arm, or a joint position to the
+/// joints of the arm. `movej` to the value then leaves the joints unchanged.
+pub(super) fn teach(
+    datum: &GlobalValue,
+    tool: Option<ToolName>,
+    controller: &mut Controller,
+) -> Result<(), CommandError> {
+    let is_scara = positions::is_for_scara(&controller.vm.space.memory, datum.place);
+    if is_scara != controller.arm().model().is_scara() {
+        return Err(CommandError(format!("`{}` is for another kind of arm", datum.name)));
+    }
+    match datum.base {
+        BaseType::Joint => teach_joint(datum, controller),
+        _ => teach_point(datum, tool, is_scara, controller),
+    }
+}
+
+fn teach_joint(joint: &GlobalValue, controller: &mut Controller) -> Result<(), CommandError> {
+    let axes = controller.arm().model().axes();
+    let joints = controller.arm().joint();
+    write(joint, (0..).zip(joints.into_iter().take(axes)), controller)
+}
+
+fn teach_point(
+    point: &GlobalValue,
+    tool: Option<ToolName>,
+    is_scara: bool,
+    controller: &mut Controller,
+) -> Result<(), CommandError> {
+    let (memory, arm) = (&controller.vm.space.memory, controller.arm());
+    let (joints, model) = (arm.joint(), arm.model());
+    let here = model.flange(&joints) * tool_pose(tool, controller)?;
+    let frame = references::frame_of(memory, PointRef(point.place));
+    let frame = frame.and_then(|FrameRef(frame)| references::Poses::new(memory).of_frame(FrameRef(frame)));
+    let frame = frame.map_err(|fault| CommandError(format!("the point has no frame (error {})", fault.0)))?;
+    let local = coordinates(&(Trsf::isometry(&frame).inverse() * here));
+    let present = configuration::of_point(memory, point.place, is_scara).unwrap_or(ConfigValue([0.0; 3]));
+    let config = configuration::taught(present, ConfigValue::at(model, &joints), is_scara);
+    write(point, (0..).zip(local).chain(config), controller)
+}

@@ -1,0 +1,54 @@
+// Joint positions of the application, and the editor of the selected one.
+
+import type { JSX } from "preact";
+import type { Cell, JointValue, Notice } from "../shared/cell";
+import { pointText, samePoint, shortNumber } from "./edits";
+import { GoTo } from "./GoTo";
+import { TeachButton } from "./TeachButton";
+
+interface Props {
+  cell: Cell;
+  notice: Notice;
+  joints: readonly JointValue[];
+}
+
+export function JointsTable({ cell, notice, joints }: Props): JSX.Element | null {
+  if (joints.length === 0) {
+    return null;
+  }
+  const selected = cell.selectedPoint.value;
+  const present = selected && joints.find((joint) => samePoint(joint, selected));
+  const axes = cell.scene.value?.arm.axes.length ?? 6;
+  return (
+    <>
+      <div class="joint-table" tabIndex={0} role="region" aria-label="Joint positions of the application">
+        <table aria-label="Joint positions of the application">
+          <thead>
+            <tr><th scope="col">Joint position</th>{Array.from({ length: axes }, (_, axis) => <th class="figure" scope="col" key={axis}>J{axis + 1}</th>)}</tr>
+          </thead>
+          <tbody>
+            {joints.map((joint) => <JointRow key={pointText(joint)} cell={cell} joint={joint} isSelected={joint === present} />)}
+          </tbody>
+        </table>
+      </div>
+      {present === undefined ? null : (
+        <div class="point-editor" role="group" aria-label={`Values of ${pointText(present)}`}>
+          <p><strong>{pointText(present)}</strong></p>
+          <div class="row"><TeachButton cell={cell} notice={notice} point={present} tool={undefined} details="joints of the arm" /></div>
+          <GoTo key={`${pointText(present)} ${present.values.join()}`} cell={cell} notice={notice} point={present} tool={undefined} />
+        </div>
+      )}
+    </>
+  );
+}
+
+function JointRow({ cell, joint, isSelected }: { cell: Cell; joint: JointValue; isSelected: boolean }): JSX.Element {
+  const isEdited = cell.unsaved.value.has(pointText(joint));
+  const select = (): void => cell.selectPoint({ name: joint.name, key: joint.key });
+  return (
+    <tr class={isEdited ? "changed" : undefined} aria-current={isSelected ? true : undefined} onClick={select}>
+      <th scope="row"><button type="button" class="place" onClick={select}>{pointText(joint)}</button>{isEdited ? <span class="edited"> changed</span> : null}</th>
+      {joint.values.map((value, axis) => <td class="figure" key={axis}>{shortNumber(value)}</td>)}
+    </tr>
+  );
+}

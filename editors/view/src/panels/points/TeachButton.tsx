@@ -1,0 +1,25 @@
+// Button that sets a point or joint position to the present position of the arm.
+
+import type { JSX } from "preact";
+import { Button } from "../shared/Button";
+import type { Cell, Notice } from "../shared/cell";
+import type { PointName } from "./edits";
+import { type ChosenTool, toolArguments } from "./tools";
+
+interface Props {
+  cell: Cell;
+  notice: Notice;
+  point: PointName;
+  tool: ChosenTool;
+  /** What the button writes, for example the tool and the configuration. */
+  details: string;
+}
+
+export function TeachButton({ cell, notice, point: { name, key }, tool, details }: Props): JSX.Element {
+  const teach = (): void => void notice.send(cell, "teach", { name, key, ...toolArguments(tool) });
+  return (
+    <Button reason={cell.blocked.value} title="Writes the present position of the arm" onPress={teach} onRefused={(reason) => (notice.text.value = reason)}>
+      Teach here: {details}
+    </Button>
+  );
+}

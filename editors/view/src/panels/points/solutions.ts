@@ -1,0 +1,27 @@
+// Joint positions that reach a point, from the response of `solve`.
+
+import type * as wire from "../../wire";
+import type { Answer } from "../shared/cell";
+
+export type ArmSolution = wire.ArmSolution;
+
+/** Returns the solutions in a response. */
+export function solutionsOf(answer: Answer): ArmSolution[] {
+  const solutions = answer["solutions"];
+  return Array.isArray(solutions) ? solutions.filter(isSolution) : [];
+}
+
+function isSolution(value: unknown): value is ArmSolution {
+  return typeof value === "object" && value !== null && "joints" in value && "isChosen" in value;
+}
+
+/** Returns the index of the solution to which the arm moves first: the one of `movej`, or else any that is in reach. */
+export function firstChoice(solutions: readonly ArmSolution[]): number {
+  const chosen = solutions.findIndex(({ isChosen }) => isChosen);
+  return chosen >= 0 ? chosen : solutions.findIndex(({ joints }) => joints !== null);
+}
+
+/** Text of a solution: its joints, or the reason why there are none. */
+export function solutionText({ joints, reason }: ArmSolution): string {
+  return joints === null ? reason ?? "out of reach" : joints.map((joint) => joint.toFixed(1)).join("  ");
+}
