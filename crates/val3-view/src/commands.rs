@@ -4,6 +4,7 @@ mod edits;
 mod lookup;
 mod range;
 mod solve;
+mod store;
 mod teach;
 
 use serde::Serialize;
@@ -18,13 +19,14 @@ use val3_machine::script::ScriptAction;
 
 use crate::positions::{self, GlobalValue};
 use crate::wire::{
-    Arguments as _, CommandError, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage,
+    Arguments as _, CommandError, Operate, PageChoice, PointName, Reach, Save, Saved, SetPoint, Teach, UnsavedMessage,
     UserPage,
 };
 use edits::Edits;
 use lookup::{datum, no_datum};
 use range::check_range;
-use solve::solve;
+use solve::{solve, unreachable};
+use store::write;
 use teach::teach;
 
 /// Operators of a run. All pages share the changes that were not saved.
@@ -34,8 +36,8 @@ pub struct Operator {
 }
 
 impl Operator {
-    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `undo`, `solve`, `save`, `userPage`.
-    /// Returns the keys of its response.
+    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `undo`, `solve`, `reach`, `save`,
+    /// `userPage`. Returns the keys of its response.
     ///
     /// # Errors
     /// The command is unknown, its arguments are invalid, or the controller rejects it.
@@ -64,6 +66,7 @@ impl Operator {
                 let datum = datum(&name, key, controller)?;
                 return Ok(response(&solve(&datum, tool, controller)?));
             }
+            "reach" => return Ok(response(&unreachable(Reach::read(arguments)?.tool, controller)?)),
             "save" => return Ok(response(&self.save(&Save::read(arguments)?, controller)?)),
             "userPage" => user_page(&UserPage::read(arguments)?, controller),
             _ => return Err(CommandError(format!("`{name}` is not a command"))),
@@ -161,17 +164,6 @@ fn set_point(point: &GlobalValue, local: &[f64; 6], controller: &mut Controller)
     let present = positions::nums(&controller.vm.space.memory, point.place, 6).unwrap_or_default();
     check_range(local, &present)?;
     write(point, (0..).zip(*local), controller)
-}
-
-/// Writes numbers of a value by lane.
-fn write(
-    datum: &GlobalValue,
-    numbers: impl IntoIterator<Item = (u32, f64)>,
-    controller: &mut Controller,
-) -> Result<(), CommandError> {
-    let memory = &mut controller.vm.space.memory;
-    let written = numbers.into_iter().try_for_each(|(lane, number)| memory.set_num(datum.place, lane, number));
-    written.map_err(|fault| CommandError(format!("`{}` cannot be changed (error {})", datum.name, fault.0)))
 }
 
 #[cfg(test)]

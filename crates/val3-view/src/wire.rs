@@ -10,7 +10,8 @@ mod state;
 
 pub use commands::{
     Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice,
-    PointName, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, Teach, ToolName, UserPage,
+    PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, Teach, ToolName,
+    UnreachableValue, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
@@ -210,6 +211,7 @@ pub fn schema() -> Value {
     messages.subschema_for::<Saved>();
     messages.subschema_for::<Recorded>();
     messages.subschema_for::<Solved>();
+    messages.subschema_for::<Reached>();
     let mut commands = SchemaSettings::draft2020_12().for_deserialize().into_generator();
     commands.subschema_for::<Command>();
     let mut definitions = messages.take_definitions(true);

@@ -106,6 +106,7 @@ export type Command =
   | Teach & { command: "teach" }
   | { command: "undo" }
   | Teach & { command: "solve" }
+  | Reach & { command: "reach" }
   | Save & { command: "save" }
   | UserPage & { command: "userPage" }
   | Pace & { command: "pace" }
@@ -331,6 +332,18 @@ export interface QueueEntry {
   target: readonly number[];
   /** Name of the instruction. */
   type: string | null;
+}
+
+/** Arguments of `reach`. */
+export interface Reach {
+  /** Tool whose centre point counts; the tool of the last move if missing. */
+  tool?: ToolName;
+}
+
+/** Response of `reach`. */
+export interface Reached {
+  /** Points and joint positions to which `movej` cannot move the arm. */
+  unreachable: readonly UnreachableValue[];
 }
 
 /** Arguments of `record`. */
@@ -567,6 +580,16 @@ export interface ToolName {
   key?: ElementKey | null;
   /** Data name, prefixed by the library, or `flange`. */
   name: string;
+}
+
+/** Point or joint position out of reach. */
+export interface UnreachableValue {
+  /** Index or key; `null` for data with a single value. */
+  key: string | null;
+  /** Data name, prefixed by the library. */
+  name: string;
+  /** Reason why the arm cannot reach the value. */
+  reason: string;
 }
 
 /** Points and joint positions with unsaved changes. */

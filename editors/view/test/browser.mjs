@@ -64,7 +64,7 @@ async function asEditor(page) {
 
 const post = (page, list) => page.evaluate((values) => globalThis.postMessage(values.map((value) => (typeof value === "string" ? Uint8Array.from(atob(value), (character) => character.charCodeAt(0)).buffer : value))),
   list.map((message) => (Buffer.isBuffer(message) ? message.toString("base64") : message)));
-const sent = (page) => page.evaluate(() => globalThis.sent.splice(0).filter(({ command }) => command !== "ready").map(({ id: _, ...message }) => message));
+const sent = (page) => page.evaluate(() => globalThis.sent.splice(0).filter(({ command }) => command !== "ready" && command !== "reach").map(({ id: _, ...message }) => message));
 
 for (const [width, height] of [[1280, 800], [1920, 1080]]) {
   for (const theme of ["light", "dark"]) {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 
-use super::write;
+use super::store::write;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, PointName, UnsavedMessage};
 

@@ -11,7 +11,7 @@ use val3_machine::controller::Controller;
 use super::lookup::tool_pose;
 use crate::configuration;
 use crate::positions::{self, GlobalValue};
-use crate::wire::{ArmSolution, CommandError, Solved, ToolName};
+use crate::wire::{ArmSolution, CommandError, Reached, Solved, ToolName, UnreachableValue};
 
 /// Difference up to which two joint positions are equal, in degrees or mm.
 const SAME_JOINTS: f64 = 1e-6;
@@ -35,6 +35,30 @@ pub(super) fn solve(
     let flange = Trsf::isometry(&pose) * tool_pose(tool, controller)?.inverse();
     let config = configuration::of_point(memory, datum.place, is_scara).unwrap_or(ConfigValue([0.0; 3]));
     Ok(Solved { solutions: of_pose(&flange, &config, controller) })
+}
+
+/// Lists the points and joint positions to which `movej` cannot move the arm. Points without a frame, and values for
+/// another kind of arm, are omitted.
+pub(super) fn unreachable(tool: Option<ToolName>, controller: &Controller) -> Result<Reached, CommandError> {
+    let (memory, arm) = (&controller.vm.space.memory, controller.arm());
+    let (model, near, tool) = (arm.model(), arm.joint(), tool_pose(tool, controller)?.inverse());
+    let mut poses = Poses::new(memory);
+    let mut reason = |datum: &GlobalValue| match datum.base {
+        BaseType::Joint => of_joint(datum, controller).reason,
+        BaseType::Point => {
+            let flange = Trsf::isometry(&poses.of_point(PointRef(datum.place)).ok()?) * tool;
+            let config = configuration::of_point(memory, datum.place, model.is_scara())?;
+            model.solve(&Trsf::from(flange), &near, config.requested()).err().map(|reason| reason.to_string())
+        }
+        _ => None,
+    };
+    let data = positions::data(controller).into_iter();
+    let suitable = data.filter(|datum| positions::is_for_scara(memory, datum.place) == model.is_scara());
+    let unreachable = suitable.filter_map(|datum| {
+        let reason = reason(&datum)?;
+        Some(UnreachableValue { name: datum.name, key: datum.key, reason })
+    });
+    Ok(Reached { unreachable: unreachable.collect() })
 }
 
 fn of_joint(datum: &GlobalValue, controller: &Controller) -> ArmSolution {

@@ -8,7 +8,7 @@ use val3_lang::values::ConfigValue;
 use val3_machine::controller::Controller;
 
 use super::lookup::tool_pose;
-use super::write;
+use super::store::write;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, ToolName};
 use crate::{configuration, coordinates};

@@ -122,6 +122,29 @@ fn joint_positions_are_taught_and_changes_are_undone() {
 }
 
 #[test]
+fn values_out_of_reach_have_a_reason() {
+    let listing = LISTING.replace("frame fTable", "joint jFar\ntool tLong\nframe fTable");
+    let lines = "begin\n  link(tLong,flange)\n  tLong.trsf.z=5000\n  jFar={999,0,0,0,0,0}";
+    let mut controller = Running::start(&listing.replace("begin", lines)).controller;
+    controller.step();
+    let mut operator = Operator::default();
+    let mut query = |name: &str, arguments: Value| {
+        json!(operator.execute(name, arguments.as_object().unwrap(), &mut controller).unwrap())
+    };
+    let teach = json!({ "name": "pPick", "key": 1, "tool": { "name": "flange" } });
+    query("teach", teach);
+    let far = &query("reach", json!({ "tool": { "name": "flange" } }))["unreachable"];
+    let names: Vec<&str> = far.as_array().unwrap().iter().map(|value| value["name"].as_str().unwrap()).collect();
+    assert!(names.contains(&"jFar") && !far.to_string().contains(r#""key":"1""#), "{far}");
+    let far = &query("reach", json!({ "tool": { "name": "tLong" } }))["unreachable"];
+    let point = far.as_array().unwrap().iter().find(|value| value["key"] == "1").unwrap();
+    assert!(point["reason"].as_str().unwrap().contains("from the shoulder"), "{point}");
+    let solved = &query("solve", json!({ "name": "pPick", "key": 1, "tool": { "name": "tLong" } }))["solutions"];
+    let is_far = |solution: &Value| solution["joints"].is_null() && solution["reason"].is_string();
+    assert!(solved.as_array().unwrap().len() == 8 && solved.as_array().unwrap().iter().all(is_far), "{solved}");
+}
+
+#[test]
 fn the_operator_acts_with_the_keys_of_scripts() {
     let mut controller = controller();
     run(&mut controller, "operate", json!({ "keys": { "power": true } })).unwrap();

@@ -28,6 +28,8 @@ pub enum Command {
     Undo,
     /// Computes the joint positions that reach a point or joint position. Changes nothing.
     Solve(Teach),
+    /// Lists the points and joint positions that are out of reach. Changes nothing.
+    Reach(Reach),
     /// Writes changed points to their files.
     Save(Save),
     /// Shows another user page.
@@ -65,6 +67,14 @@ pub struct Teach {
     pub name: String,
     /// Index or key; `null` for data with a single value.
     pub key: Option<ElementKey>,
+    /// Tool whose centre point counts; the tool of the last move if missing.
+    #[schemars(with = "ToolName", default)]
+    pub tool: Option<ToolName>,
+}
+
+/// Arguments of `reach`.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+pub struct Reach {
     /// Tool whose centre point counts; the tool of the last move if missing.
     #[schemars(with = "ToolName", default)]
     pub tool: Option<ToolName>,
@@ -205,6 +215,24 @@ pub struct ArmSolution {
     pub is_chosen: bool,
 }
 
+/// Response of `reach`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Reached {
+    /// Points and joint positions to which `movej` cannot move the arm.
+    pub unreachable: Vec<UnreachableValue>,
+}
+
+/// Point or joint position out of reach.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct UnreachableValue {
+    /// Data name, prefixed by the library.
+    pub name: String,
+    /// Index or key; `null` for data with a single value.
+    pub key: Option<String>,
+    /// Reason why the arm cannot reach the value.
+    pub reason: String,
+}
+
 /// Response of `record`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Recorded {
@@ -244,9 +272,15 @@ impl Arguments for Teach {
         let name = value(arguments, "name", "`name` is that of a point")?;
         let reason = "`key` is a whole number from 0, or a text: \"1\", \"1,2\" or the key of a collection";
         let key = optional::<Option<ElementKey>>(arguments, "key", reason)?.flatten();
-        let reason = "`tool` has the `name` and `key` of a tool";
-        let tool = optional::<Option<ToolName>>(arguments, "tool", reason)?.flatten();
+        let Reach { tool } = Reach::read(arguments)?;
         Ok(Self { name, key, tool })
+    }
+}
+
+impl Arguments for Reach {
+    fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
+        let reason = "`tool` has the `name` and `key` of a tool";
+        Ok(Self { tool: optional::<Option<ToolName>>(arguments, "tool", reason)?.flatten() })
     }
 }
 

@@ -59,6 +59,7 @@ fn commands_follow_the_schema() {
         json!({ "command": "teach", "name": "jHome", "tool": { "name": "flange" } }),
         json!({ "command": "solve", "name": "pPick", "tool": { "name": "tTools", "key": 1 } }),
         json!({ "command": "undo" }),
+        json!({ "command": "reach", "tool": { "name": "tGripper", "key": null } }),
         json!({ "command": "save" }),
         json!({ "command": "userPage", "to": "next" }),
         json!({ "command": "pace", "isPaused": true, "speed": "max" }),
@@ -78,5 +79,7 @@ fn responses_follow_the_schema() {
     let reason = Some("axis 1 would be at 200".to_owned());
     let solution = ArmSolution { config: None, joints: None, reason, is_chosen: false };
     check(&validator_of("Solved"), &json!(Solved { solutions: vec![solution] }));
+    let value = UnreachableValue { name: "pFar".to_owned(), key: None, reason: "too far".to_owned() };
+    check(&validator_of("Reached"), &json!(Reached { unreachable: vec![value] }));
     check(&validator_of("Recorded"), &json!(Recorded { file, text, remarks: vec![] }));
 }

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { firstChoice, solutionsOf, solutionText } from "../../src/panels/points/solutions";
+import { reasonsOf } from "../../src/panels/points/useReach";
 import { taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
 import { editedTrsf, fatherText, fieldTexts, pointText } from "../../src/panels/points/edits";
 
@@ -45,4 +46,10 @@ test("the arm goes to the joints of movej, or to others in reach", () => {
   assert.deepEqual(solutionsOf({ error: null, solutions: [far, near, 1] }), [far, near]);
   assert.deepEqual([firstChoice([far, near]), firstChoice([near, { ...near, isChosen: true }]), firstChoice([far])], [1, 1, -1]);
   assert.deepEqual([solutionText(far), solutionText(near)], ["too far", "1.0  -0.0"]);
+});
+
+test("values out of reach have their reasons by name", () => {
+  const unreachable = [{ name: "pA", key: "2", reason: "too far" }, { name: "pB" }];
+  assert.deepEqual([...reasonsOf({ error: null, unreachable })], [["pA[2]", "too far"]]);
+  assert.equal(reasonsOf({ error: "`reach` is not a command" }).size, 0);
 });

@@ -4,15 +4,18 @@ import type { JSX } from "preact";
 import type { Cell, JointValue, Notice } from "../shared/cell";
 import { pointText, samePoint, shortNumber } from "./edits";
 import { GoTo } from "./GoTo";
+import { ReachMark } from "./ReachMark";
 import { TeachButton } from "./TeachButton";
 
 interface Props {
   cell: Cell;
   notice: Notice;
   joints: readonly JointValue[];
+  /** Reasons why the arm cannot reach values, by name. */
+  reach: ReadonlyMap<string, string>;
 }
 
-export function JointsTable({ cell, notice, joints }: Props): JSX.Element | null {
+export function JointsTable({ cell, notice, joints, reach }: Props): JSX.Element | null {
   if (joints.length === 0) {
     return null;
   }
@@ -27,7 +30,7 @@ export function JointsTable({ cell, notice, joints }: Props): JSX.Element | null
             <tr><th scope="col">Joint position</th>{Array.from({ length: axes }, (_, axis) => <th class="figure" scope="col" key={axis}>J{axis + 1}</th>)}</tr>
           </thead>
           <tbody>
-            {joints.map((joint) => <JointRow key={pointText(joint)} cell={cell} joint={joint} isSelected={joint === present} />)}
+            {joints.map((joint) => <JointRow key={pointText(joint)} cell={cell} joint={joint} reason={reach.get(pointText(joint))} isSelected={joint === present} />)}
           </tbody>
         </table>
       </div>
@@ -42,12 +45,12 @@ export function JointsTable({ cell, notice, joints }: Props): JSX.Element | null
   );
 }
 
-function JointRow({ cell, joint, isSelected }: { cell: Cell; joint: JointValue; isSelected: boolean }): JSX.Element {
+function JointRow({ cell, joint, reason, isSelected }: { cell: Cell; joint: JointValue; reason: string | undefined; isSelected: boolean }): JSX.Element {
   const isEdited = cell.unsaved.value.has(pointText(joint));
   const select = (): void => cell.selectPoint({ name: joint.name, key: joint.key });
   return (
     <tr class={isEdited ? "changed" : undefined} aria-current={isSelected ? true : undefined} onClick={select}>
-      <th scope="row"><button type="button" class="place" onClick={select}>{pointText(joint)}</button>{isEdited ? <span class="edited"> changed</span> : null}</th>
+      <th scope="row"><button type="button" class="place" onClick={select}>{pointText(joint)}</button>{isEdited ? <span class="edited"> changed</span> : null}<ReachMark reason={reason} /></th>
       {joint.values.map((value, axis) => <td class="figure" key={axis}>{shortNumber(value)}</td>)}
     </tr>
   );

@@ -11,6 +11,8 @@ import { PointEditor } from "./PointEditor";
 import { SaveBar } from "./SaveBar";
 import { ToolChoice } from "./ToolChoice";
 import type { ChosenTool } from "./tools";
+import { ReachMark } from "./ReachMark";
+import { useReach } from "./useReach";
 
 const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
 
@@ -18,6 +20,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const [text, setText] = useState("");
   const [tool, setTool] = useState<ChosenTool>(undefined);
+  const reach = useReach(cell, tool);
   const points = cell.points.value;
   const scene = cell.scene.value;
   const fathers = useMemo(() => new Map((scene?.frames ?? []).map(({ name, father }) => [name, father])), [scene]);
@@ -43,7 +46,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
         isSelected={(point) => selected !== undefined && samePoint(point, selected)}
         cells={(point) => (
           <>
-            <th scope="row"><button type="button" class="place" onClick={() => cell.selectPoint(point)}>{pointText(point)}</button>{isEdited(point) ? <span class="edited"> changed</span> : null}</th>
+            <th scope="row"><button type="button" class="place" onClick={() => cell.selectPoint(point)}>{pointText(point)}</button>{isEdited(point) ? <span class="edited"> changed</span> : null}<ReachMark reason={reach.get(pointText(point))} /></th>
             <td title={fatherText(point.father, fathers)}>{point.father ?? "world"}</td>
             {COORDINATES.map((name, at) => <td class="figure" key={name}>{shortNumber(point.local[at] ?? 0)}</td>)}
             <td class="coordinates">{point.pose.map((part) => part.toFixed(1)).join("  ")}</td>
@@ -51,7 +54,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
         )}
       />
       {present === undefined ? <p class="hint">Choose a point to change it, or to move the arm there.</p> : <PointEditor key={`${pointText(present)} ${present.local.join()} ${present.config ?? ""}`} cell={cell} notice={notice} point={present} tool={tool} fathers={fatherText(present.father, fathers)} />}
-      <JointsTable cell={cell} notice={notice} joints={cell.joints.value} />
+      <JointsTable cell={cell} notice={notice} joints={cell.joints.value} reach={reach} />
     </section>
   );
 }
