@@ -1,13 +1,11 @@
 //! Served run after its end: its server continues, and operators start the application again.
 
-use val3_machine::controller::Controller;
-
 use super::course::Course;
+use super::end::EndedRun;
 use super::guide::ATTENTION;
 use super::observers::Observers;
 use super::opening::{OpenedApplication, open};
 use super::replay::RunRecording;
-use super::viewers::Viewers;
 use crate::args::RunArgs;
 use crate::color::Color;
 use crate::output::{to_stderr, to_stderr_in_color};
@@ -15,13 +13,6 @@ use crate::serve::PendingCommand;
 use crate::signals::Signals;
 use crate::sockets::AnnouncementReader;
 use crate::user_error::UserError;
-
-/// Ended run with its viewers.
-pub(super) struct EndedRun {
-    pub(super) viewers: Viewers,
-    /// The memory from which points are saved.
-    pub(super) controller: Controller,
-}
 
 impl EndedRun {
     /// Serves viewers until an operator starts the application again. `None` if a signal ends the server.

@@ -12,8 +12,7 @@ use val3_session::{Delay, FrameEvaluator, Pace};
 use val3_suite::{Stages, Transition};
 use val3_view::wire::Pace as NewPace;
 
-use super::again::EndedRun;
-use super::end::End;
+use super::end::{End, EndedRun};
 use super::export::Export;
 use super::guide::{ATTENTION, Guide};
 use super::motion::MotionObservers;

@@ -1,7 +1,9 @@
-//! End reasons of a run.
+//! End of a run: its reason, and the rest of a served run.
 
-use val3_machine::controller::RunStatus;
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::event::EndReason;
+
+use super::viewers::Viewers;
 
 /// End reason of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,4 +20,11 @@ pub(super) enum End {
     Restart,
     /// The operator has aborted `stop`, or a signal arrived. The value is the exit code.
     BrokenOff(u8),
+}
+
+/// Ended run with its viewers.
+pub(super) struct EndedRun {
+    pub(super) viewers: Viewers,
+    /// The memory from which points are saved.
+    pub(super) controller: Controller,
 }
