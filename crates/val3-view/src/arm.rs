@@ -8,10 +8,10 @@ use val3_machine::shapes::LinkShape;
 use crate::coordinates;
 use crate::wire::{self, ArmChain, Link};
 
-/// Returns the name, the note about times, the axes with their limits, all axis frames' poses, each relative to the
+/// Returns the name, whether it is the default, the note about times, the axes with their limits, all axis frames' poses, each relative to the
 /// previous frame, the pose of the flange relative to the last frame, and the shapes of the links. An axis rotates
 /// about the z axis of its frame, or moves along it.
-pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> ArmChain {
+pub(crate) fn description(arm: &Arm, is_default: bool, shapes: &[Option<LinkShape>]) -> ArmChain {
     let poses = arm.links(&Joints::default());
     let mut before = IsometryMatrix3::identity();
     let mut offsets: Vec<[f64; 6]> = poses
@@ -31,6 +31,7 @@ pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> ArmChain {
     });
     ArmChain {
         name: arm.name().to_owned(),
+        is_default,
         times_note: arm.times_note(),
         axes: axes.collect(),
         links: offsets.into_iter().map(|offset| Link { offset, axis: [0, 0, 1] }).collect(),
@@ -66,7 +67,7 @@ mod tests {
         #[test]
         fn the_chain_leads_to_the_flange(joints in prop::array::uniform6(-170.0..170.0_f64)) {
             for arm in Arm::names().map(|name| Arm::by_name(name).unwrap()) {
-                let difference = flange(&description(&arm, &[]), &joints).inverse() * arm.flange(&joints);
+                let difference = flange(&description(&arm, false, &[]), &joints).inverse() * arm.flange(&joints);
                 let distance = difference.translation.vector.norm();
                 let turn = (difference.rotation.matrix() - Rotation3::identity().matrix()).norm();
                 prop_assert!(distance < 1e-9 && turn < 1e-12, "{}: {} mm, {}", arm.name(), distance, turn);

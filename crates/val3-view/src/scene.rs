@@ -34,7 +34,7 @@ pub fn scene(controller: &Controller, role: Role) -> Scene {
         version: VERSION,
         role,
         application: controller.name().to_owned(),
-        arm: arm::description(controller.arm().model(), &controller.devices.shapes),
+        arm: arm::description(controller.arm().model(), !controller.arm().is_chosen(), &controller.devices.shapes),
         base: [0; 6],
         frames: of_type(BaseType::Frame),
         tools: of_type(BaseType::Tool),

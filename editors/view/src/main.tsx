@@ -30,6 +30,7 @@ function Page({ store }: { store: Store }): JSX.Element {
       <header>
         <h1 title={scene?.arm.name}>{scene?.application ?? "VAL 3"}</h1>
         <span class="arm">{scene?.arm.name ?? ""}</span>
+        {scene?.arm.isDefault === true ? <span class="note" title="Neither the settings nor the cell name an arm. Name yours with --arm, in val3.toml or in arm.cfx.">no arm is named</span> : undefined}
         {scene?.arm.timesNote == null ? undefined : <span class="note" title={scene.arm.timesNote}>times of a model arm</span>}
         <StatusLine store={store} />
         <span class="actions">

@@ -15,6 +15,8 @@ export interface ArmChain {
   axes: readonly Axis[];
   /** Pose of the flange relative to the last frame. */
   flange: readonly number[];
+  /** Whether neither a setting nor the cell names the arm, so that it is the default arm of its kind. */
+  isDefault: boolean;
   /** Frames of the axes. */
   links: readonly Link[];
   /** Model name. */

@@ -152,6 +152,8 @@ test("an exported run plays from the disk with the poses of its trace", () => se
   await run.end();
   const page = await openFile(join(run.folder, "run.html"));
   await page.waitForFunction(() => window.val3View?.store.end.value !== undefined);
+  // It plays without a click.
+  await page.waitForFunction(() => window.val3View.store.time.value > 0.1);
   assert.equal(await page.evaluate(() => window.val3View.store.scene.value.role), "recording");
   const row = readFileSync(join(run.folder, "trace.csv"), "utf8").trim().split("\n").at(-200).split(",").map(Number);
   const pose = await page.evaluate((time) => {

@@ -104,3 +104,20 @@ test("a run without power tells which button helps", () => served([], async (run
   await page.getByText("The arm has no power. Press Power to switch it on.").waitFor();
   assert.equal(await page.title(), "palletiser – arm held");
 }));
+
+test("panels fold, and their size and the shown tab survive a reload", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await page.getByRole("separator", { name: "Size of the panels" }).focus();
+  const width = () => page.locator(".picture").evaluate((picture) => picture.clientWidth);
+  const before = await width();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction((before) => document.querySelector(".picture").clientWidth > before, before);
+  const chosen = await width();
+  await page.getByRole("tab", { name: "Tasks" }).click();
+  await page.reload();
+  await page.getByRole("tab", { name: "Tasks", selected: true }).first().waitFor();
+  assert.equal(await width(), chosen);
+  await page.getByRole("button", { name: "Panels" }).click();
+  await page.getByRole("separator").waitFor({ state: "detached" });
+  await page.waitForFunction((chosen) => document.querySelector(".picture").clientWidth > chosen, chosen);
+}));

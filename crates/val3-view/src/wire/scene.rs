@@ -60,6 +60,8 @@ pub struct Scene {
 pub struct ArmChain {
     /// Model name.
     pub name: String,
+    /// Whether neither a setting nor the cell names the arm, so that it is the default arm of its kind.
+    pub is_default: bool,
     /// Note about the accuracy of times.
     pub times_note: Option<String>,
     /// Axes from the base.

@@ -14,8 +14,8 @@ export function Readout({ store, view }: { store: Store; view: Viewport | undefi
     <dl class="position" aria-label="Tool centre point in world, joints and speed">
       {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{figure(pose[axis], axis < 3 ? 2 : 1)}</dd></div>)}
       {joints.map((value, axis) => <div key={axis} class="joint"><dt>J{axis + 1}</dt><dd>{figure(value, 2)}</dd></div>)}
-      <div class="wide"><dt>Speed</dt><dd>{sample ? `${sample.speed.toFixed(0)} mm/s` : "–"}</dd></div>
-      <div class="wide"><dt>Limited by</dt><dd>{limitName(store, sample?.limit) ?? "–"}</dd></div>
+      {sample === undefined ? null : <div class="wide"><dt>Speed</dt><dd>{sample.speed.toFixed(0)} mm/s</dd></div>}
+      {sample === undefined ? null : <div class="wide"><dt>Limited by</dt><dd>{limitName(store, sample.limit) ?? "–"}</dd></div>}
     </dl>
   );
 }
