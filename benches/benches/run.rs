@@ -17,7 +17,7 @@ use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
-use val3_session::{Application, Pace};
+use val3_session::{Application, CodeForm, Pace};
 use xtask::metrics::running::PROGRAMS;
 
 /// Controller time of a line in ns, the default of `val3 run`.
@@ -46,7 +46,7 @@ fn application(bencher: Bencher<'_, '_>, name: &str) {
 /// The same applications with counters of lines and branches.
 #[divan::bench(args = PROGRAMS, sample_count = 5, sample_size = 1)]
 fn counted_application(bencher: Bencher<'_, '_>, name: &str) {
-    let image = application_of(name).compile_counted().expect("the application has no faults");
+    let image = application_of(name).compile_as(CodeForm::Counted).expect("the application has no faults");
     bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
 }
 

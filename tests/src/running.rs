@@ -11,7 +11,7 @@ use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_motion::Sample;
-use val3_session::{Application, Pace};
+use val3_session::{Application, CodeForm, Pace};
 use val3_test::{Fixture, ROOT};
 
 /// Duration of a line, in ns.
@@ -65,7 +65,21 @@ impl Running {
     /// The listing has faults.
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
-        let mut controller = Controller::new(devices, image(listing), "Disk://main".to_owned(), LINE)
+        Self::with(devices, image(listing, CodeForm::Plain))
+    }
+
+    /// Like [`on`](Self::on), with the code for a debugger.
+    ///
+    /// # Panics
+    /// The listing has faults.
+    #[track_caller]
+    pub fn debugged_on(devices: Devices, listing: &str) -> Self {
+        Self::with(devices, image(listing, CodeForm::Debugged))
+    }
+
+    #[track_caller]
+    fn with(devices: Devices, image: Arc<Image>) -> Self {
+        let mut controller = Controller::new(devices, image, "Disk://main".to_owned(), LINE)
             .unwrap_or_else(|fault| panic!("the controller has no memory for the application: {fault:?}"));
         let started = controller.start("start");
         assert!(started.is_ok(), "{started:?}");
@@ -170,6 +184,6 @@ pub fn application(listing: &str) -> Application {
 }
 
 #[track_caller]
-fn image(listing: &str) -> Arc<Image> {
-    application(listing).compile().unwrap_or_else(|error| panic!("{error}"))
+fn image(listing: &str, form: CodeForm) -> Arc<Image> {
+    application(listing).compile_as(form).unwrap_or_else(|error| panic!("{error}"))
 }

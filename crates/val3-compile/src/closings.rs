@@ -8,6 +8,8 @@ use val3_syntax::SyntaxKind::{self, BREAK_KW, CASE_CLAUSE, DEFAULT_CLAUSE, END_F
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
+use crate::code_form::CodeForm;
+
 /// Closing keywords of a program.
 #[derive(Debug, Default)]
 pub(crate) struct Closings {
@@ -20,12 +22,15 @@ pub(crate) struct Closings {
 }
 
 impl Closings {
-    /// Collects the keywords of the program in a file.
-    pub(crate) fn of(db: &dyn Db, file: File) -> Self {
+    /// Collects the keywords of the program in a file. Only the code for a debugger has operations for those of loops.
+    pub(crate) fn of(db: &dyn Db, file: File, form: CodeForm) -> Self {
         let parse = parse(db, file);
         let Some(code) = program::code(parse.view()) else { return Self::default() };
         let mut closings = Self { end: range_of(code, END_KW), ..Self::default() };
         closings.collect(code);
+        if form != CodeForm::Debugged {
+            closings.loops.clear();
+        }
         closings
     }
 

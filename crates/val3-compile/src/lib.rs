@@ -6,6 +6,7 @@
 
 mod closings;
 mod code;
+mod code_form;
 mod counting;
 mod data;
 mod emitter;
@@ -23,6 +24,7 @@ mod statements;
 mod unit;
 mod variables;
 
+pub use code_form::CodeForm;
 pub use error::{CompileError, CompileLimit};
 pub use fragment::{FragmentScope, compile_expression, compile_statements};
-pub use project::{compile, compile_counted};
+pub use project::{compile, compile_as};

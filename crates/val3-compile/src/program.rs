@@ -10,6 +10,7 @@ use val3_bytecode::{FrameVariable, Program, ProgramParam};
 
 use crate::closings::Closings;
 use crate::code::CodeBuilder;
+use crate::code_form::CodeForm;
 use crate::counting::Counting;
 use crate::emitter::Emitter;
 use crate::error::{CompileError, Result};
@@ -27,9 +28,13 @@ pub(crate) fn compile(
 ) -> std::result::Result<Program, CompileError> {
     let (db, project) = (unit.db, unit.project);
     let (header, body, types) = (header(db, file), body(db, file), infer(db, project, file));
-    let counting = if unit.is_counted { Counting::except(uncovered(db, file)) } else { Counting::default() };
+    let form = unit.form;
+    let counting = match form {
+        CodeForm::Counted => Counting::except(uncovered(db, file)),
+        CodeForm::Plain | CodeForm::Debugged => Counting::default(),
+    };
     let emitter = Emitter::new(unit, file.text(db), counting);
-    let closings = Closings::of(db, file);
+    let closings = Closings::of(db, file, form);
     let mut statements = Statements::new(Expressions::new(emitter, body, types), header, closings);
     let signature = signature(db, project, file);
     let program = Declarations { out: statements.out(), header, body, types }

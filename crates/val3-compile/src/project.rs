@@ -12,6 +12,7 @@ use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, Lin
 use val3_lang::builtins;
 use val3_lines::LineIndex;
 
+use crate::code_form::CodeForm;
 use crate::data::LoadedLink;
 use crate::error::{CompileError, CompileLimit, DataError};
 use crate::io_library;
@@ -27,20 +28,22 @@ const STACK_SIZE: u32 = 5000;
 /// # Errors
 /// A limit that the project exceeds.
 pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
-    image(db, project, false)
+    compile_as(db, project, CodeForm::Plain)
 }
 
-/// Like [`compile`], with counters: the virtual machine counts the executions of lines and branch sides.
+/// Like [`compile`], with a form of the code.
 ///
 /// # Errors
 /// A limit that the project exceeds.
-pub fn compile_counted(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
-    let mut image = image(db, project, true)?;
-    image.number_counters();
+pub fn compile_as(db: &dyn Db, project: Project, form: CodeForm) -> Result<Image, CompileError> {
+    let mut image = image(db, project, form)?;
+    if form == CodeForm::Counted {
+        image.number_counters();
+    }
     Ok(image)
 }
 
-fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, CompileError> {
+fn image(db: &dyn Db, project: Project, form: CodeForm) -> Result<Image, CompileError> {
     let file = project.manifest(db);
     let place = |limit| CompileError::at(file.path(db).as_str(), 1, limit);
     let mut kinds = Kinds::new(db, items(db, project).arm);
@@ -49,7 +52,7 @@ fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, Compi
     let names: Vec<SmolStr> = data.iter().map(|data| SmolStr::from(&data.name)).collect();
     let mut unit =
         CompileUnit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
-    unit.is_counted = is_counted;
+    unit.form = form;
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let mut compiled = compiled.collect::<Result<Vec<_>, _>>()?;
     val3_bytecode::plan_passes(&mut compiled);

@@ -9,6 +9,7 @@ use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{Items, items, signature};
 use val3_bytecode::{Image, Import, ImportKind};
 
+use crate::code_form::CodeForm;
 use crate::error::{CompileLimit, Result, there};
 use crate::kinds::Kinds;
 
@@ -21,8 +22,8 @@ pub(crate) struct CompileUnit<'db> {
     data: FxHashMap<SmolStr, u16>,
     programs: FxHashMap<SmolStr, u16>,
     libraries: FxHashMap<SmolStr, u16>,
-    /// Whether lines and branches are counted.
-    pub(crate) is_counted: bool,
+    /// Form of the code.
+    pub(crate) form: CodeForm,
     /// Library items in use.
     pub(crate) imports: Vec<Import>,
     imported: FxHashMap<(u16, SmolStr), u16>,
@@ -49,7 +50,7 @@ impl<'db> CompileUnit<'db> {
             data: numbered(data)?,
             programs: numbered(programs)?,
             libraries: numbered(aliases)?,
-            is_counted: false,
+            form: CodeForm::default(),
             imports: Vec::new(),
             imported: FxHashMap::default(),
         })

@@ -306,7 +306,7 @@ fn debugger(listing: &str, start: &SessionStart) -> Debugger {
     let mut devices = Running::devices();
     let signal = Signal { direction: Direction::Input, ..Signal::from_path("Io\\start", true) };
     devices.state.io.declare(signal);
-    let mut debugger = Debugger::new(Running::on(devices, listing).controller);
+    let mut debugger = Debugger::new(Running::debugged_on(devices, listing).controller);
     start.settings.apply(&mut debugger);
     debugger
 }

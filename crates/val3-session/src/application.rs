@@ -13,7 +13,7 @@ use val3_analysis::system::System;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
-use val3_compile::CompileError;
+use val3_compile::{CodeForm, CompileError};
 use val3_machine::controller::Controller;
 
 use crate::connection::Tape;
@@ -133,12 +133,12 @@ impl Application {
         val3_compile::compile(self.db(), self.project).map(Arc::new)
     }
 
-    /// Like [`compile`](Self::compile), with counters for executed lines and branches.
+    /// Like [`compile`](Self::compile), with a form of the code.
     ///
     /// # Errors
     /// If it exceeds a limit of the virtual controller.
-    pub fn compile_counted(&self) -> Result<Arc<Image>, CompileError> {
-        val3_compile::compile_counted(self.db(), self.project).map(Arc::new)
+    pub fn compile_as(&self, form: CodeForm) -> Result<Arc<Image>, CompileError> {
+        val3_compile::compile_as(self.db(), self.project, form).map(Arc::new)
     }
 
     /// Sentences about the folders outside the cell, the lines and the network to which a controller with these

@@ -37,3 +37,4 @@ pub use pace::{Delay, Pace};
 pub use same_file::is_same_file;
 pub use settings::{ControllerSettings, LINE_COST, PathRoot, line_cost};
 pub use stand_ins::StandInFault;
+pub use val3_compile::CodeForm;

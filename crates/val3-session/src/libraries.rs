@@ -6,6 +6,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::paths::path_key;
 use val3_analysis::system::{Disk, OverlayFs};
 use val3_bytecode::Image;
+use val3_compile::CodeForm;
 use val3_machine::devices::Libraries;
 use val3_machine::files::{ControllerPath, LibraryFiles};
 
@@ -19,9 +20,10 @@ const CAPACITY: usize = 64;
 pub(crate) struct LibraryCompiler {
     /// Folder of `Disk`.
     disk: Utf8PathBuf,
-    /// Keys of the project files of libraries without counters for lines and branches; `None` if no library has
-    /// counters.
-    uncounted: Option<Vec<String>>,
+    /// Form of the code.
+    form: CodeForm,
+    /// Keys of the project files of libraries that are never counted.
+    uncounted: Vec<String>,
     /// Roots of libraries outside `Disk`, whose paths are relative to the surrounding folder.
     outside: Vec<PathRoot>,
     /// Program texts that replace files on the disk, by path.
@@ -52,9 +54,9 @@ impl Cache {
 }
 
 impl LibraryCompiler {
-    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<PathRoot>, uncounted: Option<Vec<String>>) -> Self {
+    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<PathRoot>, (form, uncounted): (CodeForm, Vec<String>)) -> Self {
         let compiled = Cache { images: Vec::new(), capacity: CAPACITY };
-        Self { disk, outside, uncounted, edited: Vec::new(), compiled }
+        Self { disk, outside, form, uncounted, edited: Vec::new(), compiled }
     }
 
     /// Sets program texts that replace files on the disk.
@@ -76,9 +78,10 @@ impl LibraryCompiler {
             return Err(format!("`{path}`: {}", wrong.message));
         }
         let key = path_key(manifest.as_str());
-        let is_counted = self.uncounted.as_ref().is_some_and(|uncounted| !uncounted.contains(&key));
-        let image = if is_counted { library.compile_counted() } else { library.compile() };
-        image.map_err(|error| format!("`{path}`: {}", error.limit))
+        let is_plain = self.form == CodeForm::Counted && self.uncounted.contains(&key);
+        library
+            .compile_as(if is_plain { CodeForm::Plain } else { self.form })
+            .map_err(|error| format!("`{path}`: {}", error.limit))
     }
 }
 

@@ -5,6 +5,7 @@ use std::str::FromStr as _;
 use std::sync::Arc;
 
 use camino::Utf8PathBuf;
+use val3_compile::CodeForm;
 use val3_config::{ConfigError, ConfigFile, Licence, RunSettings};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::arm::RobotArm;
@@ -45,8 +46,8 @@ pub struct ControllerSettings {
     pub line_cost: Option<Time>,
     /// Guard of the sockets whose ports only the cell configures; without it they are opened without a check.
     pub guard: Option<Rc<dyn SocketGuard>>,
-    /// Whether libraries that the application loads have counters for lines and branches.
-    pub is_counted: bool,
+    /// Form of the code of libraries that the application loads.
+    pub form: CodeForm,
     /// Program texts that replace files on the disk, by path, for libraries that the application loads.
     pub edited: Vec<(Utf8PathBuf, Arc<str>)>,
 }

@@ -94,20 +94,18 @@ fn loops_are_compiled() {
                 local s string n2/t0
                 frame n5/t1
                 nums n2=1, n3=5
-                Jump L3
+                Jump L2
             L1:
             line 11
                 Add n0 n0 n2
-            closing 12 at 442 450
-                Line
-            L3:
+            L2:
             line 10
                 IfLess n0 n3 L1
-            L4:
+            L3:
             line 14
                 Subtract n0 n0 n2
             line 15
-                UnlessLessEqual n0 n4 L4
+                UnlessLessEqual n0 n4 L3
             closing 16 at 471 474
                 Return
             end
@@ -131,14 +129,12 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 LoadFirst n2 $nX 0
                 Move n3 n5
                 Move n0 n4
-                ForTest n0 n2 L7
+                ForTest n0 n2 L6
             L4:
             line 11
                 Move n1 n4
-            closing 12 at 455 461
-                Line
                 ForNext n0 n2 L4
-            L7:
+            L6:
             closing 13 at 462 465
                 Return
             end
@@ -156,17 +152,15 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 nums n2=10, n3=1, n5=1
             line 10
                 Move n4 n5
-                ForTest n4 n2 L8
+                ForTest n4 n2 L7
             L2:
                 StoreFirst $nX 0 n4
             line 11
                 Move n1 n5
-            closing 12 at 448 454
-                Line
                 LoadFirst n6 $nX 0
                 Move n4 n6
                 ForNextUp n4 n2 L2
-            L8:
+            L7:
                 StoreFirst $nX 0 n4
             closing 13 at 455 458
                 Return

@@ -33,7 +33,7 @@ pub(crate) fn image(listing: &str) -> Image {
 /// Like [`image`], with counters.
 #[track_caller]
 pub(crate) fn counted_image(listing: &str) -> Image {
-    compiled(listing, |db, main| val3_compile::compile_counted(db, main).unwrap())
+    compiled(listing, |db, main| val3_compile::compile_as(db, main, val3_compile::CodeForm::Counted).unwrap())
 }
 
 #[track_caller]

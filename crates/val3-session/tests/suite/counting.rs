@@ -5,17 +5,18 @@ use val3_analysis::system::Disk;
 use val3_lang::ports::SECOND;
 use val3_machine::controller::Controller;
 use val3_machine::script::Script;
-use val3_session::{Application, ControllerSettings, Pace, Tape};
+use val3_session::{Application, CodeForm, ControllerSettings, Pace, Tape};
 
 const CELL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser");
 
 /// Event record for two boxes, and the controller afterwards.
 fn two_boxes(is_counted: bool) -> (String, Controller) {
+    let form = if is_counted { CodeForm::Counted } else { CodeForm::Plain };
     let cell = Utf8Path::new(CELL);
     let application = Application::open(&Disk, &cell.join("usr/usrapp/palletiser"), None).unwrap();
-    let image = if is_counted { application.compile_counted() } else { application.compile() }.unwrap();
+    let image = application.compile_as(form).unwrap();
     let tape = Tape { records: false, replays: None };
-    let settings = ControllerSettings { is_counted, ..ControllerSettings::default() };
+    let settings = ControllerSettings { form, ..ControllerSettings::default() };
     let mut controller = application.controller(&settings, tape, image).unwrap();
     controller.follow(Script::parse(&std::fs::read_to_string(cell.join("boxes.toml")).unwrap()).unwrap());
     controller.start("start").unwrap();

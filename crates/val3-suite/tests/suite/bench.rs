@@ -13,7 +13,7 @@ use val3_lang::ports::{SECOND, Time};
 use val3_lang::types::Arm;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_machine::event::shown_seconds;
-use val3_session::{Application, ControllerSettings, LineCondition, Tape};
+use val3_session::{Application, CodeForm, ControllerSettings, LineCondition, Tape};
 use val3_suite::{Failure, Scenario, Supervision, TestCase, TestResult, TestSettings, cases, execute, library};
 use val3_test::Fixture;
 
@@ -51,8 +51,8 @@ impl Bench {
         let application = Application::open_with_stand_ins(&Disk, &manifest, &BTreeMap::new()).unwrap();
         let refusals = application.refusals();
         assert!(refusals.is_empty(), "{refusals:?}");
-        let image = application.compile_counted().unwrap();
-        let settings = ControllerSettings { is_counted: true, ..ControllerSettings::default() };
+        let image = application.compile_as(CodeForm::Counted).unwrap();
+        let settings = ControllerSettings { form: CodeForm::Counted, ..ControllerSettings::default() };
         let mut controller = application.controller(&settings, Tape::default(), image.clone()).unwrap();
         let initial = controller.snapshot();
         Self { root, application, image, controller, initial, limit: LIMIT, conditions: Vec::new(), _folder: folder }

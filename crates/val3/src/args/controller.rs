@@ -7,7 +7,7 @@ use val3_lang::values::date::DateTime;
 use val3_machine::controller_state::Calendar;
 use val3_machine::sio::SocketGuard;
 
-use val3_session::{Connection, ControllerSettings, PathRoot, line_cost};
+use val3_session::{CodeForm, Connection, ControllerSettings, PathRoot, line_cost};
 use val3_suite::ControllerKeys;
 
 /// The properties of the virtual controller.
@@ -78,7 +78,7 @@ impl ControllerArgs {
             power: self.power,
             line_cost: self.line_cost,
             guard: Some(guard),
-            is_counted: false,
+            form: CodeForm::default(),
             edited: Vec::new(),
         }
     }

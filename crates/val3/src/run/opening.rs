@@ -13,7 +13,7 @@ use val3_compile::CompileError;
 use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::sio::SocketGuard;
-use val3_session::{Application, Tape};
+use val3_session::{Application, CodeForm, ControllerSettings, Tape};
 use val3_suite::{Scenario, Stages};
 
 use super::outside;
@@ -80,7 +80,9 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     }
     let application = Application::of(session.into_workspace(), project);
     application.check_readable()?;
-    let image = match application.compile() {
+    let is_debugged = matches!(reader, AnnouncementReader::Debugger) || args.debug_port.is_some();
+    let form = if is_debugged { CodeForm::Debugged } else { CodeForm::Plain };
+    let image = match application.compile_as(form) {
         Ok(image) => image,
         Err(error) => {
             show_limit(&error, show)?;
@@ -94,6 +96,7 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let announcements = Rc::new(Announcements::new(reader));
     let settings = controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
+    let settings = ControllerSettings { form, ..settings };
     let mut controller = application.controller(&settings, tape, image)?;
     for grant in application.grants(&settings)? {
         show(&|out| writeln!(out, "note: {grant}"));

@@ -19,13 +19,15 @@ use crate::paths::{Paths, current_folder};
 use crate::run::ReadyApplication;
 use crate::sockets::Announcements;
 use crate::user_error::UserError;
+use val3_session::CodeForm;
 
 /// Opens a test application, and starts a test's first program, as `val3 test` does.
 ///
 /// # Errors
 /// The application cannot be loaded, the compiler rejects it, or it has no such test.
 pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, UserError> {
-    let opening = Opening { controller: &args.controller, limit: None, is_counted: false, replace: None, edited: &[] };
+    let opening =
+        Opening { controller: &args.controller, limit: None, form: CodeForm::Debugged, replace: None, edited: &[] };
     let suite = open(opening, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
     let announcements = Rc::new(Announcements::of_test());

@@ -14,7 +14,7 @@ use val3_bytecode::Image;
 use val3_lang::ports::nanoseconds;
 use val3_lang::suggest::{proposals, question};
 use val3_lang::test_names::is_test;
-use val3_session::{Application, SessionError};
+use val3_session::{Application, CodeForm, SessionError};
 use val3_suite::{TestCase, TestSettings, cases};
 
 use super::asked::Asked;
@@ -250,8 +250,8 @@ pub(super) struct Opening<'a> {
     pub(super) controller: &'a ControllerArgs,
     /// Timeout in the arguments, in seconds.
     pub(super) limit: Option<f64>,
-    /// Whether lines and branches are counted.
-    pub(super) is_counted: bool,
+    /// Form of the code.
+    pub(super) form: CodeForm,
     /// Stand-in libraries that the file of a test names: absolute paths by library alias.
     pub(super) replace: Option<&'a BTreeMap<String, String>>,
     /// Texts that replace program files on the disk, by path.
@@ -260,8 +260,8 @@ pub(super) struct Opening<'a> {
 
 impl<'a> Opening<'a> {
     pub(super) fn of(args: &'a TestArgs) -> Self {
-        let is_counted = args.coverage.is_wanted();
-        Self { controller: &args.controller, limit: args.limit, is_counted, replace: None, edited: &[] }
+        let form = if args.coverage.is_wanted() { CodeForm::Counted } else { CodeForm::Plain };
+        Self { controller: &args.controller, limit: args.limit, form, replace: None, edited: &[] }
     }
 }
 
@@ -290,8 +290,9 @@ pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, R
         return Err(Refusal::new(error, &refusals, &application));
     }
     application.check_readable().map_err(UserError::from)?;
-    let image = if opening.is_counted { application.compile_counted() } else { application.compile() };
-    let image = image.map_err(|error| Refusal::new(unexecutable(&shown, &error.to_string()), &[], &application))?;
+    let image = application
+        .compile_as(opening.form)
+        .map_err(|error| Refusal::new(unexecutable(&shown, &error.to_string()), &[], &application))?;
     let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
 }

@@ -272,8 +272,7 @@ impl Bench {
     ) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
         let settings = opening.controller.with(&keys).settings(guard);
-        let settings =
-            ControllerSettings { is_counted: opening.is_counted, edited: opening.edited.to_vec(), ..settings };
+        let settings = ControllerSettings { form: opening.form, edited: opening.edited.to_vec(), ..settings };
         let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial, keys })

@@ -210,6 +210,8 @@ fn unsaved_points_survive_the_end_and_a_new_start() {
     let saved = run.folder.read(file);
     assert!(saved != before && saved.contains(r#"x="7.25""#), "{saved}");
 
+    assert_eq!(viewer.command(set(1.5))["error"], Value::Null);
+    assert_eq!(viewer.command(json!({ "id": 4, "command": "undo" }))["error"], Value::Null);
     assert_eq!(viewer.command(set(8.5))["error"], Value::Null);
     run.signal(Signal::INT);
     let (code, text) = run.ending();

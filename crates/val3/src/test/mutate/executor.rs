@@ -19,6 +19,7 @@ use crate::test::script_file::ScriptFile;
 use crate::test::workers::{Bench, Surroundings};
 use crate::test::{golden, golden_texts};
 use crate::user_error::UserError;
+use val3_session::CodeForm;
 
 /// Default seed for the choice of mistakes.
 pub(super) const SEED: u64 = 1;
@@ -111,8 +112,8 @@ impl<'c> Executor<'c> {
             return Ok(bench);
         }
         let guard: Rc<dyn SocketGuard> = Rc::new(self.conditions.surroundings.sockets.clone());
-        let opening =
-            Opening { is_counted: self.is_counted, edited: &self.edited, ..Opening::of(self.conditions.args) };
+        let form = if self.is_counted { CodeForm::Counted } else { CodeForm::Plain };
+        let opening = Opening { form, edited: &self.edited, ..Opening::of(self.conditions.args) };
         Bench::open(opening, manifest, keys, guard)
     }
 }

@@ -15,6 +15,7 @@ use crate::paths::from_here;
 use crate::run::unusable_script;
 use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
+use val3_session::CodeForm;
 
 /// Future path of a scenario, and the project file of its application.
 pub(super) struct ScenarioTrial<'t> {
@@ -37,7 +38,8 @@ impl ScenarioTrial<'_> {
 
     fn bench(&self, keys: &ControllerKeys) -> Result<Bench, UserError> {
         let controller = ControllerArgs::default();
-        let opening = Opening { controller: &controller, limit: None, is_counted: false, replace: None, edited: &[] };
+        let opening =
+            Opening { controller: &controller, limit: None, form: CodeForm::Plain, replace: None, edited: &[] };
         Bench::open(opening, self.manifest, keys, Rc::new(ClosedSockets::default()))
     }
 

@@ -1,0 +1,13 @@
+//! What the code of an image contains beyond the lines of its programs.
+
+/// Form of the code of an image.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CodeForm {
+    /// Nothing, for the fastest run.
+    #[default]
+    Plain,
+    /// Counters: the virtual machine counts the executions of lines and branch sides.
+    Counted,
+    /// Operations at `endWhile` and `endFor`, before which a debugger can stop a task.
+    Debugged,
+}
