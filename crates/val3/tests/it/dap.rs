@@ -149,11 +149,12 @@ fn a_long_search_shows_its_progress_and_is_cancelled() {
     let (_, _, frame) = session.frame(task);
     let rounds = session.evaluate(frame, "nRound");
     let search = session.send("reverseContinue", json!({ "threadId": task }));
+    assert_eq!(session.response(search)["success"], true, "the response does not wait for the search");
     let progress = session.event("progressStart");
     assert_eq!((&progress["requestId"], &progress["cancellable"]), (&json!(search), &json!(true)));
     session.ask("cancel", json!({ "progressId": progress["progressId"] }));
-    assert_eq!(session.response(search)["message"], "cancelled");
     session.event("progressEnd");
+    assert_eq!(session.event("stopped")["text"], "the search was cancelled");
     let (_, _, frame) = session.frame(task);
     assert_eq!(session.evaluate(frame, "nRound"), rounds, "the run is where it was");
     session.end();
