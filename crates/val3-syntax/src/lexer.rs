@@ -70,6 +70,8 @@ struct Lexer<'t> {
     out: Lexed,
     /// Indentation of the next non-trivia token.
     indent: Indent,
+    /// Beginning of the code that is read.
+    code_start: usize,
     /// Whether no `]]>` follows the current position. Computed once, so that no text is searched repeatedly.
     no_cdata_end: bool,
 }
@@ -77,7 +79,7 @@ struct Lexer<'t> {
 impl<'t> Lexer<'t> {
     fn new(text: &'t str) -> Self {
         let out = Lexed { tokens: Vec::with_capacity(text.len() / 3), ..Lexed::default() };
-        Self { text, pos: 0, out, indent: Indent::NONE, no_cdata_end: false }
+        Self { text, pos: 0, out, indent: Indent::NONE, code_start: 0, no_cdata_end: false }
     }
 
     fn rest(&self) -> &'t str {

@@ -4,7 +4,7 @@ use memchr::{memchr, memchr2, memrchr2};
 
 use super::xml::CDATA;
 use super::{Indent, Lexer, entity, foreign};
-use crate::error::SyntaxErrorKind;
+use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::never::TextSlice;
 
@@ -20,6 +20,7 @@ impl Lexer<'_> {
     /// Reads everything between `<Code>` and `</Code>`.
     pub(super) fn code_content(&mut self) {
         self.indent = Indent::ZERO;
+        self.code_start = self.pos;
         while let Some(byte) = self.byte() {
             let rest = self.rest();
             if byte != b'<' {
@@ -78,10 +79,15 @@ impl Lexer<'_> {
         self.stretch_bytes(stretch).strip_prefix(b"]]>").is_some_and(|after| after.trim_ascii().is_empty())
     }
 
-    /// Reports a `]]>` without a CDATA section, unless damage at the start of the section was reported.
+    /// Reports a `]]>` without a CDATA section, unless damage at the start of this code was reported.
     fn stray_cdata_close(&mut self) {
-        let told = self.out.errors.last().is_some_and(|error| error.kind == SyntaxErrorKind::UnexpectedText);
-        if !told {
+        let is_at_start = |error: &SyntaxError| {
+            let before = self.text.as_bytes().part(self.code_start..error.range.start().into());
+            error.kind == SyntaxErrorKind::UnexpectedText && before.trim_ascii().is_empty()
+        };
+        let start = self.code_start;
+        let of_code = self.out.errors.iter().rev().take_while(|error| usize::from(error.range.start()) >= start);
+        if !of_code.into_iter().any(is_at_start) {
             self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + 3);
         }
         self.token(CDATA_CLOSE, self.pos + 3);

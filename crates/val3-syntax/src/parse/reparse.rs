@@ -49,7 +49,8 @@ impl Parse {
         let old = element.range();
         let new = TextRange::new(old.start(), change.moved(old.end()));
         let depth = around.iter().filter(|node| node.kind() == SyntaxKind::ELEMENT).count();
-        let fragment = parse_within(new_text.get(Range::<usize>::from(new))?.into(), depth_of(depth));
+        let text = new_text.get(Range::<usize>::from(new)).filter(|text| !leaves_markup_open(text))?;
+        let fragment = parse_within(text.into(), depth_of(depth));
         let inside = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
         let place = |at| at + old.start();
         let errors = self.spliced_errors(old, change, &fragment, place);
@@ -92,6 +93,13 @@ impl Parse {
         let after = self.odd_keywords.iter().filter(|range| range.start() >= old.end());
         before.chain(inside).chain(after.map(|range| moved(*range, |at| change.moved(at)))).collect()
     }
+}
+
+/// Whether the text contains markup whose end would be looked for after the text. Its error may be merged with another
+/// error on its line.
+fn leaves_markup_open(text: &str) -> bool {
+    const MARKUP: [(&str, &str); 3] = [("<![CDATA[", "]]>"), ("<!--", "-->"), ("<?", "?>")];
+    MARKUP.iter().any(|(open, close)| text.rfind(open) > text.rfind(close))
 }
 
 /// Whether all errors are errors of code, which do not affect the surrounding XML.
@@ -198,6 +206,7 @@ mod tests {
         assert!(alone("x=1", "<a>").is_some());
         assert!(alone("x=1", "]]></Code><Code>").is_none());
         assert!(alone("<a>", "<a >").is_none());
+        assert!(alone("x=1", "x=\"<![CDATA[").is_some(), "text in a section");
         assert!(alone("\n<b", " <b").is_none());
     }
 }

@@ -247,6 +247,31 @@ fn second_tag(parse: &Parse) -> usize {
     std::ptr::from_ref(&*tags.nth(1).unwrap().green()).addr()
 }
 
+/// Whether `]]>` without a section is an error depends on the start of its own code, not on the code before.
+#[test]
+fn errors_of_a_code_do_not_depend_on_the_code_before() {
+    let other = "<Code>\nend]]></Code></a>";
+    for first in ["<", "]]><", "]]></Code><Code>"] {
+        let text = format!("<a><Code><![CDATA[begin\n{first}\n]]></Code>{other}");
+        let size = TextSize::of("<a><Code><![CDATA[begin\n");
+        let edit = TextEdit { range: TextRange::at(size, TextSize::of(first)), text: String::new() };
+        assert_eq!(parse(&text).reparse(&edit).errors(), parse(&edit.apply(&text)).errors(), "{first}");
+    }
+}
+
+/// A section that an edit opens in escaped code ends in the next program.
+#[test]
+fn an_edit_can_open_a_section_that_ends_in_another_element() {
+    let text = "<a><code>begin\nx=&quot;s&quot;\nend</code><Code><![CDATA[begin\nend]]></Code></a>";
+    let at = TextSize::try_from(text.find("s&quot;").unwrap()).unwrap();
+    for insert in ["<Code><![CDATA[", "<![CDATA[", "<!--", "<?"] {
+        let edit = TextEdit { range: TextRange::empty(at), text: insert.to_owned() };
+        let (again, whole) = (parse(text).reparse(&edit), parse(&edit.apply(text)));
+        assert_eq!(again.errors(), whole.errors(), "{insert}");
+        assert_eq!(again, whole, "{insert}");
+    }
+}
+
 #[test]
 fn no_edit_keeps_the_tree() {
     let text = crate::show::body("x=1");
