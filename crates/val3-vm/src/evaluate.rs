@@ -97,7 +97,8 @@ impl Vm {
         let stack_size = found.image.stack_size;
         self.exchange_stack(task);
         let base = end_of(&self.space.memory.stack);
-        let mut thread = Thread::default();
+        // A fragment is no task, so nothing stops before its end.
+        let mut thread = Thread { is_at_end: true, ..Thread::default() };
         // No task runs: an instruction that stops the task of the frame does not end the fragment.
         let grant = Grant::once(grants.next().unwrap_or_default());
         let context = self.turn_context(TaskNumber::default(), grant, (now, 0), stack_size, host);

@@ -84,6 +84,8 @@ mod tests {
         assert_eq!(stops.len(), 1);
         assert_eq!(stops[0]["description"], "Paused before the end of the application");
         assert_eq!((client.value("nCount"), client.value("nOther")), (json!("2"), json!("1")));
+        client.body("evaluate", json!({ "expression": "nOther=5", "context": "repl" }));
+        assert_eq!(client.value("nOther"), "5", "statements have an end that is no stop");
         client.stop_after("stepBack", json!({ "threadId": stops[0]["threadId"] }));
         let again = client.stop_after("continue", json!({ "threadId": stops[0]["threadId"] }));
         assert_eq!(again["description"], "Paused before the end of the application");
