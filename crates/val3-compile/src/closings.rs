@@ -22,28 +22,28 @@ pub(crate) struct Closings {
 }
 
 impl Closings {
-    /// Collects the keywords of the program in a file. Only the code for a debugger has operations for those of loops.
+    /// Collects the keywords of the program in a file. Those of loops are needed for a debugger only, because they cost
+    /// an operation in each iteration.
     pub(crate) fn of(db: &dyn Db, file: File, form: CodeForm) -> Self {
         let parse = parse(db, file);
         let Some(code) = program::code(parse.view()) else { return Self::default() };
         let mut closings = Self { end: range_of(code, END_KW), ..Self::default() };
-        closings.collect(code);
-        if form != CodeForm::Debugged {
-            closings.loops.clear();
-        }
+        closings.collect(code, form);
         closings
     }
 
     /// Collects the keywords inside of a node.
-    fn collect(&mut self, node: View<'_>) {
-        let closing = range_of(node, END_WHILE_KW).or_else(|| range_of(node, END_FOR_KW));
-        self.loops.extend(closing.map(|closing| (node.range(), closing)));
+    fn collect(&mut self, node: View<'_>, form: CodeForm) {
+        if form == CodeForm::Debugged {
+            let closing = range_of(node, END_WHILE_KW).or_else(|| range_of(node, END_FOR_KW));
+            self.loops.extend(closing.map(|closing| (node.range(), closing)));
+        }
         let clauses = node.children().filter(|child| matches!(child.kind(), CASE_CLAUSE | DEFAULT_CLAUSE));
         let breaks: Vec<_> = clauses.map(|clause| range_of(clause, BREAK_KW)).collect();
         if !breaks.is_empty() {
             self.breaks.insert(node.range(), breaks);
         }
-        node.children().for_each(|child| self.collect(child));
+        node.children().for_each(|child| self.collect(child, form));
     }
 
     /// Returns the keyword that closes the loop with this range.

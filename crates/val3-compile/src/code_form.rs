@@ -1,4 +1,4 @@
-//! What the code of an image contains beyond the lines of its programs.
+//! Forms of code: without extras, with counters, with stops for a debugger.
 
 /// Form of the code of an image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -166,6 +166,10 @@ impl BreakpointTable {
         }
         self.data = set.iter().map(|breakpoint| breakpoint.id).collect();
         run.debugger.set_data_breakpoints(set);
+        // A breakpoint that the client sets again may be about a program that has ended.
+        for ended in self.ended_data(run.debugger) {
+            answer.iter_mut().filter(|breakpoint| breakpoint.id == ended.id).for_each(|known| *known = ended.clone());
+        }
         answer
     }
 
@@ -176,9 +180,8 @@ impl BreakpointTable {
         run: &mut DebuggedRun<'_>,
     ) -> Result<DataBreakpoint, Unverified> {
         let vm = &run.debugger.controller.vm;
-        let application = vm.space.loaded().next().map(|(instance, _)| instance);
-        let condition = application.zip(written(wanted.condition.as_deref()));
-        let condition = condition.map(|(instance, text)| run.evaluator.global_condition(vm, instance, text));
+        let condition = written(wanted.condition.as_deref());
+        let condition = condition.map(|text| run.evaluator.global_condition(vm, text).map_err(Unverified::new));
         let data = self.known_data.get(&wanted.data_id).cloned();
         let access = match wanted.access_type {
             Some(DataBreakpointAccessType::Read) => DataAccess::Read,
@@ -189,7 +192,7 @@ impl BreakpointTable {
             id,
             data: data.ok_or_else(|| Unverified(format!("`{}` is not known in this run", wanted.data_id)))?,
             access,
-            condition: condition.transpose().map_err(Unverified::new)?,
+            condition: condition.transpose()?,
             hits: hits(wanted.hit_condition.as_deref())?,
         })
     }

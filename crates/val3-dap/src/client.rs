@@ -169,7 +169,7 @@ impl fmt::Debug for Client {
     }
 }
 
-/// Whether a message asks for a stop.
+/// Whether a message is the request `pause`.
 fn is_pause(incoming: &Incoming) -> bool {
     matches!(incoming, Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) if command == "pause")
 }

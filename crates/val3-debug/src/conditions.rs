@@ -6,7 +6,7 @@ use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{KindBase, Memory, Place};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, FragmentEnd};
+use val3_vm::{FragmentContext, FragmentEnd, InstanceId, Vm};
 
 use crate::evaluate::{end_message, evaluate, expression_grant};
 use crate::values::DisplayFormat;
@@ -50,6 +50,12 @@ impl CompiledExpression {
             end => Err(end_message(&end)),
         }
     }
+}
+
+/// Returns the context of conditions that belong to no program: the variables of the application.
+#[must_use]
+pub fn application_context(vm: &Vm) -> FragmentContext {
+    FragmentContext::Instance(vm.space.loaded().next().map_or(InstanceId(0), |(instance, _)| instance))
 }
 
 /// Returns the place of a built-in value. A variable without an index is its first element.

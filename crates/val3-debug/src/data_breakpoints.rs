@@ -8,12 +8,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::Controller;
 use val3_machine::controller::RunStatus;
-use val3_vm::{FragmentContext, Frame, InstanceId};
+use val3_vm::Frame;
 
 use crate::breakpoints::{BreakpointId, HitCondition};
-use crate::conditions::CompiledExpression;
+use crate::conditions::{CompiledExpression, application_context};
 use crate::debugger::{Debugger, Stop};
 use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
@@ -177,7 +176,7 @@ impl Debugger {
             if !is_write && !is_read {
                 continue;
             }
-            let context = application(&self.controller);
+            let context = application_context(&self.controller.vm);
             let condition = watch.breakpoint.condition.as_ref();
             let holds = condition.map_or(Ok(true), |condition| condition.holds(&mut self.controller, context));
             if holds == Ok(false) {
@@ -217,10 +216,4 @@ impl Debugger {
         debug_assert_eq!(status, RunStatus::Limit, "no task begins a line");
         self.follow_data(None, false)
     }
-}
-
-/// The context of conditions: the variables of the application.
-fn application(controller: &Controller) -> FragmentContext {
-    let first = controller.vm.space.loaded().next().map_or(InstanceId(0), |(instance, _)| instance);
-    FragmentContext::Instance(first)
 }

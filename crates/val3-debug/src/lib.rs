@@ -30,7 +30,7 @@ pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
-pub use conditions::{CompiledExpression, LogMessage, LogPart};
+pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
 pub use debugger::{AdvanceResult, Debugger, Stop};
 pub use errors::{StopErrors, handler};

@@ -16,12 +16,12 @@ use val3_analysis::body::{StmtKind, body};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{compile_expression, compile_statements};
-use val3_debug::{CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, evaluate, expression_grant};
-use val3_lang::fault::Fault;
-use val3_lang::runtime_errors::WRITE_TO_INPUT;
+use val3_debug::{
+    CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, application_context, evaluate, expression_grant,
+};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, FragmentEnd, InstanceId, Vm};
+use val3_vm::{FragmentContext, FragmentEnd, Vm};
 
 use crate::application::Application;
 
@@ -130,15 +130,9 @@ impl FrameEvaluator {
             Some(state) => self.assignment(&target, target_text, state),
             None => Err(error),
         })?;
-        let write = |controller: &mut Controller| {
-            evaluate(controller, (&fragment, target_text), context, (&mut expression_grant(), format))
-        };
-        let (mut end, mut events) = write(controller);
-        if end == FragmentEnd::Failed(Fault(WRITE_TO_INPUT)) {
-            controller.devices.state.io.force_inputs(true);
-            (end, events) = write(controller);
-            controller.devices.state.io.force_inputs(false);
-        }
+        controller.devices.state.io.force_inputs(true);
+        let (end, events) = evaluate(controller, (&fragment, target_text), context, (&mut expression_grant(), format));
+        controller.devices.state.io.force_inputs(false);
         if end != FragmentEnd::Done {
             return Err(EvaluationError::ended(&end, Evaluation::new(events, true)));
         }
@@ -173,17 +167,12 @@ impl FrameEvaluator {
         self.compiled_condition(&target, text)
     }
 
-    /// Compiles the condition of a breakpoint on data, with the variables of an application or library.
+    /// Compiles the condition of a breakpoint on data, with the variables of the application.
     ///
     /// # Errors
     /// If the code is no `bool` without side effects there.
-    pub fn global_condition(
-        &mut self,
-        vm: &Vm,
-        instance: InstanceId,
-        text: &str,
-    ) -> Result<CompiledExpression, EvaluationError> {
-        let target = self.targets.of_context(vm, FragmentContext::Instance(instance))?;
+    pub fn global_condition(&mut self, vm: &Vm, text: &str) -> Result<CompiledExpression, EvaluationError> {
+        let target = self.targets.of_context(vm, application_context(vm))?;
         self.compiled_condition(&target, text)
     }
 

@@ -122,11 +122,11 @@ impl Thread {
         self.is_at_stop
     }
 
-    /// Whether the task stops here before the end of its first program, once.
+    /// Whether the task stops before its end: at the return of its first program, at the first attempt only.
     #[cold]
     pub(crate) fn meets_end(&mut self) -> bool {
         let meets = self.frames.len() == 1 && !std::mem::replace(&mut self.is_at_end, true);
-        // A stop mark of the same operation has been passed.
+        // The task has passed a stop mark of this operation, and does not stop at it again.
         self.is_at_stop |= meets;
         meets
     }

@@ -87,7 +87,8 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     Ok(ExitCode::from(code))
 }
 
-/// Runs an application, and again as often as operators of its page start it. Returns the exit code of the last run.
+/// Runs an application, and runs it again whenever an operator starts it on the page. Returns the exit code of the
+/// last run.
 fn run_to_end(mut course: Course<'_>, color: Color) -> Result<u8, UserError> {
     let args = course.args;
     let signals = Signals::catch()?;

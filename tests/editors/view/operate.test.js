@@ -118,10 +118,12 @@ test("a stopped application starts again with its unsaved point", () => served(B
   await page.getByText("Saved palletiser.dtx.").waitFor();
 }));
 
-test("a point is taught with a tool and changed back", () => served([], async (run) => {
+test("a point is taught with a tool, changed back, and reached by hand", () => served([], async (run) => {
   const page = await run.open();
   await page.getByRole("button", { name: "Power off" }).click();
+  await page.getByRole("button", { name: "Power on" }).waitFor();
   await page.getByLabel(/mode/i).first().selectOption("manual");
+  // Another working mode switches the power off.
   await page.getByRole("button", { name: "Power off" }).click();
   await page.getByRole("button", { name: "Power on" }).waitFor();
   await page.evaluate(() => window.val3View.store.command("operate", { keys: { jog: [5, 10, 90, 0, -40, 0] } }));
@@ -135,6 +137,12 @@ test("a point is taught with a tool and changed back", () => served([], async (r
   const local = () => page.evaluate(({ name, key }) => window.val3View.store.panels.cell.points.value.find((found) => found.name === name && found.key === key).local, point);
   await page.getByRole("button", { name: `Undo ${name}` }).waitFor();
   assert.notDeepEqual(await local(), point.local);
+  await page.evaluate(() => window.val3View.store.command("operate", { keys: { jog: [15, 10, 90, 0, -40, 0] } }));
+  await page.waitForFunction(() => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - 15) < 1e-6);
+  await page.getByRole("button", { name: `Go to ${name}` }).hover();
+  await page.mouse.down();
+  await page.waitForFunction(() => [5, 10, 90, 0, -40, 0].every((joint, axis) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[axis] - joint) < 1e-3));
+  await page.mouse.up();
   await page.getByRole("button", { name: `Undo ${name}` }).click();
   await page.getByRole("button", { name: "Save to .dtx", exact: true }).waitFor();
   assert.deepEqual(await local(), point.local);

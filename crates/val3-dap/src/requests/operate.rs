@@ -40,8 +40,6 @@ pub(crate) struct OperateArguments(Map<String, Value>);
 pub(super) fn act(keys: Map<String, Value>, controller: &mut Controller) -> Result<Empty, RequestFailure> {
     let action = ScriptAction::from_json(keys).map_err(RequestFailure::rejected)?;
     controller.act(&action).map_err(|problems| RequestFailure::Rejected(problems.join("; ")))?;
-    // Variables show a forced input at once, like the table of signals.
-    controller.devices.state.io.show_inputs();
     Ok(Empty {})
 }
 

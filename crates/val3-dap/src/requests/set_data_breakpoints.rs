@@ -134,6 +134,8 @@ mod tests {
         let changed = changed.expect("the breakpoint has changed");
         assert_eq!(changed["verified"], false);
         assert_eq!(changed["message"], "the program of this variable has ended: a later call has a new variable");
+        let again = set(&mut client, json!({ "dataId": data }));
+        assert_eq!(again["breakpoints"][0]["verified"], false, "{again}");
     }
 
     #[test]

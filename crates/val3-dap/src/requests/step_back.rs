@@ -1,6 +1,6 @@
 //! `stepBack`: returns to the previous line.
 
-use val3_debug::{Goal, StepKind};
+use val3_debug::StepKind;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -21,13 +21,11 @@ impl DebugRequest for StepBack {
         run: &mut DebuggedRun<'_>,
         arguments: StepBackArguments,
     ) -> Result<(), RequestFailure> {
-        let task = DebugSession::task(arguments.thread_id, run)?;
         let kind = match arguments.granularity {
             Some(SteppingGranularity::Instruction) => StepKind::In,
             _ => StepKind::Over,
         };
-        session.goal = Some(Goal::Line(task, kind));
-        Ok(())
+        session.step_back(arguments.thread_id, kind, run)
     }
 }
 

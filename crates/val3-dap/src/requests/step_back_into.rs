@@ -1,6 +1,6 @@
 //! `val3/stepBackInto`: returns to the line before, also inside of a program that has been called.
 
-use val3_debug::{Goal, StepKind};
+use val3_debug::StepKind;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -20,9 +20,7 @@ impl DebugRequest for StepBackInto {
         run: &mut DebuggedRun<'_>,
         arguments: ThreadArguments,
     ) -> Result<Empty, RequestFailure> {
-        let task = DebugSession::task(arguments.thread_id, run)?;
-        session.goal = Some(Goal::Line(task, StepKind::In));
-        Ok(Empty {})
+        session.step_back(arguments.thread_id, StepKind::In, run).map(|()| Empty {})
     }
 }
 

@@ -1,6 +1,6 @@
 //! `val3/stepBackOut`: returns to the line that has called the present program.
 
-use val3_debug::{Goal, StepKind};
+use val3_debug::StepKind;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -20,9 +20,7 @@ impl DebugRequest for StepBackOut {
         run: &mut DebuggedRun<'_>,
         arguments: ThreadArguments,
     ) -> Result<Empty, RequestFailure> {
-        let task = DebugSession::task(arguments.thread_id, run)?;
-        session.goal = Some(Goal::Line(task, StepKind::Out));
-        Ok(Empty {})
+        session.step_back(arguments.thread_id, StepKind::Out, run).map(|()| Empty {})
     }
 }
 

@@ -1,6 +1,6 @@
 //! Control of the run, for several requests.
 
-use val3_debug::StepKind;
+use val3_debug::{Goal, StepKind};
 use val3_lang::ports::TaskNumber;
 
 use super::{DebugSession, SessionState};
@@ -41,9 +41,27 @@ impl DebugSession {
         Ok(())
     }
 
+    /// Goes back to an earlier line of a task, after the response.
+    ///
+    /// # Errors
+    /// The task does not exist.
+    pub(crate) fn step_back(
+        &mut self,
+        thread: i32,
+        kind: StepKind,
+        run: &DebuggedRun<'_>,
+    ) -> Result<(), RequestFailure> {
+        self.goal = Some(Goal::Line(Self::task(thread, run)?, kind));
+        Ok(())
+    }
+
     /// Reports that a request has changed data, inputs or the arm, and discards the history after the present.
     pub(crate) fn run_changed(&mut self, run: &mut DebuggedRun<'_>) {
         self.report_new_future(run);
+        if self.phase == SessionState::Stopped {
+            // Programs and watches have a forced input at once. In a running application its next cycle reads it.
+            run.debugger.controller.devices.state.io.show_inputs();
+        }
         run.debugger.begin_new_future();
         let events = run.debugger.controller.devices.take_events();
         let notices = self.notices.of(&events, &run.debugger.controller, &self.conventions);

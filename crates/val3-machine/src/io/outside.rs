@@ -29,8 +29,8 @@ impl IoTable {
         });
     }
 
-    /// Sets whether writes of programs set inputs like the hardware, instead of failing with run-time error 122: for an
-    /// assignment by which somebody forces an input.
+    /// Sets whether writes of programs set inputs like the hardware, instead of failing with run-time error 122. A
+    /// debugger switches it on for an assignment of its user, who forces an input with it.
     pub fn force_inputs(&mut self, is_wanted: bool) {
         self.forces_inputs = is_wanted;
     }

@@ -202,8 +202,8 @@ impl IoTable {
         self.refresh(Direction::Input, Channel::refresh_input)
     }
 
-    /// Lets programs read the new values of changed inputs before the next cycle, which still reports the changes: for a
-    /// run that stands, whose inputs somebody sets.
+    /// Lets programs read changed inputs before the next cycle, which still reports the changes. A debugger calls it
+    /// after a change of inputs while the run is stopped.
     pub fn show_inputs(&mut self) {
         for id in self.to_refresh.clone() {
             if let Some(channel) = self.channel_mut(id).filter(|channel| channel.signal.direction == Direction::Input) {

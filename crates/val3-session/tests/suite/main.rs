@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 mod breakpoints;
-mod counting;
+mod code_form;
 mod frames;
 mod random_texts;
 mod stepping;
