@@ -1,4 +1,4 @@
-//! Ranges of the keywords that close blocks: `endWhile`, `endFor`, the `break` of a `case`, and the `end` of the program.
+//! Ranges of the keywords that close blocks: `endWhile`, `endFor`, `break`, and the `end` of the program.
 
 use rustc_hash::FxHashMap;
 use val3_analysis::db::{Db, File};

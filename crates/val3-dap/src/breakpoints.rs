@@ -250,8 +250,8 @@ impl BreakpointTable {
         self.place_programs(run, conventions);
     }
 
-    /// Returns the breakpoints on local variables whose program has ended since the last call, or lives again because the
-    /// run has gone back.
+    /// Returns the breakpoints on local variables whose program has ended since the last call, or lives again because
+    /// the run has gone back.
     pub(crate) fn ended_data(&mut self, debugger: &Debugger) -> Vec<protocol::Breakpoint> {
         let now = debugger.ended_data();
         let before = std::mem::replace(&mut self.ended, now.clone());

@@ -97,8 +97,8 @@ impl Client {
         }
     }
 
-    /// Whether the client no longer waits for the result of a request, whose progress has this name: it cancels it, asks
-    /// for a stop, or ends the run.
+    /// Whether the client no longer waits for the result of a request, whose progress has this name: it cancels it,
+    /// requests `pause`, or ends the run.
     pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
         self.queue.extend(self.inbox.try_iter());
         let is_over = |incoming: &Incoming| is_end(incoming) || is_pause(incoming);
@@ -171,7 +171,12 @@ impl fmt::Debug for Client {
 
 /// Whether a message is the request `pause`.
 fn is_pause(incoming: &Incoming) -> bool {
-    matches!(incoming, Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) if command == "pause")
+    match incoming {
+        Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) => {
+            command == "pause"
+        }
+        _ => false,
+    }
 }
 
 /// Whether a message ends the run or the connection.

@@ -272,8 +272,8 @@ impl Debugger {
         if self.controller.vm.is_at_end(task) { self.exit(task) } else { self.hit(task) }
     }
 
-    /// Returns the stop before the end of a task if no other task runs. The program `stop`, which runs afterwards, has no
-    /// such stop.
+    /// Returns the stop before the end of a task if no other task runs. The program `stop`, which runs afterwards, has
+    /// no such stop.
     fn exit(&self, task: TaskNumber) -> Option<Stop> {
         if self.controller.is_stopping() {
             return None;

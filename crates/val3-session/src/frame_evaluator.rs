@@ -113,8 +113,8 @@ impl FrameEvaluator {
         }
     }
 
-    /// Assigns an expression's value to a variable, an element, a field or an output. Returns the new value. An input is
-    /// forced: it has the value as if the hardware had set it.
+    /// Assigns an expression's value to a variable, an element, a field or an output. Returns the new value. An input
+    /// is forced: it has the value as if the hardware had set it.
     ///
     /// # Errors
     /// If the target and value are invalid or do not match, or if a run-time error ends the assignment.

@@ -8,9 +8,9 @@ use val3_machine::shapes::LinkShape;
 use crate::coordinates;
 use crate::wire::{self, ArmChain, Link};
 
-/// Returns the name, whether it is the default, the note about times, the axes with their limits, all axis frames' poses, each relative to the
-/// previous frame, the pose of the flange relative to the last frame, and the shapes of the links. An axis rotates
-/// about the z axis of its frame, or moves along it.
+/// Returns the name, whether it is the default, the note about times, the axes with their limits, all axis frames'
+/// poses, each relative to the previous frame, the pose of the flange relative to the last frame, and the shapes of the
+/// links. An axis rotates about the z axis of its frame, or moves along it.
 pub(crate) fn description(arm: &Arm, is_default: bool, shapes: &[Option<LinkShape>]) -> ArmChain {
     let poses = arm.links(&Joints::default());
     let mut before = IsometryMatrix3::identity();

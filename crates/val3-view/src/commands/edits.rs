@@ -42,7 +42,8 @@ impl Edits {
         controller: &mut Controller,
         write: impl FnOnce(&GlobalValue, &mut Controller) -> Result<(), CommandError>,
     ) -> Result<(), CommandError> {
-        let before = positions::all_nums(&controller.vm.space.memory, datum.place).unwrap_or_default();
+        let before = positions::all_nums(&controller.vm.space.memory, datum.place);
+        let before = before.ok_or_else(|| CommandError(format!("`{}` does not exist any more", datum.name)))?;
         write(&datum, controller)?;
         let name = PointName { name: datum.name, key: datum.key };
         let was_unsaved = !self.unsaved.insert(name.clone());

@@ -2,7 +2,7 @@
 
 use crate::wire::CommandError;
 
-/// Largest coordinate, in mm: far beyond the reach of an arm on any axis, and below the numbers of a slip of the finger.
+/// Largest coordinate, in mm: far beyond the reach of an arm on any axis, and less than most mistyped numbers.
 const LONGEST: f64 = 100_000.0;
 
 /// Largest angle, in degrees.

@@ -16,6 +16,9 @@ use crate::wire::{ArmSolution, CommandError, Reached, Solved, ToolName, Unreacha
 /// Difference up to which two joint positions are equal, in degrees or mm.
 const SAME_JOINTS: f64 = 1e-6;
 
+/// Reason for a value that the program has removed meanwhile.
+const NO_VALUE: &str = "it has no value any more";
+
 /// Computes the joints in each configuration, or the reason why the arm cannot reach the value.
 pub(super) fn solve(
     datum: &GlobalValue,
@@ -37,33 +40,52 @@ pub(super) fn solve(
     Ok(Solved { solutions: of_pose(&flange, &config, controller) })
 }
 
-/// Lists the points and joint positions to which `movej` cannot move the arm. Points without a frame, and values for
-/// another kind of arm, are omitted.
+/// Lists the points and joint positions to which `movej` cannot move the arm, with the reasons: out of reach, without a
+/// frame, for another kind of arm.
 pub(super) fn unreachable(tool: Option<ToolName>, controller: &Controller) -> Result<Reached, CommandError> {
-    let (memory, arm) = (&controller.vm.space.memory, controller.arm());
-    let (model, near, tool) = (arm.model(), arm.joint(), tool_pose(tool, controller)?.inverse());
-    let mut poses = Poses::new(memory);
-    let mut reason = |datum: &GlobalValue| match datum.base {
-        BaseType::Joint => of_joint(datum, controller).reason,
-        BaseType::Point => {
-            let flange = Trsf::isometry(&poses.of_point(PointRef(datum.place)).ok()?) * tool;
-            let config = configuration::of_point(memory, datum.place, model.is_scara())?;
-            model.solve(&Trsf::from(flange), &near, config.requested()).err().map(|reason| reason.to_string())
-        }
-        _ => None,
-    };
-    let data = positions::data(controller).into_iter();
-    let suitable = data.filter(|datum| positions::is_for_scara(memory, datum.place) == model.is_scara());
-    let unreachable = suitable.filter_map(|datum| {
-        let reason = reason(&datum)?;
+    let tool = tool_pose(tool, controller)?.inverse();
+    let mut poses = Poses::new(&controller.vm.space.memory);
+    let unreachable = positions::data(controller).into_iter().filter_map(|datum| {
+        let reason = obstacle(&datum, &tool, &mut poses, controller)?;
         Some(UnreachableValue { name: datum.name, key: datum.key, reason })
     });
     Ok(Reached { unreachable: unreachable.collect() })
 }
 
+/// Reason why `movej` cannot move the arm to a value with a tool, whose inverse pose is given.
+fn obstacle(
+    datum: &GlobalValue,
+    tool: &IsometryMatrix3<f64>,
+    poses: &mut Poses<'_>,
+    controller: &Controller,
+) -> Option<String> {
+    let (memory, model) = (&controller.vm.space.memory, controller.arm().model());
+    match datum.base {
+        BaseType::Joint | BaseType::Point if positions::is_for_scara(memory, datum.place) != model.is_scara() => {
+            Some("it is for another kind of arm".to_owned())
+        }
+        BaseType::Joint => of_joint(datum, controller).reason,
+        BaseType::Point => {
+            let pose = match poses.of_point(PointRef(datum.place)) {
+                Ok(pose) => pose,
+                Err(fault) => return Some(format!("it has no frame (error {})", fault.0)),
+            };
+            let Some(config) = configuration::of_point(memory, datum.place, model.is_scara()) else {
+                return Some(NO_VALUE.to_owned());
+            };
+            let flange = Trsf::isometry(&pose) * tool;
+            let solved = model.solve(&Trsf::from(flange), &controller.arm().joint(), config.requested());
+            solved.err().map(|reason| reason.to_string())
+        }
+        _ => None,
+    }
+}
+
 fn of_joint(datum: &GlobalValue, controller: &Controller) -> ArmSolution {
     let model = controller.arm().model();
-    let values = positions::all_nums(&controller.vm.space.memory, datum.place).unwrap_or_default();
+    let Some(values) = positions::all_nums(&controller.vm.space.memory, datum.place) else {
+        return ArmSolution { config: None, joints: None, reason: Some(NO_VALUE.to_owned()), is_chosen: false };
+    };
     let mut joints = Joints::default();
     for (joint, value) in joints.iter_mut().zip(&values) {
         *joint = *value;

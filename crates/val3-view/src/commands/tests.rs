@@ -123,7 +123,7 @@ fn joint_positions_are_taught_and_changes_are_undone() {
 
 #[test]
 fn values_out_of_reach_have_a_reason() {
-    let listing = LISTING.replace("frame fTable", "joint jFar\ntool tLong\nframe fTable");
+    let listing = LISTING.replace("frame fTable", "joint jFar\njointRs jOther\ntool tLong\nframe fTable");
     let lines = "begin\n  link(tLong,flange)\n  tLong.trsf.z=5000\n  jFar={999,0,0,0,0,0}";
     let mut controller = Running::start(&listing.replace("begin", lines)).controller;
     controller.step();
@@ -135,6 +135,8 @@ fn values_out_of_reach_have_a_reason() {
     query("teach", teach);
     let far = &query("reach", json!({ "tool": { "name": "flange" } }))["unreachable"];
     let names: Vec<&str> = far.as_array().unwrap().iter().map(|value| value["name"].as_str().unwrap()).collect();
+    let other = far.as_array().unwrap().iter().find(|value| value["name"] == "jOther");
+    assert_eq!(other.unwrap()["reason"], "it is for another kind of arm");
     assert!(names.contains(&"jFar") && !far.to_string().contains(r#""key":"1""#), "{far}");
     let far = &query("reach", json!({ "tool": { "name": "tLong" } }))["unreachable"];
     let point = far.as_array().unwrap().iter().find(|value| value["key"] == "1").unwrap();

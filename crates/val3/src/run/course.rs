@@ -333,7 +333,8 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Writes the reports at the end of a run, and explains the end. Returns the served run, unless its server ends, too.
+    /// Writes the reports at the end of a run, and explains the end. Returns the served run, unless its server ends with
+    /// it.
     pub(super) fn close(self, end: End) -> Result<Option<EndedRun>, UserError> {
         let (args, mut controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;

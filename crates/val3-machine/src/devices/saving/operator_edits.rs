@@ -1,10 +1,10 @@
 //! Saves values that an operator has changed to the files from which they were loaded.
 
+use std::sync::Arc;
+
 use val3_data::rounded_number_text;
 use val3_lang::memory::Place;
 use val3_vm::{Instance, InstanceId, Space};
-
-use std::sync::Arc;
 
 use super::Saving;
 use super::values::Saver;
