@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import { poseOf } from "../panels/pendant/pose";
 import type { Store } from "../store";
 import type { Viewport } from "./Viewport";
+import { fixed } from "../panels/shared/fixed";
 
 export function Readout({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element {
   const sample = store.shown.value;
@@ -25,7 +26,7 @@ export function limitName(store: Store, limit: number | undefined): string | und
   return limit === undefined ? undefined : store.scene.value?.limits[limit];
 }
 
-/** Formats a number without the sign of a rounded zero. */
+/** Formats a number of the readout. */
 function figure(value: number | undefined, digits: number): string {
-  return value === undefined ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+  return value === undefined ? "–" : fixed(value, digits);
 }

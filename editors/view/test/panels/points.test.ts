@@ -45,7 +45,7 @@ test("the arm goes to the joints of movej, or to others in reach", () => {
   const near = { config: "righty", joints: [1, -0.04], reason: null, isChosen: false };
   assert.deepEqual(solutionsOf({ error: null, solutions: [far, near, 1] }), [far, near]);
   assert.deepEqual([firstChoice([far, near]), firstChoice([near, { ...near, isChosen: true }]), firstChoice([far])], [1, 1, -1]);
-  assert.deepEqual([solutionText(far), solutionText(near)], ["too far", "1.0  -0.0"]);
+  assert.deepEqual([solutionText(far), solutionText(near)], ["too far", "1.0  0.0"]);
 });
 
 test("values out of reach have their reasons by name", () => {

@@ -9,6 +9,7 @@ import { Holder, type Step } from "./Holder";
 import { cartesianStep, fraction, jointStep, STEPS } from "./jogSteps";
 import { composed, type Frame, frameOf, inverse, poseOf } from "./pose";
 import { jogReason } from "./robotState";
+import { fixed } from "../shared/fixed";
 
 const DIRECTIONS = ["X", "Y", "Z", "RX", "RY", "RZ"] as const;
 
@@ -79,7 +80,7 @@ function Axes({ cell, notice, scene, holder, step, reason, hasButtons }: Control
               <span class="bar-limit">{Number(max.toFixed(1))}</span>
             </div>
             {button(1)}
-            <output class={`value ${isNearLimit(value, min, max) ? "at-limit" : ""}`}>{value.toFixed(2)} {unit}</output>
+            <output class={`value ${isNearLimit(value, min, max) ? "at-limit" : ""}`}>{fixed(value, 2)} {unit}</output>
           </div>
         );
       })}
@@ -106,7 +107,7 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
           <div class="axis cartesian" key={name}>
             <span class="axis-name">{name}</span>
             {button(-1)}
-            <output class="value">{(pose[direction] ?? 0).toFixed(2)} {direction < 3 ? "mm" : "°"}</output>
+            <output class="value">{fixed(pose[direction] ?? 0, 2)} {direction < 3 ? "mm" : "°"}</output>
             {button(1)}
           </div>
         );

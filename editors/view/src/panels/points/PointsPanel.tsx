@@ -13,6 +13,7 @@ import { ToolChoice } from "./ToolChoice";
 import type { ChosenTool } from "./tools";
 import { ReachMark } from "./ReachMark";
 import { useReach } from "./useReach";
+import { fixed } from "../shared/fixed";
 
 const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
 
@@ -49,7 +50,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
             <th scope="row"><button type="button" class="place" onClick={() => cell.selectPoint(point)}>{pointText(point)}</button>{isEdited(point) ? <span class="edited"> changed</span> : null}<ReachMark reason={reach.get(pointText(point))} /></th>
             <td title={fatherText(point.father, fathers)}>{point.father ?? "world"}</td>
             {COORDINATES.map((name, at) => <td class="figure" key={name}>{shortNumber(point.local[at] ?? 0)}</td>)}
-            <td class="coordinates">{point.pose.map((part) => part.toFixed(1)).join("  ")}</td>
+            <td class="coordinates">{point.pose.map((part) => fixed(part, 1)).join("  ")}</td>
           </>
         )}
       />

@@ -2,6 +2,7 @@
 
 import type * as wire from "../../wire";
 import type { Answer } from "../shared/cell";
+import { fixed } from "../shared/fixed";
 
 export type ArmSolution = wire.ArmSolution;
 
@@ -23,5 +24,5 @@ export function firstChoice(solutions: readonly ArmSolution[]): number {
 
 /** Text of a solution: its joints, or the reason why there are none. */
 export function solutionText({ joints, reason }: ArmSolution): string {
-  return joints === null ? reason ?? "out of reach" : joints.map((joint) => joint.toFixed(1)).join("  ");
+  return joints === null ? reason ?? "out of reach" : joints.map((joint) => fixed(joint, 1)).join("  ");
 }

@@ -3,6 +3,7 @@
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";
 import { Place } from "../shared/Place";
+import { fixed } from "../shared/fixed";
 
 export function MotionQueue({ cell }: { cell: Cell }): JSX.Element {
   const { queue } = cell.motion.value;
@@ -23,7 +24,7 @@ export function MotionQueue({ cell }: { cell: Cell }): JSX.Element {
               <td>{distance(leaveDistance)}</td>
               <td>{distance(reachDistance)}</td>
               <td>{blendCutShort ?? "–"}</td>
-              <td class="coordinates">{target.map((part) => part.toFixed(1)).join("  ")}</td>
+              <td class="coordinates">{target.map((part) => fixed(part, 1)).join("  ")}</td>
             </tr>
           ))}
           {queue.length === 0 ? <tr><td colSpan={8}>No move is recorded.</td></tr> : null}
