@@ -6,7 +6,9 @@ import type { DebuggedRun } from "./run";
 export function registerStepsBack(run: DebuggedRun): vscode.Disposable[] {
   const step = async (command: "val3/stepBackInto" | "val3/stepBackOut"): Promise<void> => {
     const threadId = vscode.debug.activeStackItem?.threadId;
-    if (threadId !== undefined) {
+    if (threadId === undefined) {
+      void vscode.window.showInformationMessage("Select a task in the call stack of a stopped run.");
+    } else {
       await run.change(command, { threadId });
     }
   };
