@@ -108,7 +108,7 @@ struct Outcomes {
 
 impl Outcomes {
     /// Changes the program in a file, and applies the inverse.
-    fn check(&mut self, cell: &mut ChangedCell, kind: Kind, (file, index): (File, usize)) {
+    fn check(&mut self, cell: &mut ChangedCell, kind: Kind, file: File, index: usize) {
         let mut wanted = NewVariables::of(header(cell.db(), file));
         let old = wanted.parameters.get(index).map_or(NEW.to_owned(), |old| old.name.clone());
         // Findings about a parameter are added or removed with the parameter.
@@ -167,8 +167,8 @@ fn outcomes(cell: &mut ChangedCell, count: Option<usize>) -> BTreeMap<Kind, Outc
         let mut places: Vec<(File, usize)> = places.collect();
         let outcomes: &mut Outcomes = all.entry(kind).or_default();
         while !places.is_empty() && count.is_none_or(|count| outcomes.done < count) {
-            let place = places.swap_remove(chance.below(places.len()));
-            outcomes.check(cell, kind, place);
+            let (file, index) = places.swap_remove(chance.below(places.len()));
+            outcomes.check(cell, kind, file, index);
         }
     }
     all

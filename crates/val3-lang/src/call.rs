@@ -79,6 +79,27 @@ pub enum Argument {
     Library(u16),
 }
 
+/// What an instruction can read and change.
+pub struct Reach<'c> {
+    /// All data.
+    pub memory: &'c mut Memory,
+    /// Access to everything outside of the program.
+    pub ports: &'c mut dyn Ports,
+    /// Tasks and libraries, from the calling task's point of view.
+    pub tasks: &'c mut dyn Tasks,
+}
+
+/// Properties of the calling application.
+#[derive(Debug, Clone, Copy)]
+pub struct Caller {
+    /// Version, which determines limits.
+    pub version: Version,
+    /// Length unit.
+    pub unit: LengthUnit,
+    /// Kind of arm for which its positions are, if known.
+    pub arm: Option<Arm>,
+}
+
 /// An instruction call.
 pub struct Call<'c> {
     /// All data.
@@ -108,12 +129,15 @@ impl<'c> Call<'c> {
     /// Creates a call with these arguments and the destination `result` for its value.
     #[inline]
     pub fn new(
-        (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
-        (now, waiting): (Time, Option<Waiting>),
-        (version, unit, arm): (Version, LengthUnit, Option<Arm>),
+        reach: Reach<'c>,
+        caller: Caller,
+        now: Time,
+        waiting: Option<Waiting>,
         arguments: &'c [Argument],
         result: Option<Place>,
     ) -> Self {
+        let Reach { memory, ports, tasks } = reach;
+        let Caller { version, unit, arm } = caller;
         Self { memory, ports, tasks, now, waiting, reads_clock: false, version, unit, arm, arguments, next: 0, result }
     }
 

@@ -12,12 +12,12 @@ use std::collections::BTreeMap;
 use self::notation::{VariableNotation, WrittenArgument, WrittenCall, WrittenSubscript};
 use self::outside::NoController;
 pub(crate) use self::outside::TaskList;
-use crate::call::{Argument, Call, Flow, StoredValue, Waiting};
+use crate::call::{Argument, Call, Caller, Flow, Reach, StoredValue, Waiting};
 use crate::fault::{Fault, Result};
 use crate::instruction::{Instruction, InstructionParam, Overload};
 use crate::instructions;
 use crate::memory::{ContainerShape, Memory, Place, Slot, StoreId, Subscript, View};
-use crate::ports::{Ports, Tasks, Time};
+use crate::ports::Time;
 use crate::types::{Arm, BaseType, LengthUnit};
 use crate::values::{Text, printed};
 use crate::versions::Version;
@@ -125,10 +125,9 @@ impl Bench {
             form.params.iter().zip(&line.arguments).map(|(param, spoken)| self.argument(param, spoken)).collect();
         let target = line.target.as_ref().map(|target| self.place(target));
         let result = target.or_else(|| form.result.map(|base| Place::first(self.value_of(base))));
-        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) =
-            (&mut self.memory, &mut self.controller, &mut self.tasks);
-        let mut call =
-            Call::new(reach, (self.now, self.waiting), (self.version, self.unit, self.arm), &arguments, result);
+        let reach = Reach { memory: &mut self.memory, ports: &mut self.controller, tasks: &mut self.tasks };
+        let caller = Caller { version: self.version, unit: self.unit, arm: self.arm };
+        let mut call = Call::new(reach, caller, self.now, self.waiting, &arguments, result);
         let run = form.run.unwrap_or_else(|| panic!("{} has no handler", form.signature(instruction.name)));
         let flow = run(&mut call);
         self.waiting = match flow {

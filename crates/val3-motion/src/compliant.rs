@@ -74,14 +74,14 @@ impl Glide {
         while left > 0.0 {
             let step = left.min(STEP);
             let Some(bounds) = span.bounds_within(self.p, None, forces.reduction) else { break };
-            self.step((span, &bounds), share, (tangent.inertia, forces.pace), step);
+            self.step(span, &bounds, share, tangent.inertia, forces.pace, step);
             left -= step;
         }
         self.p != start
     }
 
     /// Advances by a number of seconds under a fraction of the nominal force.
-    fn step(&mut self, (span, bounds): (&Span, &Bounds<'_>), share: f64, (inertia, pace): (f64, f64), seconds: f64) {
+    fn step(&mut self, span: &Span, bounds: &Bounds<'_>, share: f64, inertia: f64, pace: f64, seconds: f64) {
         let fastest = bounds.top().sqrt() * pace;
         // Implicit Euler step of M·p̈ = F - c·ṗ. The damping c is chosen so that the nominal force sustains the
         // greatest speed.

@@ -167,10 +167,10 @@ impl PathEnd {
         let part = SpanPart::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };
         determined.blended = open.as_ref().map(|open| open.serial);
-        let can_follow = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
+        let can_follow = open.is_none_or(|open| blend(model, &open, &segment, to, corners, request, &mut determined));
         if can_follow && corners.leave > corners.reach {
             let from_rest = stops_at_corner || determined.spans.is_empty();
-            match nominal(model, request, (&segment, part), [corners.reach, corners.leave]) {
+            match nominal(model, request, &segment, part, [corners.reach, corners.leave]) {
                 Ok(nominal) => drop(determined.add(model, nominal, from_rest)),
                 Err(cause) => determined.fault = Some(cause),
             }
@@ -342,7 +342,8 @@ impl PathEnd {
 fn nominal(
     model: &Model<'_>,
     request: &Move,
-    (segment, part): (&Arc<Segment>, SpanPart),
+    segment: &Arc<Segment>,
+    part: SpanPart,
     range: [f64; 2],
 ) -> Result<SpanRequest, Cause> {
     let [from, _] = range;
@@ -361,7 +362,8 @@ fn nominal(
 fn blend(
     model: &Model<'_>,
     open: &OpenCorner,
-    (segment, to): (&Arc<Segment>, BlendPart),
+    segment: &Arc<Segment>,
+    to: BlendPart,
     corners: Corners,
     request: &Move,
     determined: &mut Determined,

@@ -67,7 +67,10 @@ const FILES: &[(&str, &str)] = &[
 pub const ALIAS: &str = "assert";
 
 /// First test for an application without known programs.
-pub const FIRST_TEST: (&str, &str) = ("testFirst", include_str!("../library/first/testFirst.pgx"));
+pub const FIRST_TEST: &str = "testFirst";
+
+/// Text of the program [`FIRST_TEST`].
+pub const FIRST_TEST_PROGRAM: &str = include_str!("../library/first/testFirst.pgx");
 
 /// An application with a first test, next to the tested application.
 #[derive(Debug, Clone, Copy)]
@@ -90,7 +93,7 @@ impl TestApplication<'_> {
     /// Returns all files' names and texts. `program` is the text of the program `test`, with `{alias}` for the
     /// library alias of the tested application.
     #[must_use]
-    pub fn files(&self, (test, program): (&str, &str)) -> Vec<(String, String)> {
+    pub fn files(&self, test: &str, program: &str) -> Vec<(String, String)> {
         let name = self.name();
         let templates = [
             (format!("{name}.pjx"), include_str!("../library/first/first.pjx")),
@@ -127,7 +130,7 @@ mod tests {
     #[test]
     fn a_test_application_is_filled_with_names_and_version() {
         let version = Version::parse("s8.3").unwrap();
-        let files = TestApplication { application: "pal", alias: "box", version }.files(FIRST_TEST);
+        let files = TestApplication { application: "pal", alias: "box", version }.files(FIRST_TEST, FIRST_TEST_PROGRAM);
         let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, ["palTest.pjx", "palTest.dtx", "start.pgx", "stop.pgx", "testFirst.pgx"]);
         let text: String = files.iter().map(|(_, text)| text.as_str()).collect();

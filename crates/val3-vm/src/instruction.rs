@@ -2,10 +2,9 @@
 
 use smallvec::SmallVec;
 use val3_bytecode::{Handler, InstructionSite};
-use val3_lang::call::{Argument, Call, Flow, Wait, Waiting};
+use val3_lang::call::{Argument, Call, Caller, Flow, Reach, Wait, Waiting};
 use val3_lang::fault::Result;
-use val3_lang::memory::Memory;
-use val3_lang::ports::{Ports, Tasks, Time, nanoseconds};
+use val3_lang::ports::{Time, nanoseconds};
 
 use crate::execute::Leave;
 use crate::operands::OperandContext;
@@ -43,9 +42,9 @@ impl TurnContext<'_> {
             request: None,
             owner: frame.instance,
         };
-        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.space.memory, self.ports, &mut services);
-        let mut call =
-            Call::new(reach, (now, thread.waiting), (image.version, image.unit, image.arm), &arguments, result);
+        let reach = Reach { memory: &mut self.space.memory, ports: self.ports, tasks: &mut services };
+        let caller = Caller { version: image.version, unit: image.unit, arm: image.arm };
+        let mut call = Call::new(reach, caller, now, thread.waiting, &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
         let Services { changes, request, .. } = services;

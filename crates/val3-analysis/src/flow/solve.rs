@@ -35,7 +35,7 @@ pub fn forward<S: Clone>(
 ) -> Facts<S> {
     let order: Vec<FlowNodeId> = flow.points().map(|(id, _)| id).collect();
     let next = |id: FlowNodeId| flow.point(id).map_or(&[][..], |point| point.next.as_slice());
-    solve(flow, &order, next, (FlowGraph::START, start), step, join)
+    solve(flow, &order, next, FlowGraph::START, start, step, join)
 }
 
 /// Solves a backward problem. `end` is the facts at the end of the program, and `step` computes the facts before a node
@@ -57,14 +57,15 @@ pub fn backward<S: Clone>(
         }
     }
     let next = |id: FlowNodeId| previous.get(id.index()).map_or(&[][..], SmallVec::as_slice);
-    solve(flow, &order, next, (FlowGraph::END, end), step, join)
+    solve(flow, &order, next, FlowGraph::END, end, step, join)
 }
 
 fn solve<'f, S: Clone>(
     flow: &FlowGraph,
     order: &[FlowNodeId],
     next: impl Fn(FlowNodeId) -> &'f [FlowNodeId],
-    (first, holds): (FlowNodeId, S),
+    first: FlowNodeId,
+    holds: S,
     mut step: impl FnMut(FlowNodeId, &FlowNode, &S) -> S,
     mut join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {

@@ -14,7 +14,7 @@ impl Memory {
     /// 20 if it does not exist.
     pub fn shown(&self, kind: &ValueType, at: Place) -> Result<String> {
         match &kind.base {
-            KindBase::Builtin(base, arm) => self.shown_builtin((*base, *arm), at),
+            KindBase::Builtin(base, arm) => self.shown_builtin(*base, *arm, at),
             KindBase::User(_) => {
                 let parts: Result<Vec<String>> = (0..kind.size.part).map(|lane| self.shown_field(at, lane)).collect();
                 Ok(printed::structure(&parts?))
@@ -35,7 +35,7 @@ impl Memory {
         Ok(printed::structure(&values?))
     }
 
-    fn shown_builtin(&self, (base, arm): (BaseType, Option<Arm>), at: Place) -> Result<String> {
+    fn shown_builtin(&self, base: BaseType, arm: Option<Arm>, at: Place) -> Result<String> {
         Ok(match base {
             BaseType::Bool => printed::bool(self.num(at, 0)? != 0.0).to_owned(),
             BaseType::Num => printed::num(self.num(at, 0)?).to_string(),
@@ -44,7 +44,7 @@ impl Memory {
             _ if base.is_structured() => {
                 let parts = fields(base, arm).iter().map(|field| {
                     let offset = field_offset(base, arm, field.name).unwrap_or_default();
-                    self.shown_builtin((field.ty, arm), at.after(offset))
+                    self.shown_builtin(field.ty, arm, at.after(offset))
                 });
                 printed::structure(&parts.collect::<Result<Vec<String>>>()?)
             }

@@ -107,7 +107,8 @@ impl Outside {
     pub(super) fn load(
         &mut self,
         time: &mut MediaCost,
-        (from, path): (&str, &str),
+        from: &str,
+        path: &str,
         password: &str,
     ) -> Result<(LoadedLibrary, LibraryFiles), LoadFault> {
         let path = controller_path(from, path)?;

@@ -85,7 +85,7 @@ impl Host for Devices {
 
     fn load(&mut self, from: &str, library: LibraryRequest<'_>) -> Result<LoadedLibrary, u16> {
         let path = self.stand_ins.path(from, library);
-        match self.outside.load(&mut self.state.media_cost, (from, path), library.password) {
+        match self.outside.load(&mut self.state.media_cost, from, path, library.password) {
             Ok((library, files)) => {
                 self.state.loaded.keep_read(&library.image, files);
                 Ok(library)

@@ -45,6 +45,6 @@ impl Application<'_> {
     /// Returns all test files' names and texts.
     pub(super) fn test_files(&self) -> Vec<(String, String)> {
         let test = TestApplication { application: self.name, alias: self.name, version: self.version };
-        test.files((TEST, include_str!("template/testAbove.pgx")))
+        test.files(TEST, include_str!("template/testAbove.pgx"))
     }
 }

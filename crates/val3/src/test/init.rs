@@ -25,7 +25,7 @@ const VERSION: Version = Version::new(7, 0, 0);
 const ALIAS: &str = "app";
 
 /// Names used by the test application.
-const TAKEN: [&str; 4] = ["start", "stop", library::FIRST_TEST.0, library::ALIAS];
+const TAKEN: [&str; 4] = ["start", "stop", library::FIRST_TEST, library::ALIAS];
 
 /// Writes the files. Existing files are never replaced.
 ///
@@ -48,7 +48,7 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
     let tested = tested(&application, name)?;
     let version = tested.version.max(VERSION);
     let test = TestApplication { application: name, alias: alias(name, version), version };
-    let first = test.files(library::FIRST_TEST);
+    let first = test.files(library::FIRST_TEST, library::FIRST_TEST_PROGRAM);
     let first: Vec<(&str, &str)> = first.iter().map(|(file, text)| (file.as_str(), text.as_str())).collect();
     let tests = parent.join(test.name());
     let paths = Paths::new(&[], &current);

@@ -73,7 +73,7 @@ impl Saver<'_> {
         for (number, key) in keys(&store.shape) {
             let place = store.place(id, number);
             let (content, same) = match store.kind.base {
-                KindBase::Builtin(base, arm) => self.value(place, (base, arm), &store.kind, loaded, &key)?,
+                KindBase::Builtin(base, arm) => self.value(place, base, arm, &store.kind, loaded, &key)?,
                 KindBase::User(_) => self.user_value(place, &store.kind, loaded, &key)?,
             };
             unchanged &= same;
@@ -93,7 +93,8 @@ impl Saver<'_> {
     fn value(
         &self,
         place: Place,
-        (base, arm): (BaseType, Option<Arm>),
+        base: BaseType,
+        arm: Option<Arm>,
         kind: &ValueType,
         loaded: &LoadedValue<'_>,
         key: &str,
