@@ -94,6 +94,11 @@ fn moves_know_poses_and_configurations_alone() {
 }
 
 #[test]
+fn collision_knows_poses_alone() {
+    check_only("val3-collision", &["val3-geometry"], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn schemas_know_no_crate_of_the_project() {
     check_only("val3-schema", &[], &["salsa", "rowan", "clap", "tokio", "camino"]);
 }
@@ -273,6 +278,7 @@ fn every_crate_has_its_place() {
     let below = [
         "val3-geometry",
         "val3-kinematics",
+        "val3-collision",
         "val3-moves",
         "val3-motion",
         "val3-plot",
@@ -337,6 +343,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
     let pure = [
         "val3-geometry",
         "val3-kinematics",
+        "val3-collision",
         "val3-moves",
         "val3-motion",
         "val3-syntax",

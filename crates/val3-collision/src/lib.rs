@@ -1,0 +1,19 @@
+//! Distances between shapes: boxes, cylinders, spheres, capsules, convex hulls, and surfaces of triangles.
+//!
+//! Lengths are in mm. A shape has a frame of its own, and a pose places this frame in a common one. The crate knows
+//! neither arms nor files nor time. The same input yields the same bits on every machine: `parry3d-f64`, which computes
+//! all distances but those between capsules, is built with its deterministic functions.
+
+mod bounds;
+mod capsules;
+mod convert;
+mod convex;
+mod nearest;
+mod shape;
+mod surfaces;
+#[cfg(test)]
+mod testing;
+
+pub use self::bounds::Bounds;
+pub use self::nearest::{Closest, Nearness, Overlap, PlacedShape, nearest};
+pub use self::shape::{Shape, ShapeError};
