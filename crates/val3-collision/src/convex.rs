@@ -58,21 +58,18 @@ impl ConvexPair<'_> {
 
     /// Returns the length of the shortest shift that separates shapes which overlap, and points at its ends.
     pub(crate) fn overlap(&self) -> (f64, [Vector; 2]) {
-        let shifts = self.directions().flat_map(|direction| [Some(direction), self.penetration(direction)]);
-        let shift = shifts
-            .flatten()
-            .chain(self.directions().map(|direction| -direction))
-            .min_by(|a, b| f64::total_cmp(&self.gap(*b), &self.gap(*a)));
-        let normal = shift.unwrap_or(Vector::Z);
+        let found = self.directions().filter_map(|direction| self.penetration(direction));
+        let shifts = self.directions().chain(found);
+        let normal = shifts.max_by(|a, b| self.gap(*a).total_cmp(&self.gap(*b))).unwrap_or(Vector::Z);
         (-self.gap(normal), self.extremes(normal))
     }
 
-    /// Returns directions of unit length to begin a search with: from centre to centre, and the axes of both frames.
+    /// Returns directions of unit length to begin a search with: from centre to centre, and along the axes of both frames.
     fn directions(&self) -> impl Iterator<Item = Vector> {
         let axes = [Vector::X, Vector::Y, Vector::Z];
-        let turned = axes.map(|axis| self.pose.rotation * axis);
+        let axes = axes.into_iter().chain(axes.map(|axis| self.pose.rotation * axis));
         let centres = self.pose.translation.try_normalize();
-        centres.into_iter().chain(axes).chain(turned).chain(axes.map(|axis| -axis)).chain(turned.map(|axis| -axis))
+        centres.into_iter().chain(axes).flat_map(|direction| [direction, -direction])
     }
 
     /// Searches for the nearest points. `None` means that the search has found an overlap, or nothing.
