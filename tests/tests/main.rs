@@ -4,6 +4,7 @@ mod assists;
 mod ci_recipes;
 mod completion;
 mod data_edits;
+mod distances;
 mod everywhere;
 mod examples;
 mod execution;

@@ -6,6 +6,7 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 
 use crate::dh::Dh;
 use crate::scara::Scara;
+use crate::shapes::LinkCapsule;
 use crate::six_axis::SixAxis;
 use crate::{ArmError, Configuration, DhError, Joints, data};
 
@@ -27,6 +28,7 @@ pub struct Arm {
     pub(crate) model_choices: Vec<String>,
     pub(crate) has_measured_times: bool,
     pub(crate) calibration: Option<Box<Dh>>,
+    pub(crate) shapes: Vec<Vec<LinkCapsule>>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -249,6 +251,25 @@ impl Arm {
             *last *= Trsf::new([0.0, 0.0, flange], [0.0; 3]).isometry();
         }
         links
+    }
+
+    /// Computes the frames of the base and of all links in world, in which their shapes are: one more entry than axes.
+    /// The frame of a link has its own axis as z and moves with its joint.
+    #[must_use]
+    pub fn parts(&self, joints: &Joints) -> Vec<IsometryMatrix3<f64>> {
+        let moved = |(axis, before): (usize, IsometryMatrix3<f64>)| {
+            let joint = joints.get(axis).copied().unwrap_or_default();
+            let (stroke, angle) = if self.is_stroke(axis) { (joint, 0.0) } else { (0.0, joint) };
+            before * Trsf::new([0.0, 0.0, stroke], [0.0, 0.0, angle]).isometry()
+        };
+        let links = self.links(joints).into_iter().take(self.axes()).enumerate().map(moved);
+        std::iter::once(IsometryMatrix3::identity()).chain(links).collect()
+    }
+
+    /// Returns the rough shapes of the base and of each link; empty if the file of the arm has none.
+    #[must_use]
+    pub fn shapes(&self) -> &[Vec<LinkCapsule>] {
+        &self.shapes
     }
 
     /// Returns the configuration of a joint position (instruction `config`).

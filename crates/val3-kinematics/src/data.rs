@@ -1,5 +1,6 @@
 //! Arm files: parsing, with an error for each implausible value.
 
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
 
@@ -9,6 +10,7 @@ use val3_lines::LineIndex;
 
 use crate::arm::{Arm, AxisLimits, Geometry, Payload};
 use crate::scara::Scara;
+use crate::shapes::LinkCapsule;
 use crate::six_axis::SixAxis;
 
 /// Nominal speed divided by maximum speed, if a file contains no nominal speed (model choice).
@@ -53,6 +55,8 @@ struct ArmDataFile {
     geometry: Spanned<Lengths>,
     axes: Spanned<ArmTableColumns>,
     payload: Option<Loads>,
+    #[serde(default)]
+    shapes: BTreeMap<Spanned<String>, Vec<Spanned<CapsuleEntry>>>,
 }
 
 /// Origin of nominal speeds, accelerations and decelerations.
@@ -103,6 +107,15 @@ struct Loads {
     maximum: Option<Spanned<f64>>,
 }
 
+/// A capsule around a link, in mm in the frame of the link.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CapsuleEntry {
+    from: [f64; 3],
+    to: [f64; 3],
+    radius: f64,
+}
+
 /// Accepted signs of a length.
 #[derive(Clone, Copy)]
 enum Sign {
@@ -123,6 +136,7 @@ const MODEL_ENTRIES: &[&str] = &[
     "deceleration",
     "maximum_effort",
     "payload",
+    "shapes",
 ];
 
 /// Entries that are measured if `times` is `"measured"`.
@@ -159,6 +173,7 @@ impl ArmTableReader<'_> {
             model_choices: file.model.iter().map(|entry| entry.get_ref().clone()).collect(),
             has_measured_times: self.has_measured_times(file)?,
             calibration: None,
+            shapes: self.shapes(file)?,
         })
     }
 
@@ -314,6 +329,39 @@ impl ArmTableReader<'_> {
         let Some(load) = load else { return Ok(None) };
         let number = self.number(*load.get_ref(), Sign::Positive);
         number.map(Some).map_err(|message| self.error(load.span().start, &format!("payload.{name}"), message))
+    }
+
+    /// Reads the shapes of the base and of the links; of none or of all of them.
+    fn shapes(&self, file: &ArmDataFile) -> Result<Vec<Vec<LinkCapsule>>, ArmError> {
+        if file.shapes.is_empty() {
+            return Ok(Vec::new());
+        }
+        let names: Vec<String> = std::iter::once("base".to_owned())
+            .chain((1..=file.kind.axes()).map(|axis| format!("link{axis}")))
+            .collect();
+        if let Some(stranger) = file.shapes.keys().find(|name| !names.contains(name.get_ref())) {
+            let message = format!("{} has no such part, write one of {}", file.kind.described(), names.join(", "));
+            return Err(self.error(stranger.span().start, &format!("shapes.{}", stranger.get_ref()), message));
+        }
+        names.iter().map(|name| self.part_shapes(file, name)).collect()
+    }
+
+    fn part_shapes(&self, file: &ArmDataFile, name: &str) -> Result<Vec<LinkCapsule>, ArmError> {
+        let part = file.shapes.iter().find(|(part, _)| part.get_ref() == name);
+        let Some((_, capsules)) = part.filter(|(_, capsules)| !capsules.is_empty()) else {
+            let place = file.shapes.keys().next().map_or(0, |first| first.span().start);
+            let message = "the other parts have shapes and this one has none, add a capsule".to_owned();
+            return Err(self.error(place, &format!("shapes.{name}"), message));
+        };
+        capsules.iter().map(|capsule| self.capsule(name, capsule)).collect()
+    }
+
+    fn capsule(&self, name: &str, capsule: &Spanned<CapsuleEntry>) -> Result<LinkCapsule, ArmError> {
+        let CapsuleEntry { from, to, radius } = capsule.get_ref();
+        let mut numbers = from.iter().chain(to).map(|number| (*number, Sign::Any)).chain([(*radius, Sign::Positive)]);
+        let checked = numbers.try_for_each(|(number, sign)| self.number(number, sign).map(|_| ()));
+        checked.map_err(|message| self.error(capsule.span().start, &format!("shapes.{name}"), message))?;
+        Ok(LinkCapsule { from: (*from).into(), to: (*to).into(), radius: *radius })
     }
 
     fn number(&self, value: f64, sign: Sign) -> Result<f64, String> {

@@ -28,6 +28,7 @@ mod inverse;
 mod jacobian;
 mod library;
 mod scara;
+mod shapes;
 mod six_axis;
 mod times;
 mod turns;
@@ -40,6 +41,7 @@ pub use self::dh::{Dh, DhError};
 pub use self::excess_speed::ExcessSpeed;
 pub use self::jacobian::Twist;
 pub use self::library::{DEFAULT_SCARA, DEFAULT_SIX_AXIS, UnknownArm};
+pub use self::shapes::LinkCapsule;
 pub use self::unreachable::Unreachable;
 
 /// Joint position in degrees. Axis 3 of a SCARA arm is in mm, and its last two entries are 0.

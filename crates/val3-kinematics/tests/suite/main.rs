@@ -14,6 +14,7 @@ mod files;
 mod laws;
 mod peer;
 mod poses;
+mod shapes;
 mod singular;
 mod speeds;
 

@@ -1,0 +1,16 @@
+//! The rough shape of an arm: capsules, a cylinder with rounded ends, around each of its links.
+
+use val3_geometry::Vector3;
+
+/// The points within a radius of a line, in mm, in the frame of a body.
+///
+/// The frames of the base and of the links are those of [`crate::Arm::parts`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkCapsule {
+    /// One end of the line.
+    pub from: Vector3<f64>,
+    /// The other end; the same point for a sphere.
+    pub to: Vector3<f64>,
+    /// Radius, greater than 0.
+    pub radius: f64,
+}
