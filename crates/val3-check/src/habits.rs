@@ -27,10 +27,19 @@ pub(crate) fn advice(line: &str) -> Option<&'static str> {
     if code.ends_with('{') || code.starts_with('}') {
         return Some("blocks have no braces: a keyword such as `endIf` or `endWhile` ends them");
     }
+    if words(code).skip(1).any(|word| word.eq_ignore_ascii_case("mod")) {
+        return remedy("mod");
+    }
     if code.contains('^') || code.contains("**") {
         return Some("`power(nBase,nExponent)` raises a number to a power");
     }
     HEADS.contains(&first.to_lowercase().as_str()).then(|| remedy(first)).flatten()
+}
+
+/// Words of a line, without its strings.
+fn words(code: &str) -> impl Iterator<Item = &str> {
+    let outside = code.split('"').step_by(2);
+    outside.flat_map(|part| part.split(|c: char| !c.is_alphanumeric() && c != '_')).filter(|word| !word.is_empty())
 }
 
 /// Words that begin a declaration in other languages.
@@ -59,6 +68,8 @@ mod tests {
             ("} else {", "no braces"),
             ("/* pick */", "`//`"),
             ("n=2^3", "power("),
+            ("n=nA mod 2", "nA%nB"),
+            ("if nA MOD 2==0", "nA%nB"),
             ("goto loop", "no `goto`"),
             ("try", "exceptions"),
         ] {
@@ -68,7 +79,7 @@ mod tests {
 
     #[test]
     fn other_lines_have_none() {
-        for line in ["nCount=", "call pick(", "if nCount=1", "// nCount++", "movej(pA,,mB)", "tool=3", "numbers x"] {
+        for line in ["nCount=", "call pick(", "if nCount=1", "// nCount++", "movej(pA,,mB)", "tool=3", "numbers x", "s=\"a mod b\" c"] {
             assert_eq!(advice(line), None, "{line}");
         }
     }

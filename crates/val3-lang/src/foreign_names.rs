@@ -58,7 +58,7 @@ const REMEDIES: &[(&[&str], &str)] = &[
     (&["indexOf", "strFind", "instr"], "`find(sText,sPart)` returns the position of a part"),
     (&["concat", "strcat"], "the operator `+` joins strings: `sA+sB`"),
     (
-        &["setSpeed", "setOverride", "speedOverride"],
+        &["setSpeed", "setVel", "setVelocity", "setOverride", "speedOverride"],
         "`setMonitorSpeed(nPercent)` sets the speed of the arm in per cent",
     ),
     (
@@ -73,7 +73,10 @@ const REMEDIES: &[(&[&str], &str)] = &[
     (&["MoveAbsJ", "PTP", "jmove"], "`movej(…)` moves the axes"),
     (&["LIN", "lmove"], "`movel(…)` moves along a line"),
     (&["CIRC"], "`movec(…)` moves along a circle"),
-    (&["pointRx", "createPoint"], "a point is a value in braces: `{{x,y,z,rx,ry,rz},{sfree,efree,wfree}}`"),
+    (&["getJoint", "getJoints", "getJointPos"], "`herej()` returns the position of the axes"),
+    (&["getPos", "getPosition", "getPose", "cpos"], "`here(tTool,fFrame)` returns the position of the tool"),
+    (&["abort", "halt", "exit"], "`stopMove()` stops the arm, `taskKill(\"name\")` ends a task, and `return` a program"),
+    (&["point", "pointRx", "createPoint"], "a point is a value in braces: `{{x,y,z,rx,ry,rz},{sfree,efree,wfree}}`"),
     (&["goto", "jump"], "VAL 3 has no `goto`: use loops and programs"),
     (&["try", "catch", "throw", "raise", "finally"], "VAL 3 has no exceptions: test the results of instructions"),
     (

@@ -1,23 +1,28 @@
-//! V0333: a loop that uses an index beyond the array's end.
+//! V0333: a loop that uses an index outside the array.
+
+mod counting;
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::effects::{AccessKind, RootVariable};
-use val3_lang::instructions::{SIZE, TASK_KILL};
+use val3_lang::instructions::TASK_KILL;
 use val3_lang::operators::BinaryOp;
-use val3_lang::runtime_errors::INDEX_TOO_LARGE;
+use val3_lang::runtime_errors::{INDEX_NEGATIVE, INDEX_TOO_LARGE};
 use val3_lang::types::Container;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
+use counting::{Bound, CountingLoop, is_increment, size_of};
 
 rule! {
-    /// The counter of a loop reaches the size of an array that the loop uses with this index.
+    /// The counter of a loop exceeds the indexes of an array that each pass of the loop uses, in the first or last pass.
     ///
     /// ## Why
     /// Indexes begin with 0, so the last one is `size(…)-1` (2.5.4). The limit of a `for` belongs to its values. In the
-    /// last pass the index is beyond the array, which is run-time error 20.
+    /// last pass the index is beyond the array, which is run-time error 20. A loop that counts down from `size(…)` starts
+    /// beyond the array, and `nParts[nI+1]` is beyond it in the last pass of a loop to `size(nParts)-1`. An index below 0
+    /// is run-time error 21.
     ///
     /// ## Bad
     /// ```val3
@@ -41,95 +46,113 @@ rule! {
     V0333 "loop-beyond-array" Error, Program: check
 }
 
-/// A loop that counts up by 1, including its limit.
-struct CountingLoop<'p> {
-    counter: ExprId,
-    limit: ExprId,
-    block: &'p [Stmt],
-}
-
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
-        let Some(counting) = for_loop(program, stmt).or_else(|| while_loop(program, stmt)) else { continue };
-        let Some((element, array)) = element_beyond(program, &counting) else { continue };
-        if may_leave(program, stmt) || changes(program, stmt, array) {
+        let Some(counting) = CountingLoop::new(program, stmt) else { continue };
+        let Some(outside) = outside(program, &counting) else { continue };
+        if may_leave(program, stmt) || changes(program, stmt, outside.array) {
             continue;
         }
-        let limit = program.range(counting.limit);
-        let reported =
-            found.report(&RULE, program.range(element), word(program.text(array), program.text(counting.limit)));
-        let title = "end one earlier";
-        let last = format!("{}-1", program.text(counting.limit));
-        let edit = size_of(program, counting.limit).map(|_| program.write(limit, &last));
-        reported.related(limit, "the last index").fix(title, false, edit);
+        let wording = outside.word(program, &counting);
+        let reported = found.report(&RULE, program.range(outside.element), wording);
+        let (at, label) = outside.related(&counting);
+        let reported = reported.related(program.range(at), label);
+        if let Some(limit) = outside.limit_to_lower(program, &counting) {
+            let edit = program.write(program.range(limit), &format!("{}-1", program.text(limit)));
+            reported.fix("end one earlier", false, [edit]);
+        }
     }
 }
 
-fn for_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
-    let StmtKind::For { counter, start, stop, step, block } = &stmt.kind else { return None };
-    let (counter, start, limit) = ((*counter)?, (*start)?, (*stop)?);
-    let is_by_one = step.is_none_or(|step| program.body.number(step) == Some(1.0));
-    let start = program.body.number(start).filter(|start| start.fract() == 0.0 && *start >= 0.0)?;
-    let is_run = program.body.number(limit).is_none_or(|limit| limit >= start && limit.fract() == 0.0);
-    // The block is not executed for an empty array; a start beyond 0 may exceed the array size.
-    let is_run = is_run && (start == 0.0 || program.body.number(limit).is_some());
-    let writes = writes(program, stmt, counter);
-    (is_by_one && is_run && writes == 0).then_some(CountingLoop { counter, limit, block })
+/// Element of an array whose index is outside the array in the first or last pass of a loop.
+struct Outside {
+    element: ExprId,
+    array: ExprId,
+    /// Difference between the index and the counter.
+    offset: f64,
+    side: Side,
 }
 
-fn while_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
-    let StmtKind::While { condition, block } = &stmt.kind else { return None };
-    let (counter, limit) = match program.body.expr(program.body.without_parentheses((*condition)?)) {
-        Expr::Binary(BinaryOp::LessOrEqual, counter, limit) => (*counter, *limit),
-        Expr::Binary(BinaryOp::GreaterOrEqual, limit, counter) => (*counter, *limit),
-        _ => return None,
-    };
-    let counts = block.iter().any(|stmt| is_increment(program, stmt, counter));
-    let is_certain = counts && writes(program, stmt, counter) == 1;
-    is_certain.then_some(CountingLoop { counter, limit, block })
+#[derive(PartialEq)]
+enum Side {
+    BeyondEnd,
+    BelowZero,
 }
 
-/// Whether the statement is `n=n+1`.
-fn is_increment(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> bool {
-    let StmtKind::Assign { target, value } = stmt.kind else { return false };
-    let Expr::Binary(BinaryOp::Add, left, right) = program.body.expr(program.body.without_parentheses(value)) else {
-        return false;
-    };
-    program.is_same(target, counter) && program.is_same(*left, counter) && program.body.number(*right) == Some(1.0)
-}
-
-/// Number of accesses in a loop that may write the counter, without the write of `for` itself.
-fn writes(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> usize {
-    let root = program.effects.root(counter);
-    let inside = program.effects.all().iter().filter(|access| {
-        access.kind != AccessKind::Read && access.id != counter && stmt.range.contains_range(program.range(access.id))
-    });
-    inside.filter(|access| Some(&access.root) == root.as_ref()).count()
-}
-
-/// First element that each pass uses with the counter as index, in an array that is not larger than the limit.
-fn element_beyond(program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Option<(ExprId, ExprId)> {
-    if !matches!(program.body.expr(counting.counter), Expr::Name(_)) {
-        return None;
+impl Outside {
+    fn word(&self, program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Wording {
+        let array = program.text(self.array);
+        let pass = if self.is_in_first_pass(counting) { "first" } else { "last" };
+        match self.side {
+            Side::BeyondEnd => {
+                let index = counting.highest.shifted(self.offset).text(program);
+                Wording::new(
+                    format!("in the {pass} pass the index is `{index}`, which is beyond the end of `{array}`"),
+                    runtime_error(INDEX_TOO_LARGE),
+                    format!("the last index is `size({array})-1`"),
+                )
+            }
+            Side::BelowZero => {
+                let index = counting.lowest.unwrap_or_default() + self.offset;
+                Wording::new(
+                    format!("in the {pass} pass the index of `{array}` is {index}"),
+                    runtime_error(INDEX_NEGATIVE),
+                    "the first index is 0",
+                )
+            }
+        }
     }
+
+    fn is_in_first_pass(&self, counting: &CountingLoop<'_>) -> bool {
+        counting.is_descending == (self.side == Side::BeyondEnd)
+    }
+
+    /// Expression that sets the index, and its label.
+    fn related(&self, counting: &CountingLoop<'_>) -> (ExprId, &'static str) {
+        match (self.is_in_first_pass(counting), self.offset == 0.0) {
+            (true, true) => (counting.start.unwrap_or(counting.stop), "the first index"),
+            (true, false) => (counting.start.unwrap_or(counting.stop), "the start of the counter"),
+            (false, true) => (counting.stop, "the last index"),
+            (false, false) => (counting.stop, "the limit of the counter"),
+        }
+    }
+
+    /// `size(nParts)` as the limit of a loop that needs `size(nParts)-1`.
+    fn limit_to_lower(&self, program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Option<ExprId> {
+        let is_last = self.side == Side::BeyondEnd && !counting.is_descending && self.offset == 0.0;
+        (is_last && size_of(program, counting.stop).is_some()).then_some(counting.stop)
+    }
+}
+
+/// First element that each pass uses with an index that depends on the counter and is outside the array in one pass.
+fn outside(program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Option<Outside> {
     for stmt in counting.block {
         let exprs = match &stmt.kind {
             StmtKind::Assign { target, value } => vec![*value, *target],
             StmtKind::Call(id) | StmtKind::Print(id) | StmtKind::Expr(id) => vec![*id],
             _ => Vec::new(),
         };
-        for part in exprs.into_iter().filter(|id| !branches(program, *id)).flat_map(|id| program.body.within(id)) {
-            let Expr::Index(array, keys) = program.body.expr(part) else { continue };
-            let is_counter = matches!(**keys, [key] if program.is_same(key, counting.counter));
-            if is_counter && is_array(program, *array) && reaches_size(program, counting.limit, *array) {
-                return Some((part, *array));
-            }
-        }
-        if is_increment(program, stmt, counting.counter) {
-            return None;
+        let exprs = exprs.into_iter().filter(|id| !branches(program, *id));
+        let mut elements = exprs.flat_map(|id| program.body.within(id));
+        let outside = elements.find_map(|element| outside_element(program, counting, element));
+        if outside.is_some() || is_increment(program, stmt, counting.counter) {
+            return outside;
         }
     }
     None
+}
+
+fn outside_element(program: &ProgramView<'_>, counting: &CountingLoop<'_>, element: ExprId) -> Option<Outside> {
+    let Expr::Index(array, keys) = program.body.expr(element) else { return None };
+    let [key] = **keys else { return None };
+    let offset = counting.offset(program, key)?;
+    if !is_array(program, *array) {
+        return None;
+    }
+    let is_below = counting.lowest.is_some_and(|lowest| lowest + offset < 0.0);
+    let is_beyond = || reaches_size(program, counting.highest.shifted(offset), *array);
+    let side = if is_below { Some(Side::BelowZero) } else { is_beyond().then_some(Side::BeyondEnd) };
+    Some(Outside { element, array: *array, offset, side: side? })
 }
 
 /// Whether a part of the expression may not be evaluated.
@@ -144,20 +167,11 @@ fn is_array(program: &ProgramView<'_>, array: ExprId) -> bool {
         && program.inference.ty(array).container == Container::Array { dims: 1 }
 }
 
-/// Whether the limit is the size of the array, or a constant that is not below it.
-fn reaches_size(program: &ProgramView<'_>, limit: ExprId, array: ExprId) -> bool {
-    if let Some(limit) = program.body.number(limit) {
-        return program.certain_size(array).is_some_and(|size| limit.round() >= f64::from(size));
-    }
-    size_of(program, limit).is_some_and(|measured| program.is_same(measured, array))
-}
-
-/// The array in `size(array)`.
-fn size_of(program: &ProgramView<'_>, limit: ExprId) -> Option<ExprId> {
-    let call = program.call_of(program.body.without_parentheses(limit)).filter(|call| call.instruction.name == SIZE)?;
-    match *call.args {
-        [array] => Some(array),
-        _ => None,
+/// Whether an index is not below the size of the array.
+fn reaches_size(program: &ProgramView<'_>, index: Bound, array: ExprId) -> bool {
+    match index.size_of {
+        Some(measured) => index.offset >= 0.0 && program.is_same(measured, array),
+        None => program.certain_size(array).is_some_and(|size| index.offset >= f64::from(size)),
     }
 }
 
@@ -175,14 +189,6 @@ fn changes(program: &ProgramView<'_>, stmt: &Stmt, array: ExprId) -> bool {
             && Some(&access.root) == root.as_ref()
             && stmt.range.contains_range(program.range(access.id))
     })
-}
-
-fn word(array: &str, limit: &str) -> Wording {
-    Wording::new(
-        format!("in the last pass the index is `{limit}`, which is beyond the end of `{array}`"),
-        runtime_error(INDEX_TOO_LARGE),
-        format!("the last index is `size({array})-1`"),
-    )
 }
 
 #[cfg(test)]
@@ -221,6 +227,70 @@ mod tests {
     }
 
     #[test]
+    fn the_first_pass_of_a_loop_down_is_reported() {
+        expect![[r#"
+            start.pgx:6 `nC[nI]` in the first pass the index is `size(nC)`, which is beyond the end of `nC`
+              | run-time error 20: index too large
+              ? the last index is `size(nC)-1`
+              > start.pgx:5 `size(nC)` the first index
+            start.pgx:9 `nA[nI]` in the first pass the index is `5`, which is beyond the end of `nA`
+              | run-time error 20: index too large
+              ? the last index is `size(nA)-1`
+              > start.pgx:8 `5` the first index
+        "#]].assert_eq(&program(
+            "for nI=size(nC) to 0 step -1\nnX=nC[nI]\nendFor\nfor nI=5 to 1 step -1\nnX=nA[nI]\nendFor",
+        ));
+    }
+
+    #[test]
+    fn indexes_beside_the_counter_are_reported() {
+        expect![[r#"
+            start.pgx:6 `nC[nI+1]` in the last pass the index is `size(nC)`, which is beyond the end of `nC`
+              | run-time error 20: index too large
+              ? the last index is `size(nC)-1`
+              > start.pgx:5 `size(nC)-1` the limit of the counter
+            start.pgx:9 `nA[1+nI]` in the last pass the index is `5`, which is beyond the end of `nA`
+              | run-time error 20: index too large
+              ? the last index is `size(nA)-1`
+              > start.pgx:8 `4` the limit of the counter
+            start.pgx:12 `nC[nI+1]` in the last pass the index is `size(nC)`, which is beyond the end of `nC`
+              | run-time error 20: index too large
+              ? the last index is `size(nC)-1`
+              > start.pgx:11 `size(nC)` the limit of the counter
+        "#]].assert_eq(&program(
+            "for nI=0 to size(nC)-1\nnX=nC[nI+1]\nendFor\nfor nI=0 to 4\nnX=nA[1+nI]\nendFor\n\
+             while nI<size(nC)\nnX=nC[nI+1]\nnI=nI+1\nendWhile",
+        ));
+    }
+
+    #[test]
+    fn indexes_below_zero_are_reported() {
+        expect![[r#"
+            start.pgx:6 `nC[nI-1]` in the first pass the index of `nC` is -1
+              | run-time error 21: index negative
+              ? the first index is 0
+              > start.pgx:5 `0` the start of the counter
+            start.pgx:9 `nA[nI]` in the last pass the index of `nA` is -1
+              | run-time error 21: index negative
+              ? the first index is 0
+              > start.pgx:8 `-1` the last index
+        "#]].assert_eq(&program(
+            "for nI=0 to size(nC)-1\nnX=nC[nI-1]\nendFor\nfor nI=4 to -1 step -1\nnX=nA[nI]\nendFor",
+        ));
+    }
+
+    #[test]
+    fn a_count_from_one_to_the_size_is_reported() {
+        expect![[r#"
+            start.pgx:6 `nC[nI]` in the last pass the index is `size(nC)`, which is beyond the end of `nC`
+              | run-time error 20: index too large
+              ? the last index is `size(nC)-1`
+              > start.pgx:5 `size(nC)` the last index
+              ! end one earlier (unsafe)
+        "#]].assert_eq(&program("for nI=1 to size(nC)\nnX=nC[nI]\nendFor"));
+    }
+
+    #[test]
     fn other_loops_are_not_reported() {
         for code in [
             "for nI=0 to size(nA)-1\nputln(nA[nI])\nendFor",
@@ -234,6 +304,14 @@ mod tests {
             "while nI<=size(nA)\nnI=nI+1\nputln(nA[nI-1])\nendWhile",
             "while nI<=size(nA)\nputln(nA[nI])\nnI=nI+2\nendWhile",
             "for nI=0 to size(nA) step 2\nputln(nA[nI])\nendFor",
+            "for nI=size(nA)-1 to 0 step -1\nputln(nA[nI])\nendFor",
+            "for nI=size(nA) to 1 step -1\nputln(nA[nI-1])\nendFor",
+            "for nI=0 to size(nA)-2\nputln(nA[nI+1])\nendFor",
+            "for nI=2 to size(nC)\nputln(nC[nI])\nendFor",
+            "for nI=0 to size(nC)-3\nputln(nC[nI+3])\nendFor",
+            "for nI=3 to 5 step -1\nputln(nA[nI])\nendFor",
+            "while nI<size(nC)\nputln(nC[nI])\nnI=nI+1\nendWhile",
+            "for nI=0 to 3\nif nI>0\nputln(nA[nI-1])\nendIf\nendFor",
         ] {
             assert_eq!(program(code), "", "{code}");
         }

@@ -1,17 +1,17 @@
-//! V0242: a negative number in a motion descriptor of a data file.
+//! V0242: a number in a motion descriptor of a data file that no move accepts.
 
 use val3_analysis::items::limits::limits;
 
-use super::negative_motion_limit::word;
+use super::negative_motion_limit::{is_too_small, word};
 use crate::lint::{DataFile, Findings};
 use crate::rule::rule;
 
 rule! {
-    /// A motion descriptor in a data file has a number below 0.
+    /// A motion descriptor in a data file has a number below 0, or a speed or acceleration of 0.
     ///
     /// ## Why
-    /// Speeds, accelerations and blending distances are never negative (10.5.1). The file loads, but every move with
-    /// this descriptor stops its task with a run-time error from 100 to 106.
+    /// Speeds and accelerations are above 0, and blending distances are not negative (10.5.1). The file loads, but every
+    /// move with this descriptor stops its task with a run-time error from 100 to 106.
     ///
     /// ## Bad
     /// ```val3
@@ -46,8 +46,10 @@ rule! {
 }
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
-    for limit in limits(data.view.db, data.file).iter().filter(|limit| limit.value < 0.0) {
-        found.report(&RULE, limit.range, word(limit.attribute, limit.value));
+    for limit in limits(data.view.db, data.file) {
+        if is_too_small(limit.attribute, limit.value) {
+            found.report(&RULE, limit.range, word(limit.attribute, limit.value));
+        }
     }
 }
 
@@ -74,7 +76,7 @@ mod tests {
         expect![[r#"
             main.dtx:3 `-1` `tmax` of a motion descriptor cannot be -1
               | every move with it fails
-              ? write 0 or more
+              ? write a number above 0
             main.dtx:3 `-0.5` `reach` of a motion descriptor cannot be -0.5
               | every move with it fails
               ? write 0 or more
@@ -83,8 +85,17 @@ mod tests {
     }
 
     #[test]
+    fn speeds_of_zero_are_reported() {
+        expect![[r#"
+            main.dtx:3 `0` `vel` of a motion descriptor cannot be 0
+              | every move with it fails
+              ? write a number above 0
+        "#]].assert_eq(&check(&RULE, &descriptor("vel=\"0\" reach=\"0\" leave=\"0\"")));
+    }
+
+    #[test]
     fn valid_numbers_and_other_types_are_not_reported() {
-        assert_eq!(check(&RULE, &descriptor("tmax=\"0\" reach=\"50\" blend=\"off\"")), "");
+        assert_eq!(check(&RULE, &descriptor("tmax=\"1\" reach=\"50\" blend=\"off\"")), "");
         let trsf = "<Data name=\"t\" access=\"private\" xsi:type=\"array\" type=\"trsf\" size=\"1\">\n\
                     <Value key=\"0\" x=\"-5\" />\n</Data>";
         assert_eq!(check(&RULE, &data(trsf)), "");

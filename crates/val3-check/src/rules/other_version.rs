@@ -84,7 +84,7 @@ fn word_add_on(name: &str, add_on: &str, target: Version) -> Wording {
 
 fn word_page(name: &str, target: Version) -> Wording {
     let advice = replacement(name).unwrap_or("use an HTML user page");
-    Wording::new(format!("`{name}` writes on the text page, which {target} does not show"), "text page", advice)
+    Wording::new(format!("`{name}` uses the text page, which {target} does not show"), "text page", advice)
 }
 
 #[cfg(test)]
@@ -102,13 +102,13 @@ mod tests {
     #[test]
     fn what_has_to_change_is_reported() {
         expect![[r#"
-            start.pgx:5 `cls` `cls` writes on the text page, which s8.10 does not show
+            start.pgx:5 `cls` `cls` uses the text page, which s8.10 does not show
               | text page
               ? an HTML user page shows data that are bound to its elements: nothing has to be cleared
-            start.pgx:6 `put` `put` writes on the text page, which s8.10 does not show
+            start.pgx:6 `put` `put` uses the text page, which s8.10 does not show
               | text page
               ? bind a variable to an element of an HTML user page; `popUpMsg` and `logMsg` show single messages
-            start.pgx:8 `getKey` `getKey` writes on the text page, which s8.10 does not show
+            start.pgx:8 `getKey` `getKey` uses the text page, which s8.10 does not show
               | text page
               ? bind a program to a button of an HTML user page
         "#]]

@@ -20,7 +20,8 @@ rule! {
     /// A task is found by its name, and only by the application or library that created it. Suspending or resuming an
     /// unknown task raises run-time error 30, killing it has no effect, and its status is always -1. Usually the name
     /// is misspelt: letter case matters. Tasks with computed names are taken into account. Each name is reported once
-    /// per program. A comparison of `taskStatus` with -1 tests whether the task exists, and is not reported.
+    /// per program. A comparison of `taskStatus` with -1 tests whether the task exists. Neither the comparison nor a call
+    /// in the same program with the tested name is reported, unless the application creates a task with a similar name.
     ///
     /// ## Bad
     /// ```val3
@@ -61,6 +62,7 @@ const OF_CONTROLLER: char = '~';
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut told: FxHashSet<SmolStr> = FxHashSet::default();
     let presence = presence_tests(program);
+    let tested: FxHashSet<SmolStr> = presence.iter().filter_map(|id| task_name(program, *id)).collect();
     let calls = program.calls().iter().filter(|call| ON_TASKS.contains(&call.instruction.name));
     for call in calls.filter(|call| !presence.contains(&call.id)) {
         let Some(argument) = call.args.first() else { continue };
@@ -72,6 +74,9 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
         let mut known: Vec<&str> = application.created_tasks().filter_map(|start| start.name.as_deref()).collect();
         known.sort_unstable();
         known.dedup();
+        if tested.contains(&name) && nearest(&name, known.iter().copied()).is_none() {
+            continue;
+        }
         found.report(&RULE, program.range(*argument), word(&name, &known));
     }
 }
@@ -90,6 +95,12 @@ fn presence_tests(program: &ProgramView<'_>) -> FxHashSet<ExprId> {
         }
     }
     tests
+}
+
+/// Constant task name in a call of `taskStatus`.
+fn task_name(program: &ProgramView<'_>, call: ExprId) -> Option<SmolStr> {
+    let argument = *program.call_of(call)?.args.first()?;
+    program.body.string(argument)
 }
 
 fn word(name: &str, known: &[&str]) -> Wording {
@@ -124,6 +135,13 @@ mod tests {
         "#]].assert_eq(&program(
             "taskCreate \"robot\",10,p()\ntaskCreate \"screen\",10,p()\ntaskSuspend(\"Robot\")\ntaskKill(\"Robot\")\nnA=taskStatus(\"io\")",
         ));
+    }
+
+    #[test]
+    fn a_call_after_a_test_for_the_task_is_reported_only_with_a_similar_name() {
+        let kill = |name| format!("taskCreate \"robot\",10,p()\nif taskStatus(\"{name}\")!=-1\ntaskKill(\"{name}\")\nendIf");
+        assert_eq!(program(&kill("camera")), "");
+        assert!(program(&kill("Robot")).contains("did you mean `robot`?"));
     }
 
     #[test]

@@ -95,7 +95,7 @@ entries! {
         "program" ["program", "local variable"] "2.2";
         "public" ["public", "private"] "2.5.2, 6.2";
         "run-time-error" ["run-time error", "runtime error"] "5.2, 12.1";
-        "signal" ["signal", "device"] "3.5, 3.6";
+        "signal" ["signal", "device", "io"] "3.5, 3.6";
         "singularity" ["singularity"] "10.1.4";
         "synchronous-task" ["synchronous task"] "5.5, 5.6";
         "task" ["task"] "5.1, 5.4";
