@@ -10,7 +10,7 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Program, SourceLine};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, InstanceId, Space};
+use val3_vm::{FragmentContext, GuardedOp, InstanceId, Space, StopGuard};
 
 use crate::conditions::{CompiledExpression, LogMessage};
 use crate::program_breakpoints::{ProgramBreakpoint, ProgramBreakpoints, file_of};
@@ -229,6 +229,29 @@ impl Breakpoints {
         }
         self.hits = hits;
         arrival
+    }
+
+    /// Returns guards for the stop marks whose breakpoints all have a condition that the virtual machine can evaluate.
+    pub(crate) fn guards(&self, space: &Space) -> Vec<StopGuard> {
+        let mut guards = Vec::new();
+        for (instance, owner) in space.loaded() {
+            for (number, program) in (0..).zip(&owner.image.programs) {
+                let stops = (0..).zip(&program.code).filter(|(_, step)| step.mark.is_stop());
+                guards.extend(stops.filter_map(|(op, _)| self.guard(space, GuardedOp { instance, program: number, op })));
+            }
+        }
+        guards
+    }
+
+    fn guard(&self, space: &Space, place: GuardedOp) -> Option<StopGuard> {
+        let image = Arc::clone(&space.instance(place.instance)?.image);
+        let program = image.programs.get(usize::from(place.program))?;
+        let line = program.halt_at(place.op)?;
+        let is_entry = place.op == 0 || program.entry() == Some(place.op);
+        let next = NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
+        let rules = self.rules(space, &next);
+        let conditions: Option<Vec<_>> = rules.iter().map(|rule| Some(&rule.condition?.fragment)).collect();
+        StopGuard::new(space, place, conditions?)
     }
 
     /// Returns the breakpoints on a line: the file's breakpoints, and the program's breakpoints if the task has just

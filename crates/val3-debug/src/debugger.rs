@@ -138,6 +138,7 @@ impl Debugger {
     pub fn set_breakpoints(&mut self, file: &str, breakpoints: Vec<Breakpoint>) -> Vec<Placed> {
         self.breakpoints.set(file, breakpoints);
         self.controller.vm.set_stops(file, self.breakpoints.rows(file));
+        self.set_guards();
         self.breakpoints.placed(file, &self.controller.vm.space)
     }
 
@@ -145,6 +146,7 @@ impl Debugger {
     pub fn set_program_breakpoints(&mut self, breakpoints: Vec<ProgramBreakpoint>) -> Vec<PlacedProgram> {
         self.breakpoints.set_programs(breakpoints);
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
+        self.set_guards();
         self.placed_programs()
     }
 
@@ -328,6 +330,12 @@ impl Debugger {
         }
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
         self.controller.vm.stop_at_ends(self.stops_at_exit);
+        self.set_guards();
+    }
+
+    fn set_guards(&mut self) {
+        let guards = self.breakpoints.guards(&self.controller.vm.space);
+        self.controller.vm.set_guards(guards);
     }
 
     /// Returns the stop at the breakpoints on the task's next line, ignoring hit conditions.

@@ -1,6 +1,7 @@
 //! Images in memory and their tasks.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use val3_bytecode::{LineMark, Program};
 use val3_lang::fault::Fault;
@@ -11,7 +12,7 @@ use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Grant, Host, InstanceId, Rate, Space, Task, TaskState, TurnEnd, TurnReport};
+use crate::{Grant, Host, InstanceId, Rate, Space, StopGuard, Task, TaskState, TurnEnd, TurnReport};
 
 /// The virtual machine: applications and libraries in memory, and their tasks.
 #[derive(Debug, Clone, Default)]
@@ -191,6 +192,11 @@ impl Vm {
     pub fn set_program_stops(&mut self, names: BTreeSet<String>) {
         self.space.set_program_stops(names);
         self.forget_removed_stops();
+    }
+
+    /// Replaces all guards of stop marks.
+    pub fn set_guards(&mut self, guards: Vec<StopGuard>) {
+        self.space.guards = Arc::new(guards);
     }
 
     /// Passes the stop mark at the task's next line, because the caller has already handled this stop.
