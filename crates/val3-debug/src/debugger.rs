@@ -271,7 +271,15 @@ impl Debugger {
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
-        if self.controller.vm.is_at_end(task) { self.exit(task) } else { self.hit(task) }
+        if self.controller.vm.is_at_end(task) {
+            return self.exit(task);
+        }
+        let stop = self.hit(task)?;
+        // A breakpoint on the last `end` is already the stop before the end of the run.
+        if self.stops_at_exit && self.exit(task).is_some() {
+            self.controller.vm.pass_end(task);
+        }
+        Some(stop)
     }
 
     /// Returns the stop before the end of a task if no other task runs. The program `stop`, which runs afterwards, has
