@@ -77,12 +77,7 @@ impl BreakpointTable {
         let wanted = breakpoints.unwrap_or_else(|| lines.unwrap_or_default().into_iter().map(at_line).collect());
         let path = source.path.clone().unwrap_or_default();
         let before = self.files.remove(&path).map(|file| file.breakpoints).unwrap_or_default();
-        // A breakpoint that stays keeps its id, and with the id the hit count.
-        let breakpoints = wanted.into_iter().map(|wanted| {
-            let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
-            (known.map_or_else(|| self.new_id(), |(id, _)| *id), wanted)
-        });
-        let breakpoints = breakpoints.collect();
+        let breakpoints = self.identified(wanted, &before);
         let file = SourceBreakpoints { source, breakpoints };
         let placed = file.place(run, conventions);
         self.files.insert(path, file);
@@ -103,7 +98,8 @@ impl BreakpointTable {
         run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
-        self.programs = wanted.into_iter().map(|breakpoint| (self.new_id(), breakpoint)).collect();
+        let before = std::mem::take(&mut self.programs);
+        self.programs = self.identified(wanted, &before);
         self.place_programs(run, conventions)
     }
 
@@ -271,6 +267,15 @@ impl BreakpointTable {
         let message = "the application was opened again: set the breakpoint again";
         let removed = std::mem::take(&mut self.data).into_iter();
         removed.map(|id| unplaced(id, BreakpointReason::Failed, message)).collect()
+    }
+
+    /// Returns the breakpoints with their ids. An unchanged breakpoint keeps its id, and with the id the hit count.
+    fn identified<T: PartialEq>(&mut self, wanted: Vec<T>, before: &[(BreakpointId, T)]) -> Vec<(BreakpointId, T)> {
+        let identified = wanted.into_iter().map(|wanted| {
+            let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
+            (known.map_or_else(|| self.new_id(), |(id, _)| *id), wanted)
+        });
+        identified.collect()
     }
 
     /// An identity that no breakpoint has.
