@@ -11,6 +11,7 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::assertions;
+use crate::condition_text::ConditionText;
 use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS, filters};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
@@ -116,8 +117,11 @@ impl BreakpointTable {
             let condition = condition.and_then(|(_, wanted)| written(wanted.condition.as_deref()));
             for (file, _) in places.get(&breakpoint.id).into_iter().flatten() {
                 let Some(text) = condition else { continue };
-                match run.evaluator.condition(&run.debugger.controller.vm, file, text) {
-                    Ok(compiled) => _ = breakpoint.conditions.insert(file.clone(), compiled),
+                match ConditionText::compiled(text, file, run) {
+                    Ok(ConditionText { task, condition }) => {
+                        breakpoint.task = task;
+                        breakpoint.conditions.extend(condition.map(|compiled| (file.clone(), compiled)));
+                    }
                     Err(error) => _ = faults.insert(breakpoint.id, Unverified::new(error)),
                 }
             }
@@ -325,13 +329,15 @@ fn parse(
     (file, run): (&str, &mut DebuggedRun<'_>),
     conventions: &Conventions,
 ) -> Result<Breakpoint, Unverified> {
-    let vm = &run.debugger.controller.vm;
     let condition = written(breakpoint.condition.as_deref());
-    let condition = condition.map(|text| run.evaluator.condition(vm, file, text)).transpose();
+    let condition = condition.map(|text| ConditionText::compiled(text, file, run)).transpose();
+    let ConditionText { task, condition } = condition.map_err(Unverified::new)?.unwrap_or_default();
+    let vm = &run.debugger.controller.vm;
     let log = written(breakpoint.log_message.as_deref());
     let log = log.map(|text| run.evaluator.log_message(vm, file, text)).transpose();
     Ok(Breakpoint {
-        condition: condition.map_err(Unverified::new)?,
+        task,
+        condition,
         hits: hits(breakpoint.hit_condition.as_deref())?,
         log: log.map_err(Unverified::new)?,
         ..Breakpoint::new(id, conventions.row(breakpoint.line))
