@@ -12,6 +12,7 @@ use crate::errors::StopErrors;
 use crate::history::History;
 use crate::pause::Pause;
 use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
+use crate::skipped_code::SkipPattern;
 use crate::step::{Step, StepKind};
 use crate::travel::{MotionStop, Travel};
 
@@ -43,6 +44,8 @@ pub struct Debugger {
     stops_alone: bool,
     /// Whether the run stops before the end of its last task.
     stops_at_exit: bool,
+    /// Code in which steps into calls do not end.
+    skipped: Vec<SkipPattern>,
 }
 
 /// Result of [`Debugger::advance`].
@@ -131,6 +134,7 @@ impl Debugger {
             pending: None,
             stops_alone: false,
             stops_at_exit: false,
+            skipped: Vec::new(),
         }
     }
 
@@ -171,6 +175,7 @@ impl Debugger {
     pub fn detach(&mut self) {
         self.stops_alone = false;
         self.stop_at_exit(false);
+        self.skip(Vec::new());
         self.history = None;
         self.controller.end_recording();
         if self.travel.take().is_some() {
@@ -199,6 +204,11 @@ impl Debugger {
     pub fn stop_at_exit(&mut self, is_wanted: bool) {
         self.stops_at_exit = is_wanted;
         self.controller.vm.stop_at_ends(is_wanted);
+    }
+
+    /// Sets the code in which steps into calls do not end. Such a step ends at the next line of other code.
+    pub fn skip(&mut self, code: Vec<SkipPattern>) {
+        self.skipped = code;
     }
 
     /// Cancels the current step.
@@ -306,7 +316,7 @@ impl Debugger {
             // The task of the step no longer exists: the run continues.
             self.step = self.step.filter(|step| step.task != task);
         }
-        let step = self.step.filter(|step| step.task == task && step.is_done(vm))?;
+        let step = self.step.filter(|step| step.task == task && step.is_done(vm, &self.skipped))?;
         let task = match step.kind {
             // The line has created the newest task.
             StepKind::IntoTask => vm.tasks().iter().map(|known| known.id).max().unwrap_or(task),

@@ -63,6 +63,17 @@ mod tests {
     }
 
     #[test]
+    fn skipped_programs_are_stepped_over() {
+        for (pattern, place) in [("main:w*", ("main:start()", FIRST_LINE + 1)), ("other", ("main:work()", FIRST_LINE))] {
+            let mut client = TestClient::launching(CALLER, json!({ "stopOnEntry": true, "skip": [pattern] }));
+            client.body("configurationDone", json!({}));
+            client.run();
+            client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!(client.place(), (place.0.to_owned(), place.1), "{pattern}");
+        }
+    }
+
+    #[test]
     fn unknown_targets_are_rejected() {
         let mut client = TestClient::stopped(WORKER);
         let failure = client.failure("stepIn", json!({ "threadId": MAIN_THREAD, "targetId": 7 }));
