@@ -305,6 +305,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
         Kind::UnclosedBracket { missing } => unclosed_bracket::word(*missing);
         Kind::UnmatchedBracket { bracket } => unmatched_bracket::word(*bracket);
         Kind::UnterminatedString => unterminated_string::word();
+        Kind::NumberTooLarge => syntax::number_too_large();
         Kind::UnclosedBlock { block, missing } => unclosed_block::word(block, missing);
         Kind::DoWhile => unclosed_block::do_while();
         Kind::CrossedBlocks { inner, early, late } => unclosed_block::crossed(inner, early, late);

@@ -11,6 +11,7 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::assertions;
+use crate::condition_text::ConditionText;
 use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS, filters};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
@@ -77,12 +78,7 @@ impl BreakpointTable {
         let wanted = breakpoints.unwrap_or_else(|| lines.unwrap_or_default().into_iter().map(at_line).collect());
         let path = source.path.clone().unwrap_or_default();
         let before = self.files.remove(&path).map(|file| file.breakpoints).unwrap_or_default();
-        // A breakpoint that stays keeps its id, and with the id the hit count.
-        let breakpoints = wanted.into_iter().map(|wanted| {
-            let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
-            (known.map_or_else(|| self.new_id(), |(id, _)| *id), wanted)
-        });
-        let breakpoints = breakpoints.collect();
+        let breakpoints = self.identified(wanted, &before);
         let file = SourceBreakpoints { source, breakpoints };
         let placed = file.place(run, conventions);
         self.files.insert(path, file);
@@ -103,7 +99,8 @@ impl BreakpointTable {
         run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
-        self.programs = wanted.into_iter().map(|breakpoint| (self.new_id(), breakpoint)).collect();
+        let before = std::mem::take(&mut self.programs);
+        self.programs = self.identified(wanted, &before);
         self.place_programs(run, conventions)
     }
 
@@ -120,8 +117,11 @@ impl BreakpointTable {
             let condition = condition.and_then(|(_, wanted)| written(wanted.condition.as_deref()));
             for (file, _) in places.get(&breakpoint.id).into_iter().flatten() {
                 let Some(text) = condition else { continue };
-                match run.evaluator.condition(&run.debugger.controller.vm, file, text) {
-                    Ok(compiled) => _ = breakpoint.conditions.insert(file.clone(), compiled),
+                match ConditionText::compiled(text, file, run) {
+                    Ok(ConditionText { task, condition }) => {
+                        breakpoint.task = task;
+                        breakpoint.conditions.extend(condition.map(|compiled| (file.clone(), compiled)));
+                    }
                     Err(error) => _ = faults.insert(breakpoint.id, Unverified::new(error)),
                 }
             }
@@ -273,6 +273,15 @@ impl BreakpointTable {
         removed.map(|id| unplaced(id, BreakpointReason::Failed, message)).collect()
     }
 
+    /// Returns the breakpoints with their ids. An unchanged breakpoint keeps its id, and with the id the hit count.
+    fn identified<T: PartialEq>(&mut self, wanted: Vec<T>, before: &[(BreakpointId, T)]) -> Vec<(BreakpointId, T)> {
+        let identified = wanted.into_iter().map(|wanted| {
+            let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
+            (known.map_or_else(|| self.new_id(), |(id, _)| *id), wanted)
+        });
+        identified.collect()
+    }
+
     /// An identity that no breakpoint has.
     pub(crate) fn new_id(&mut self) -> BreakpointId {
         self.last_id += 1;
@@ -320,13 +329,15 @@ fn parse(
     (file, run): (&str, &mut DebuggedRun<'_>),
     conventions: &Conventions,
 ) -> Result<Breakpoint, Unverified> {
-    let vm = &run.debugger.controller.vm;
     let condition = written(breakpoint.condition.as_deref());
-    let condition = condition.map(|text| run.evaluator.condition(vm, file, text)).transpose();
+    let condition = condition.map(|text| ConditionText::compiled(text, file, run)).transpose();
+    let ConditionText { task, condition } = condition.map_err(Unverified::new)?.unwrap_or_default();
+    let vm = &run.debugger.controller.vm;
     let log = written(breakpoint.log_message.as_deref());
     let log = log.map(|text| run.evaluator.log_message(vm, file, text)).transpose();
     Ok(Breakpoint {
-        condition: condition.map_err(Unverified::new)?,
+        task,
+        condition,
         hits: hits(breakpoint.hit_condition.as_deref())?,
         log: log.map_err(Unverified::new)?,
         ..Breakpoint::new(id, conventions.row(breakpoint.line))

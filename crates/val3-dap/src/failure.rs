@@ -39,6 +39,8 @@ pub(crate) enum RequestFailure {
     NoMotion,
     /// A page cannot pause the run, because the debugger does.
     DebuggerPaces,
+    /// The next line has no target with this id.
+    NoStepInTarget(i32),
     /// No argument is set. Contains the argument names.
     NoArgument(&'static str),
     /// Another reason, as a sentence without a full stop.
@@ -73,6 +75,9 @@ impl fmt::Display for RequestFailure {
             }
             Self::Unsupported(command) => return write!(f, "this adapter does not have the request `{command}`"),
             Self::NoData(name) => return write!(f, "`{name}` is not data of a program; use `val3/operate`"),
+            Self::NoStepInTarget(id) => {
+                return write!(f, "the next line has no step-in target {id}: request `stepInTargets` again");
+            }
             Self::NoArgument(names) => return write!(f, "set {names}"),
             Self::Rejected(reason) => reason,
             Self::Cancelled | Self::NotStopped => "",

@@ -13,6 +13,7 @@ mod breakpoints;
 mod capabilities;
 mod cell_view;
 mod client;
+mod condition_text;
 mod conventions;
 mod debugged_run;
 mod dispatch;

@@ -1,13 +1,13 @@
 //! The settings of a session that are not options of `val3 run`: keys of `launch` and `attach`.
 
 use serde_json::{Map, Value};
-use val3_debug::{Debugger, PastLimits};
+use val3_debug::{Debugger, PastLimits, SkipPattern};
 use val3_machine::arm::MotionMode;
 
 use crate::failure::RequestFailure;
 
 /// The settings of a session.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SessionSettings {
     /// The mode of the motion at the beginning (10.2.2).
     motion_mode: MotionMode,
@@ -23,6 +23,8 @@ pub struct SessionSettings {
     pub(crate) has_radians: bool,
     /// Whether a breakpoint, a step or an error stops only its task.
     pub(crate) stops_one_task: bool,
+    /// Code in which steps into calls do not end.
+    skipped: Vec<SkipPattern>,
 }
 
 impl SessionSettings {
@@ -32,6 +34,7 @@ impl SessionSettings {
         debugger.record(self.past);
         debugger.set_motion_mode(self.motion_mode);
         debugger.stop_tasks_alone(self.stops_one_task);
+        debugger.skip(self.skipped.clone());
     }
 
     /// The settings among the arguments of `launch` or `attach`.
@@ -50,6 +53,7 @@ impl SessionSettings {
             shows_screen_output: switch(arguments, "screenOutput", true)?,
             has_radians: is_second(arguments, "angles", ["degrees", "radians"])?,
             stops_one_task: is_second(arguments, "stopScope", ["all", "task"])?,
+            skipped: arguments.get("skip").map_or(Ok(Vec::new()), skipped)?,
         })
     }
 }
@@ -61,6 +65,18 @@ fn motion_mode(mode: &Value) -> Result<MotionMode, RequestFailure> {
         Some("step") => Ok(MotionMode::Step),
         _ => Err(RequestFailure::Rejected(format!("the motion has no mode {mode}: write \"continuous\" or \"step\""))),
     }
+}
+
+/// The code in which steps into calls do not end.
+fn skipped(patterns: &Value) -> Result<Vec<SkipPattern>, RequestFailure> {
+    if patterns.is_null() {
+        return Ok(Vec::new());
+    }
+    let parsed = patterns.as_array().and_then(|patterns| {
+        patterns.iter().map(|pattern| pattern.as_str()?.parse().ok()).collect::<Option<Vec<SkipPattern>>>()
+    });
+    let invalid = || format!("`skip` is a list such as [\"library\", \"main:log*\"], not {patterns}");
+    parsed.ok_or_else(|| RequestFailure::Rejected(invalid()))
 }
 
 /// A whole number of at least 1.
@@ -121,6 +137,8 @@ mod tests {
             ("stopScope", json!(1)),
             ("motionMode", json!("fast")),
             ("stopOnEntry", json!("yes")),
+            ("skip", json!("library")),
+            ("skip", json!(["library", ""])),
         ] {
             let reason = of(json!({ key: value.clone() })).unwrap_err();
             assert!(reason.contains(&value.to_string()), "{reason}");

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Program, SourceLine};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, InstanceId, Space};
+use val3_vm::{FragmentContext, GuardedOp, InstanceId, Space, StopGuard};
 
 use crate::conditions::{CompiledExpression, LogMessage};
 use crate::program_breakpoints::{ProgramBreakpoint, ProgramBreakpoints, file_of};
@@ -26,6 +26,8 @@ pub struct Breakpoint {
     pub id: BreakpointId,
     /// Requested line of the file, from 1.
     pub row: u32,
+    /// Name of the only task that the breakpoint affects; `None` for all tasks.
+    pub task: Option<String>,
     /// Condition for a hit to count.
     pub condition: Option<CompiledExpression>,
     /// Hits at which tasks stop; `None` for every hit.
@@ -38,7 +40,7 @@ impl Breakpoint {
     /// Creates a breakpoint without conditions.
     #[must_use]
     pub fn new(id: BreakpointId, row: u32) -> Self {
-        Self { id, row, condition: None, hits: None, log: None }
+        Self { id, row, task: None, condition: None, hits: None, log: None }
     }
 }
 
@@ -231,12 +233,36 @@ impl Breakpoints {
         arrival
     }
 
+    /// Returns guards for the stop marks whose breakpoints all have a condition that the virtual machine can evaluate.
+    pub(crate) fn guards(&self, space: &Space) -> Vec<StopGuard> {
+        let mut guards = Vec::new();
+        for (instance, owner) in space.loaded() {
+            for (number, program) in (0..).zip(&owner.image.programs) {
+                let stops = (0..).zip(&program.code).filter(|(_, step)| step.mark.is_stop());
+                guards.extend(stops.filter_map(|(op, _)| self.guard(space, GuardedOp { instance, program: number, op })));
+            }
+        }
+        guards
+    }
+
+    fn guard(&self, space: &Space, place: GuardedOp) -> Option<StopGuard> {
+        let image = Arc::clone(&space.instance(place.instance)?.image);
+        let program = image.programs.get(usize::from(place.program))?;
+        let line = program.halt_at(place.op)?;
+        let is_entry = place.op == 0 || program.entry() == Some(place.op);
+        let next = NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
+        let rules = self.rules(space, &next);
+        let conditions: Option<Vec<_>> = rules.iter().map(|rule| Some(&rule.condition?.fragment)).collect();
+        StopGuard::new(space, place, conditions?)
+    }
+
     /// Returns the breakpoints on a line: the file's breakpoints, and the program's breakpoints if the task has just
     /// entered it.
     fn rules<'a>(&'a self, space: &Space, next: &'a NextLine) -> Vec<StopRule<'a>> {
         let Some(program) = next.image.programs.get(usize::from(next.program)) else { return Vec::new() };
         let in_file = here(&self.files, (&next.image, program), next.line).map(|breakpoint| StopRule {
             id: breakpoint.id,
+            task: breakpoint.task.as_deref(),
             condition: breakpoint.condition.as_ref(),
             hits: breakpoint.hits,
             log: breakpoint.log.as_ref(),
@@ -247,6 +273,7 @@ impl Breakpoints {
         let file = file_of(&next.image, program);
         let entered = self.programs.of(space, (next.instance, &program.name)).into_iter().map(|breakpoint| StopRule {
             id: breakpoint.id,
+            task: breakpoint.task.as_deref(),
             condition: breakpoint.conditions.get(file),
             hits: breakpoint.hits,
             log: None,
@@ -258,15 +285,19 @@ impl Breakpoints {
 /// The parts of a line or program breakpoint that decide about a stop.
 struct StopRule<'a> {
     id: BreakpointId,
+    task: Option<&'a str>,
     condition: Option<&'a CompiledExpression>,
     hits: Option<HitCondition>,
     log: Option<&'a LogMessage>,
 }
 
 impl StopRule<'_> {
-    /// Whether the condition holds for a task before the line. If it cannot be evaluated, the task stops, and `arrival`
+    /// Whether the breakpoint affects the task, and the condition holds for it before the line. If the condition cannot be evaluated, the task stops, and `arrival`
     /// gets the fault.
     fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {
+        if self.task.is_some_and(|name| !is_named(controller, task, name)) {
+            return false;
+        }
         let Some(condition) = self.condition else { return true };
         condition.holds(controller, FragmentContext::Frame(task, 0)).unwrap_or_else(|message| {
             arrival.ids.push(self.id);
@@ -274,6 +305,10 @@ impl StopRule<'_> {
             false
         })
     }
+}
+
+fn is_named(controller: &Controller, task: TaskNumber, name: &str) -> bool {
+    controller.vm.tasks().iter().any(|known| known.id == task && known.name == name)
 }
 
 /// Next line of a task.

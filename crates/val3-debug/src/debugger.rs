@@ -12,6 +12,7 @@ use crate::errors::StopErrors;
 use crate::history::History;
 use crate::pause::Pause;
 use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
+use crate::skipped_code::SkipPattern;
 use crate::step::{Step, StepKind};
 use crate::travel::{MotionStop, Travel};
 
@@ -43,6 +44,8 @@ pub struct Debugger {
     stops_alone: bool,
     /// Whether the run stops before the end of its last task.
     stops_at_exit: bool,
+    /// Code in which steps into calls do not end.
+    skipped: Vec<SkipPattern>,
 }
 
 /// Result of [`Debugger::advance`].
@@ -131,6 +134,7 @@ impl Debugger {
             pending: None,
             stops_alone: false,
             stops_at_exit: false,
+            skipped: Vec::new(),
         }
     }
 
@@ -138,6 +142,7 @@ impl Debugger {
     pub fn set_breakpoints(&mut self, file: &str, breakpoints: Vec<Breakpoint>) -> Vec<Placed> {
         self.breakpoints.set(file, breakpoints);
         self.controller.vm.set_stops(file, self.breakpoints.rows(file));
+        self.set_guards();
         self.breakpoints.placed(file, &self.controller.vm.space)
     }
 
@@ -145,6 +150,7 @@ impl Debugger {
     pub fn set_program_breakpoints(&mut self, breakpoints: Vec<ProgramBreakpoint>) -> Vec<PlacedProgram> {
         self.breakpoints.set_programs(breakpoints);
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
+        self.set_guards();
         self.placed_programs()
     }
 
@@ -169,6 +175,7 @@ impl Debugger {
     pub fn detach(&mut self) {
         self.stops_alone = false;
         self.stop_at_exit(false);
+        self.skip(Vec::new());
         self.history = None;
         self.controller.end_recording();
         if self.travel.take().is_some() {
@@ -197,6 +204,11 @@ impl Debugger {
     pub fn stop_at_exit(&mut self, is_wanted: bool) {
         self.stops_at_exit = is_wanted;
         self.controller.vm.stop_at_ends(is_wanted);
+    }
+
+    /// Sets the code in which steps into calls do not end. Such a step ends at the next line of other code.
+    pub fn skip(&mut self, code: Vec<SkipPattern>) {
+        self.skipped = code;
     }
 
     /// Cancels the current step.
@@ -269,7 +281,15 @@ impl Debugger {
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
-        if self.controller.vm.is_at_end(task) { self.exit(task) } else { self.hit(task) }
+        if self.controller.vm.is_at_end(task) {
+            return self.exit(task);
+        }
+        let stop = self.hit(task)?;
+        // A breakpoint on the last `end` is already the stop before the end of the run.
+        if self.stops_at_exit && self.exit(task).is_some() {
+            self.controller.vm.pass_end(task);
+        }
+        Some(stop)
     }
 
     /// Returns the stop before the end of a task if no other task runs. The program `stop`, which runs afterwards, has
@@ -296,7 +316,7 @@ impl Debugger {
             // The task of the step no longer exists: the run continues.
             self.step = self.step.filter(|step| step.task != task);
         }
-        let step = self.step.filter(|step| step.task == task && step.is_done(vm))?;
+        let step = self.step.filter(|step| step.task == task && step.is_done(vm, &self.skipped))?;
         let task = match step.kind {
             // The line has created the newest task.
             StepKind::IntoTask => vm.tasks().iter().map(|known| known.id).max().unwrap_or(task),
@@ -328,6 +348,12 @@ impl Debugger {
         }
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
         self.controller.vm.stop_at_ends(self.stops_at_exit);
+        self.set_guards();
+    }
+
+    fn set_guards(&mut self) {
+        let guards = self.breakpoints.guards(&self.controller.vm.space);
+        self.controller.vm.set_guards(guards);
     }
 
     /// Returns the stop at the breakpoints on the task's next line, ignoring hit conditions.

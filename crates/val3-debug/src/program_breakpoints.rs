@@ -57,6 +57,8 @@ pub struct ProgramBreakpoint {
     pub id: BreakpointId,
     /// Name of the programs.
     pub name: ProgramName,
+    /// Name of the only task that the breakpoint affects; `None` for all tasks.
+    pub task: Option<String>,
     /// Condition for a hit to count, compiled for each matching program, by program file. A program without an entry
     /// has no condition.
     pub conditions: BTreeMap<String, CompiledExpression>,
@@ -68,7 +70,7 @@ impl ProgramBreakpoint {
     /// Creates a breakpoint without conditions.
     #[must_use]
     pub fn new(id: BreakpointId, name: ProgramName) -> Self {
-        Self { id, name, conditions: BTreeMap::new(), hits: None }
+        Self { id, name, task: None, conditions: BTreeMap::new(), hits: None }
     }
 }
 

@@ -3,6 +3,8 @@
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Task, Vm};
 
+use crate::skipped_code::SkipPattern;
+
 /// Extent of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepKind {
@@ -31,12 +33,16 @@ impl Step {
     }
 
     /// Whether the step ends at the task's present location: between two lines, at a stack depth that suits the kind of
-    /// step.
-    pub(crate) fn is_done(&self, vm: &Vm) -> bool {
+    /// step, and not in skipped code that the step has entered.
+    pub(crate) fn is_done(&self, vm: &Vm, skipped: &[SkipPattern]) -> bool {
         let Some(task) = vm.tasks().iter().find(|task| task.id == self.task) else { return false };
         let depth = task.thread.frames.len();
+        // A step that begins in skipped code may end there.
+        let is_skipped = depth > self.depth
+            && task.thread.frames.last().is_some_and(|frame| skipped.iter().any(|code| code.contains(&vm.space, frame)));
         let is_deep_enough = match self.kind {
-            StepKind::In | StepKind::IntoTask => true,
+            StepKind::In => !is_skipped,
+            StepKind::IntoTask => true,
             StepKind::Over => depth <= self.depth,
             StepKind::Out => depth < self.depth,
         };

@@ -64,6 +64,7 @@ impl FrameEvaluator {
     }
 
     /// Evaluates code. Tasks, clock and arm are stopped during the evaluation, and no run-time error stops a task.
+    /// A single assignment to an input forces it, like [`assign`](Self::assign).
     ///
     /// # Errors
     /// If the code is invalid for this purpose, or if a run-time error ends it.
@@ -104,7 +105,10 @@ impl FrameEvaluator {
         let mut of_statements = iter::repeat_n(PORTION, PORTIONS).take_while(|_| may_go_on());
         let grants: &mut dyn Iterator<Item = u32> =
             if has_effects { &mut of_statements } else { &mut expression_grant() };
+        let forces_inputs = !is_expression && self.is_assignment(&target, text);
+        controller.devices.state.io.force_inputs(forces_inputs);
         let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (grants, format));
+        controller.devices.state.io.force_inputs(false);
         let done = Evaluation::new(events, has_effects);
         match end {
             FragmentEnd::Value(value) => Ok(Evaluation { value: Some(value), ..done }),
@@ -211,6 +215,15 @@ impl FrameEvaluator {
         let [stmt] = body(db, file).block.as_slice() else { return false };
         match &stmt.kind {
             StmtKind::Expr(id) => !inference.is_call_without_value(*id),
+            _ => false,
+        }
+    }
+
+    /// Whether the code is a single assignment.
+    fn is_assignment(&mut self, target: &EvaluationContext, text: &str) -> bool {
+        let scratch = Scratch::new(&mut self.targets, target, ("", text));
+        match body(scratch.db(), scratch.file()).block.as_slice() {
+            [stmt] => matches!(stmt.kind, StmtKind::Assign { .. }),
             _ => false,
         }
     }

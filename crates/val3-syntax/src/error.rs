@@ -84,6 +84,8 @@ pub enum SyntaxErrorKind {
     },
     /// A string without its closing quote.
     UnterminatedString,
+    /// A number beyond the range of `num`, such as `1e400`.
+    NumberTooLarge,
     /// A block without its end (related: the opening keyword). The range is the place for the end.
     UnclosedBlock {
         /// `if`, `while`, `for`, `do`, `switch`.

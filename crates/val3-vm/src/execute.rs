@@ -77,6 +77,13 @@ impl TurnContext<'_> {
         }
     }
 
+    /// Whether the task stops at the stop mark that it has reached: not where it has already stopped, and not if the
+    /// guard excludes a stop.
+    #[cold]
+    fn meets_stop(&self, thread: &mut Thread, instance: &Instance, frame: &Frame, op: usize) -> bool {
+        (thread.is_at_stop || !self.space.passes_stop(instance, frame, op)) && thread.meets_stop()
+    }
+
     /// Executes programs in one application or library until the task exits it.
     #[inline(never)]
     fn programs<R: Registers + ?Sized>(
@@ -203,15 +210,19 @@ impl TurnContext<'_> {
             match step.mark {
                 LineMark::Within => {}
                 LineMark::StopWithin => {
-                    if thread.meets_stop() {
+                    if self.meets_stop(thread, instance, &frame, at.next) {
                         return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
                     }
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
                 }
                 LineMark::CountedSide(counter) => self.space.counts.add(instance.first_counter, program, counter),
                 LineMark::Line | LineMark::Stop | LineMark::CountedLine(_) => {
                     let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(TurnEnd::Busy)) };
-                    if step.mark == LineMark::Stop && thread.meets_stop() {
-                        return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
+                    if step.mark == LineMark::Stop {
+                        if self.meets_stop(thread, instance, &frame, at.next) {
+                            return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
+                        }
+                        nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
                     }
                     if let LineMark::CountedLine(counter) = step.mark {
                         self.space.counts.add(instance.first_counter, program, counter);

@@ -10,7 +10,7 @@ use val3_lang::types::BaseType;
 
 use crate::counts::LineCounts;
 use crate::stops::Stops;
-use crate::{Host, Instance, InstanceId};
+use crate::{Host, Instance, InstanceId, StopGuard};
 
 /// Applications and libraries in memory.
 #[derive(Debug, Clone, Default)]
@@ -21,6 +21,8 @@ pub struct Space {
     /// library.
     pub(crate) instances: Arc<Vec<Instance>>,
     stops: Stops,
+    /// Guards of stop marks.
+    pub(crate) guards: Arc<Vec<StopGuard>>,
     /// Whether tasks stop before their end.
     pub(crate) stops_at_ends: bool,
     /// Execution counts of counted lines and branch sides.

@@ -1,8 +1,9 @@
 //! Images in memory and their tasks.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
-use val3_bytecode::{LineMark, Program};
+use val3_bytecode::{LineMark, Op, Program};
 use val3_lang::fault::Fault;
 use val3_lang::memory::Memory;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
@@ -11,7 +12,7 @@ use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Grant, Host, InstanceId, Rate, Space, Task, TaskState, TurnEnd, TurnReport};
+use crate::{Grant, Host, InstanceId, Rate, Space, StopGuard, Task, TaskState, TurnEnd, TurnReport};
 
 /// The virtual machine: applications and libraries in memory, and their tasks.
 #[derive(Debug, Clone, Default)]
@@ -193,6 +194,11 @@ impl Vm {
         self.forget_removed_stops();
     }
 
+    /// Replaces all guards of stop marks.
+    pub fn set_guards(&mut self, guards: Vec<StopGuard>) {
+        self.space.guards = Arc::new(guards);
+    }
+
     /// Passes the stop mark at the task's next line, because the caller has already handled this stop.
     pub fn pass_stop(&mut self, id: TaskNumber) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
@@ -218,6 +224,18 @@ impl Vm {
     pub fn is_at_end(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
         task.is_some_and(|task| task.thread.is_at_end)
+    }
+
+    /// Passes the stop before the end of a task that is before the return of its first program, because the caller has
+    /// already handled this stop. No effect at other places.
+    pub fn pass_end(&mut self, id: TaskNumber) {
+        let Some(at) = self.roster.position(id) else { return };
+        let Some(thread) = self.roster.tasks.get(at).map(|task| &task.thread) else { return };
+        let next = self.program(thread).and_then(|program| program.code.get(thread.next as usize));
+        let is_last = thread.frames.len() == 1 && next.is_some_and(|step| step.op == Op::Return);
+        if let Some(task) = self.roster.tasks.get_mut(at).filter(|_| is_last) {
+            task.thread.is_at_end = true;
+        }
     }
 
     /// Whether a task is before the first line of a program that it has just entered, and not before a further

@@ -63,7 +63,7 @@ fn attend() -> Result<ExitCode, UserError> {
 fn open(start: &SessionStart, handshake: &mut Handshake) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
     let test = launch::test(&start.arguments)?;
-    let settings = DebugSettings { session: start.settings, is_plain_run: start.is_plain_run, test };
+    let settings = DebugSettings { session: start.settings.clone(), is_plain_run: start.is_plain_run, test };
     let (mut shown, has_colors) = (String::new(), handshake.shows_colors());
     let opened = run::open_debugged(&args, &settings, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {

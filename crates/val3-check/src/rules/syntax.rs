@@ -96,6 +96,11 @@ pub(crate) fn invalid_character(character: char) -> Wording {
     )
 }
 
+/// Returns the wording for a number beyond the range of `num`.
+pub(crate) fn number_too_large() -> Wording {
+    Wording::new("the number is too large for a num", "too large", "the largest number is about 1.8e308")
+}
+
 /// Formats the character in backticks, or its number if it is invisible.
 fn shown(character: char) -> String {
     if is_invisible(character) {
@@ -182,6 +187,16 @@ mod tests {
             ? remove the `;`: in VAL 3 the end of the line ends the instruction
         "#]]
         .assert_eq(&trailing(";").to_string());
+    }
+
+    #[test]
+    fn a_number_beyond_the_range_is_reported() {
+        expect![[r#"
+            the number is too large for a num
+            | too large
+            ? the largest number is about 1.8e308
+        "#]]
+        .assert_eq(&number_too_large().to_string());
     }
 
     #[test]

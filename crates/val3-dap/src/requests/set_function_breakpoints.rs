@@ -60,6 +60,19 @@ mod tests {
     }
 
     #[test]
+    fn unchanged_breakpoints_keep_their_ids() {
+        let mut client = TestClient::stopped(CALLER);
+        let mut ids = |breakpoints: Value| {
+            let body = client.body("setFunctionBreakpoints", json!({ "breakpoints": breakpoints }));
+            let set = body["breakpoints"].as_array().unwrap().iter();
+            set.map(|breakpoint| breakpoint["id"].as_i64().unwrap()).collect::<Vec<_>>()
+        };
+        assert_eq!(ids(json!([{ "name": "work" }])), [1]);
+        assert_eq!(ids(json!([{ "name": "start" }, { "name": "work" }])), [2, 1]);
+        assert_eq!(ids(json!([{ "name": "work", "hitCondition": "2" }])), [3]);
+    }
+
+    #[test]
     fn unusable_breakpoints_are_not_verified() {
         let mut client = TestClient::stopped(CALLER);
         let expected = json!({

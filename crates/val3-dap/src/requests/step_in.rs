@@ -6,6 +6,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::StepInArguments;
 use crate::request::DebugRequest;
+use crate::requests::step_in_targets::TARGET_ID;
 use crate::session::DebugSession;
 
 /// The request `stepIn`.
@@ -22,8 +23,13 @@ impl DebugRequest for StepIn {
         arguments: StepInArguments,
     ) -> Result<(), RequestFailure> {
         let task = DebugSession::task(arguments.thread_id, run)?;
-        let chosen = arguments.target_id.and_then(|_| run.debugger.step_in_target(task));
-        let kind = chosen.map_or(StepKind::In, |chosen| chosen.kind);
+        let kind = match arguments.target_id {
+            None => StepKind::In,
+            Some(id) => {
+                let chosen = run.debugger.step_in_target(task).filter(|_| id == TARGET_ID);
+                chosen.ok_or(RequestFailure::NoStepInTarget(id))?.kind
+            }
+        };
         session.step(arguments.thread_id, arguments.single_thread, kind, run)
     }
 }
@@ -54,6 +60,27 @@ mod tests {
         let mut client = TestClient::stopped(WORKER);
         let stop = client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD, "targetId": 1 }));
         assert_eq!(stop, json!({ "reason": "step", "threadId": WORKER_THREAD, "allThreadsStopped": true }));
+    }
+
+    #[test]
+    fn skipped_programs_are_stepped_over() {
+        for (pattern, place) in [("main:w*", ("main:start()", FIRST_LINE + 1)), ("other", ("main:work()", FIRST_LINE))] {
+            let mut client = TestClient::launching(CALLER, json!({ "stopOnEntry": true, "skip": [pattern] }));
+            client.body("configurationDone", json!({}));
+            client.run();
+            client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!(client.place(), (place.0.to_owned(), place.1), "{pattern}");
+        }
+    }
+
+    #[test]
+    fn unknown_targets_are_rejected() {
+        let mut client = TestClient::stopped(WORKER);
+        let failure = client.failure("stepIn", json!({ "threadId": MAIN_THREAD, "targetId": 7 }));
+        assert_eq!(failure, "the next line has no step-in target 7: request `stepInTargets` again");
+        let mut client = TestClient::stopped(COUNTER);
+        let failure = client.failure("stepIn", json!({ "threadId": MAIN_THREAD, "targetId": 1 }));
+        assert_eq!(failure, "the next line has no step-in target 1: request `stepInTargets` again");
     }
 
     #[test]

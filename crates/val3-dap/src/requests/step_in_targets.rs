@@ -28,13 +28,16 @@ impl DebugRequest for StepInTargets {
     }
 }
 
+/// Id of a line's only target.
+pub(crate) const TARGET_ID: i32 = 1;
+
 /// Returns the call of the next line. Only the innermost stack frame has a next line.
 fn targets(FrameHandle { task, depth }: FrameHandle, run: &DebuggedRun<'_>) -> Vec<StepInTarget> {
     let call = run.debugger.step_in_target(task).filter(|_| depth == 0);
     let target = call.map(|call| {
         let label = format!("{}:{}()", call.application, call.program);
         let label = if call.kind == StepKind::IntoTask { format!("the task of {label}") } else { label };
-        StepInTarget { id: 1, label, ..StepInTarget::default() }
+        StepInTarget { id: TARGET_ID, label, ..StepInTarget::default() }
     });
     target.into_iter().collect()
 }

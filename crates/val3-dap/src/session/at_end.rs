@@ -107,6 +107,23 @@ mod tests {
     }
 
     #[test]
+    fn a_breakpoint_on_the_last_end_is_the_only_stop_there() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  nCount=1\nend\n";
+        let mut client = TestClient::launching(listing, json!({ "stopOnExit": true }));
+        let breakpoints = json!({ "source": crate::test_client::source("start"), "breakpoints": [{ "line": 6 }] });
+        client.body("setBreakpoints", breakpoints);
+        client.body("configurationDone", json!({}));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!((&stops[0]["reason"], client.place().1), (&json!("breakpoint"), 6));
+        client.stop_after("stepBack", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(client.place().1, 5);
+        let again = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((&again["reason"], client.place().1), (&json!("breakpoint"), 6));
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new());
+    }
+
+    #[test]
     fn a_run_that_ends_does_not_stop() {
         let mut client = TestClient::launched(EMPTY, json!({}));
         assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new());

@@ -75,6 +75,41 @@ fn a_task_stops_where_the_condition_holds() {
     assert_eq!(sums(&mut debugger(["false", "", ""])), [0.0; 0]);
 }
 
+/// Number of times that the debugger is called up to the end of the run.
+fn calls(mut debugger: Debugger) -> usize {
+    let mut calls = 1;
+    while !matches!(debugger.advance(), AdvanceResult::Ran(status) if status.is_final()) {
+        calls += 1;
+    }
+    calls
+}
+
+/// Conditions that only compute with numbers are evaluated within the turn, so a line at which they are false costs a
+/// few operations. All other conditions end the turn at each arrival.
+#[test]
+fn conditions_of_numbers_do_not_interrupt_the_run() {
+    let plain = calls(Debugger::new(Running::start(COUNTING).controller));
+    for condition in ["x_nAt==11", "nSum>55 or l_nTwice*2!=0", "abs(x_nAt%4)>3 and !(nSum<0)", "false"] {
+        assert_eq!(calls(debugger([condition, "", ""])), plain, "{condition}");
+    }
+    assert_eq!(calls(debugger(["sNames[1]==\"left\"", "", ""])), plain + 10);
+}
+
+#[test]
+fn both_forms_of_a_condition_stop_at_the_same_lines() {
+    for condition in ["nSum>=20", "x_nAt%3==1", "(x_nAt>2 and nSum<30) or x_nAt==9", "x_nAt*x_nAt-nSum/2>10", "10/(5-x_nAt)>3"] {
+        let general = format!("size(sNames)==2 and ({condition})");
+        assert_eq!(sums(&mut debugger([condition, "", ""])), sums(&mut debugger([&general, "", ""])), "{condition}");
+        let back = |condition: &str| {
+            let mut debugger = debugger([condition, "", ""]);
+            debugger.record(PastLimits::snapshots(20));
+            while run(&mut debugger).is_some() {}
+            std::iter::from_fn(|| (debugger.run_back() != Stop::Beginning).then(|| sum(&debugger))).collect::<Vec<_>>()
+        };
+        assert_eq!(back(condition), back(&general), "{condition}");
+    }
+}
+
 #[test]
 fn only_hits_with_the_condition_count() {
     // The third of the numbers 2, 4, 6, 8 and 10.

@@ -131,9 +131,22 @@ end
     assert_eq!(stopped.assign("doOut", "true"), "true (Io\\%Q0)");
     assert_eq!(stopped.watch("doOut==true and diIn==false"), "bool true");
     assert_eq!(stopped.assign("diIn", "true"), "true (Io\\%I0)", "an assignment by the user forces the input");
+    stopped.execute("diIn=false");
+    assert_eq!(stopped.watch("diIn"), "dio false (Io\\%I0)", "the console forces inputs too");
+    stopped.execute("diIn=true");
     assert_eq!(stopped.execute("aioSet(aoOut,3)"), "num 3");
     let shown = ["diIn", "diNone", "aoOut", "siNone"].map(|name| stopped.watch(name));
     assert_eq!(shown, ["dio true (Io\\%I0)", "dio not linked", "aio 3 (Io\\%QW1)", "sio not linked"]);
+}
+
+#[test]
+fn numbers_beyond_the_range_are_refused() {
+    let mut stopped = Stopped::at("num nX\nprogram start()\nbegin\n  call show()\nend\nprogram show()\nbegin\n  nX=1\nend\n");
+    let refused = "the number is too large for a num";
+    assert_eq!(stopped.assign("nX", "-1e400"), refused);
+    assert_eq!(stopped.watch("1e400"), refused);
+    assert_eq!(stopped.execute("nX=nX+1e309"), refused);
+    assert_eq!(stopped.assign("nX", "1.7e308"), "1.7e308");
 }
 
 #[test]

@@ -161,7 +161,11 @@ impl Lexer<'_> {
                 len += 1 + sign + exponent;
             }
         }
-        self.token(NUMBER, self.pos + len);
+        let end = self.pos + len;
+        if self.text.get(self.pos..end).is_some_and(is_too_large) {
+            self.error(SyntaxErrorKind::NumberTooLarge, self.pos, end);
+        }
+        self.token(NUMBER, end);
     }
 
     /// Reads a string from its opening quote of `quote` bytes on. It has no escapes and ends on its line.
@@ -282,4 +286,9 @@ impl Lexer<'_> {
         self.error(SyntaxErrorKind::InvalidCharacter { character }, self.pos, end);
         self.token(ERROR_TOKEN, end);
     }
+}
+
+/// Whether a number is beyond the range of `num`.
+fn is_too_large(number: &str) -> bool {
+    number.parse().is_ok_and(f64::is_infinite)
 }

@@ -214,6 +214,17 @@ fn unmatched_bracket() {
 }
 
 #[test]
+fn numbers_beyond_the_range() {
+    check(
+        "n=1e400\nn=-2.5E+309+1e308\nn=1.7976931348623157e308\nn=1e-400",
+        expect![[r#"
+        1:3 "1e400" NumberTooLarge
+        2:4 "2.5E+309" NumberTooLarge
+    "#]],
+    );
+}
+
+#[test]
 fn unterminated_string() {
     check(
         "s=\"abc\nf(\"a, b)\nif s==\"x\n  y=1\nendIf",

@@ -61,6 +61,12 @@ fn common() -> Map<String, Value> {
         "default": "all",
         "description": "What stops with a task",
     });
+    let skip = json!({
+        "type": "array",
+        "items": { "type": "string", "minLength": 1 },
+        "default": [],
+        "description": "Libraries (`library`) and programs (`library:program`) in which steps into calls do not end; `*` stands for any text, `?` for one character",
+    });
     let angles = json!({
         "type": "string",
         "enum": ["degrees", "radians"],
@@ -79,6 +85,7 @@ fn common() -> Map<String, Value> {
         ("screenOutput", screen),
         ("motionMode", mode),
         ("stopScope", scope),
+        ("skip", skip),
         ("angles", angles),
         (SECRET, secret),
         ("pastSnapshots", limit(usual.snapshots as u64, "The number of snapshots that are kept to go back in the run")),
