@@ -90,7 +90,7 @@ test("entered joints have the limits of the axes, and the arm goes there", () =>
 test("in manual mode, jogging needs no scrolling in a small window", () => served([], async (run) => {
   const page = await run.open();
   await toManual(page);
-  for (const [width, height] of [[1280, 800], [1366, 768]]) {
+  for (const [width, height] of [[1280, 800], [1366, 768], [900, 500]]) {
     await page.setViewportSize({ width, height });
     const box = await page.getByRole("button", { name: "J6 plus" }).boundingBox();
     const bar = await page.locator(".time-bar").boundingBox();
