@@ -16,6 +16,7 @@ pub mod rotation;
 mod sine;
 #[cfg(test)]
 mod testing;
+mod tool_centre;
 mod trsf;
 
 pub use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
@@ -24,4 +25,5 @@ pub use self::align::align;
 pub use self::arc::{Arc, ArcError};
 pub use self::frame::{FrameError, set_frame};
 pub use self::interpolate::{InterpolationError, LinePath, interpolate_c, interpolate_l};
+pub use self::tool_centre::{ToolCentre, ToolCentreError, tool_centre};
 pub use self::trsf::Trsf;

@@ -6,6 +6,8 @@ mod range;
 mod solve;
 mod store;
 mod teach;
+mod teach_frame;
+mod teach_tool;
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -19,15 +21,17 @@ use val3_machine::script::ScriptAction;
 
 use crate::positions::{self, GlobalValue};
 use crate::wire::{
-    Arguments as _, CommandError, Operate, PageChoice, PointName, Reach, Save, Saved, SetPoint, Teach, UnsavedMessage,
-    UserPage,
+    Arguments as _, CommandError, Operate, PageChoice, PointName, Reach, Save, Saved, SetPoint, Teach, TeachFrame,
+    TeachTool, UnsavedMessage, UserPage,
 };
 use edits::Edits;
-use lookup::{datum, no_datum};
+use lookup::{datum, frame_named, no_datum, tool_named};
 use range::check_range;
 use solve::{solve, unreachable};
 use store::write;
 use teach::teach;
+use teach_frame::teach_frame;
+use teach_tool::teach_tool;
 
 /// Operators of a run. All pages share the changes that were not saved.
 #[derive(Debug, Default)]
@@ -36,8 +40,8 @@ pub struct Operator {
 }
 
 impl Operator {
-    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `undo`, `solve`, `reach`, `save`,
-    /// `userPage`. Returns the keys of its response.
+    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `teachFrame`, `teachTool`, `undo`,
+    /// `solve`, `reach`, `save`, `userPage`. Returns the keys of its response.
     ///
     /// # Errors
     /// The command is unknown, its arguments are invalid, or the controller rejects it.
@@ -47,6 +51,7 @@ impl Operator {
         arguments: &Map<String, Value>,
         controller: &mut Controller,
     ) -> Result<Map<String, Value>, CommandError> {
+        let mut done = Map::new();
         match name {
             "operate" => operate(Operate::read(arguments)?, controller)?,
             "setPoint" => {
@@ -59,6 +64,19 @@ impl Operator {
                 let Teach { name, key, tool } = Teach::read(arguments)?;
                 let datum = datum(&name, key, controller)?;
                 self.edits.change(datum, controller, |datum, controller| teach(datum, tool, controller))?;
+            }
+            "teachFrame" => {
+                let TeachFrame { name, key, tool, joints } = TeachFrame::read(arguments)?;
+                let frame = frame_named(&name, key, controller)?;
+                self.edits
+                    .change(frame, controller, |frame, controller| teach_frame(frame, tool, &joints, controller))?;
+            }
+            "teachTool" => {
+                let TeachTool { name, key, joints } = TeachTool::read(arguments)?;
+                let tool = tool_named(&name, key, controller)?;
+                let taught =
+                    self.edits.change(tool, controller, |tool, controller| teach_tool(tool, &joints, controller))?;
+                done = response(&taught);
             }
             "undo" => self.edits.undo(controller)?,
             "solve" => {
@@ -76,10 +94,10 @@ impl Operator {
             let keys = Map::from_iter([(name.to_owned(), Value::Object(arguments.clone()))]);
             controller.devices.record_outside(controller.now(), EventKind::Act { keys });
         }
-        Ok(Map::new())
+        Ok(done)
     }
 
-    /// Message `unsaved`: the points and joint positions with unsaved changes.
+    /// Message `unsaved`: the positions with unsaved changes.
     #[must_use]
     pub fn unsaved(&self) -> UnsavedMessage {
         self.edits.message()

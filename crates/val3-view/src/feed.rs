@@ -56,6 +56,8 @@ pub struct Feed {
     page: Option<PageMessage>,
     points: Vec<CellPoint>,
     joints: Vec<JointValue>,
+    frames: Vec<CellPoint>,
+    cell_tools: Vec<CellPoint>,
     signals: SignalStates,
     /// Latest time in the messages.
     seen: Time,
@@ -79,6 +81,8 @@ impl Feed {
             page: None,
             points: Vec::new(),
             joints: Vec::new(),
+            frames: Vec::new(),
+            cell_tools: Vec::new(),
             signals: SignalStates::default(),
             seen: 0,
             messages: Vec::new(),
@@ -118,6 +122,7 @@ impl Feed {
     fn forget(&mut self) {
         (self.state, self.page, self.motion) = (None, None, None);
         (self.points, self.joints) = (Vec::new(), Vec::new());
+        (self.frames, self.cell_tools) = (Vec::new(), Vec::new());
         self.signals = SignalStates::default();
     }
 
@@ -186,21 +191,23 @@ impl Feed {
     fn see_positions(&mut self, time: Time, controller: &Controller) {
         let data = positions::data(controller);
         let memory = &controller.vm.space.memory;
-        let points = PositionComputer::new(&data, memory).of_type(BaseType::Point);
+        let mut computer = PositionComputer::new(&data, memory);
+        let [points, frames, tools] = [BaseType::Point, BaseType::Frame, BaseType::Tool].map(|of| computer.of_type(of));
         let joints = positions::joints(&data, memory);
-        let has_known = !self.points.is_empty() || !self.joints.is_empty();
         // The scene contains the initial positions.
-        if has_known || self.looks > 0 {
+        if self.looks > 0 {
             let message = DataMessage {
                 t: seconds(time),
                 points: changed(&points, &self.points),
                 joints: changed(&joints, &self.joints),
+                frames: changed(&frames, &self.frames),
+                tools: changed(&tools, &self.cell_tools),
             };
-            if !message.points.is_empty() || !message.joints.is_empty() {
+            if !message.is_empty() {
                 self.tell(&wire::Message::Data(message));
             }
         }
-        (self.points, self.joints) = (points, joints);
+        (self.points, self.joints, self.frames, self.cell_tools) = (points, joints, frames, tools);
     }
 
     /// Removes and returns the pending messages.

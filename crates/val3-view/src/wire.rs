@@ -10,8 +10,8 @@ mod state;
 
 pub use commands::{
     Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice,
-    PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, Teach, ToolName,
-    UnreachableValue, UserPage,
+    PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, TaughtTool, Teach, TeachFrame,
+    TeachTool, ToolName, UnreachableValue, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
@@ -46,9 +46,9 @@ pub enum Message {
     Page(PageMessage),
     /// Events of the run.
     Events(EventsMessage),
-    /// Points and joint positions with other values.
+    /// Points, joint positions, frames and tools with other values.
     Data(DataMessage),
-    /// Points and joint positions with unsaved changes.
+    /// Points, joint positions, frames and tools with unsaved changes.
     Unsaved(UnsavedMessage),
     /// The run has ended.
     End(End),
@@ -136,7 +136,7 @@ pub struct RunEvent {
     pub data: Map<String, Value>,
 }
 
-/// Points and joint positions with other values.
+/// Points, joint positions, frames and tools with other values.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct DataMessage {
     /// Time in s.
@@ -145,14 +145,26 @@ pub struct DataMessage {
     pub points: Vec<CellPoint>,
     /// Changed joint positions.
     pub joints: Vec<JointValue>,
+    /// Changed frames.
+    pub frames: Vec<CellPoint>,
+    /// Changed tools.
+    pub tools: Vec<CellPoint>,
 }
 
-/// Points and joint positions with unsaved changes.
+impl DataMessage {
+    /// Whether nothing has changed.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.points.is_empty() && self.joints.is_empty() && self.frames.is_empty() && self.tools.is_empty()
+    }
+}
+
+/// Points, joint positions, frames and tools with unsaved changes.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct UnsavedMessage {
-    /// Names of the points and joint positions.
+    /// Names of the data.
     pub points: Vec<PointName>,
-    /// Point or joint position that `undo` restores; `null` if nothing was changed.
+    /// Data that `undo` restores; `null` if nothing was changed.
     pub undo: Option<PointName>,
 }
 
@@ -211,6 +223,7 @@ pub fn schema() -> Value {
     messages.subschema_for::<Saved>();
     messages.subschema_for::<Recorded>();
     messages.subschema_for::<Solved>();
+    messages.subschema_for::<TaughtTool>();
     messages.subschema_for::<Reached>();
     let mut commands = SchemaSettings::draft2020_12().for_deserialize().into_generator();
     commands.subschema_for::<Command>();

@@ -7,7 +7,7 @@ import type { RunMessage } from "./protocol";
 export const MOST_MESSAGES = 100_000;
 export const MOST_SAMPLES = 900_000;
 
-type Joint = Of<"data">["joints"][number];
+type Data = Of<"data">;
 type Of<Kind extends RunMessage["kind"]> = Extract<RunMessage, { kind: Kind }>;
 
 /** Kinds of messages that replace the previous message of the same kind. */
@@ -19,7 +19,8 @@ export function since(log: readonly RunMessage[], t: number): RunMessage[] {
   const whole = new Map<RunMessage["kind"], RunMessage>();
   const signals = new Map<string, Of<"io">["changes"][number]>();
   const points = new Map<string, Of<"data">["points"][number]>();
-  const joints = new Map<string, Joint>();
+  const joints = new Map<string, Data["joints"][number]>();
+  const [frames, tools] = [new Map<string, Data["frames"][number]>(), new Map<string, Data["tools"][number]>()];
   const later: RunMessage[] = [];
   for (const message of log) {
     if (message.kind === "events") {
@@ -33,7 +34,11 @@ export function since(log: readonly RunMessage[], t: number): RunMessage[] {
       message.changes.forEach((change) => signals.set(change.link, change));
     } else if (message.kind === "data") {
       message.points.forEach((point) => points.set(pointText(point), point));
-      jointsOf(message).forEach((joint) => joints.set(pointText(joint), joint));
+      // Runs of earlier versions have only points.
+      const changed: Partial<Data> = message;
+      changed.joints?.forEach((joint) => joints.set(pointText(joint), joint));
+      changed.frames?.forEach((frame) => frames.set(pointText(frame), frame));
+      changed.tools?.forEach((tool) => tools.set(pointText(tool), tool));
     } else if (WHOLE.includes(message.kind)) {
       whole.set(message.kind, "t" in message ? { ...message, t } : message);
     } else if (message.kind !== "gap") {
@@ -41,11 +46,6 @@ export function since(log: readonly RunMessage[], t: number): RunMessage[] {
     }
   }
   const io: RunMessage = { kind: "io", t, changes: [...signals.values()] };
-  const data: RunMessage = { kind: "data", t, points: [...points.values()], joints: [...joints.values()] };
+  const data: RunMessage = { kind: "data", t, points: [...points.values()], joints: [...joints.values()], frames: [...frames.values()], tools: [...tools.values()] };
   return [...lasting, io, data, ...whole.values(), ...later];
-}
-
-/** Returns the joint positions of a message. Runs of earlier versions have none. */
-function jointsOf({ joints }: { joints?: readonly Joint[] }): readonly Joint[] {
-  return joints ?? [];
 }

@@ -8,6 +8,7 @@ import { followLook, isDark, toggleLook } from "./look";
 import { IoPanel } from "./panels/io/IoPanel";
 import { PendantPanel } from "./panels/pendant/PendantPanel";
 import { PointsPanel } from "./panels/points/PointsPanel";
+import { followReach } from "./panels/points/reachQuery";
 import { Tabs } from "./panels/shared/Tabs";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
 import { countUpTo } from "./panels/tasks/upTo";
@@ -85,5 +86,6 @@ function Panels({ store }: { store: Store }): JSX.Element {
 
 const store = new Store();
 followLook();
+followReach(store.panels.cell);
 render(<Page store={store} />, document.body);
 connect(store);

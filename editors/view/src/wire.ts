@@ -106,6 +106,8 @@ export type Command =
   | Operate & { command: "operate" }
   | SetPoint & { command: "setPoint" }
   | Teach & { command: "teach" }
+  | TeachFrame & { command: "teachFrame" }
+  | TeachTool & { command: "teachTool" }
   | { command: "undo" }
   | Teach & { command: "solve" }
   | Reach & { command: "reach" }
@@ -122,14 +124,18 @@ export interface Cycle {
   cycles?: number;
 }
 
-/** Points and joint positions with other values. */
+/** Points, joint positions, frames and tools with other values. */
 export interface DataMessage {
+  /** Changed frames. */
+  frames: readonly CellPoint[];
   /** Changed joint positions. */
   joints: readonly JointValue[];
   /** Changed points. */
   points: readonly CellPoint[];
   /** Time in s. */
   t: number;
+  /** Changed tools. */
+  tools: readonly CellPoint[];
 }
 
 /** Element index or key. */
@@ -556,6 +562,12 @@ export interface TaskState {
   waits: string | null;
 }
 
+/** Response of `teachTool`. */
+export interface TaughtTool {
+  /** Largest distance of the tip from the touched place, in mm. */
+  residual: number;
+}
+
 /** Arguments of `teach` and `solve`. */
 export interface Teach {
   /** Index or key; `null` for data with a single value. */
@@ -564,6 +576,28 @@ export interface Teach {
   name: string;
   /** Tool whose centre point counts; the tool of the last move if missing. */
   tool?: ToolName;
+}
+
+/** Arguments of `teachFrame`. */
+export interface TeachFrame {
+  /** Joints of the arm, in degrees or mm: at the origin, on the positive x axis, and in the xy plane at positive y. */
+  joints: readonly (readonly number[])[];
+  /** Index or key; `null` for data with a single value. */
+  key?: ElementKey | null;
+  /** Frame name, prefixed by the library. */
+  name: string;
+  /** Tool whose centre point counts; the tool of the last move if missing. */
+  tool?: ToolName;
+}
+
+/** Arguments of `teachTool`. */
+export interface TeachTool {
+  /** Joints of the arm, in degrees or mm, in at least four positions in which the tip touches the same place. */
+  joints: readonly (readonly number[])[];
+  /** Index or key; `null` for data with a single value. */
+  key?: ElementKey | null;
+  /** Tool name, prefixed by the library. */
+  name: string;
 }
 
 /** Tool, from flange to tool centre point. */
@@ -594,11 +628,11 @@ export interface UnreachableValue {
   reason: string;
 }
 
-/** Points and joint positions with unsaved changes. */
+/** Points, joint positions, frames and tools with unsaved changes. */
 export interface UnsavedMessage {
-  /** Names of the points and joint positions. */
+  /** Names of the data. */
   points: readonly PointName[];
-  /** Point or joint position that `undo` restores; `null` if nothing was changed. */
+  /** Data that `undo` restores; `null` if nothing was changed. */
   undo: PointName | null;
 }
 

@@ -27,7 +27,7 @@ export function scene(role = "recording") {
   const point = (name, key, father, local) => ({ name, key, father, local, pose: local, config: null, file: "/cell/palletiser/palletiser.dtx", line: 4 });
   return {
     kind: "scene", version: 1, role, application: "palletiser", arm: { name: "TX2-90", axes: AXES, links: LINKS, flange: [0, 0, 0, 0, 0, 0] }, base: [0, 0, 0, 0, 0, 0],
-    tools: [{ name: "tGripper", key: null, pose: [0, 0, 120, 0, 0, 0] }], frames: [{ name: "fPallet", father: null, pose: [500, 200, 0, 0, 0, 30] }],
+    tools: [{ name: "tGripper", key: null, father: null, local: [0, 0, 120, 0, 0, 0], pose: [0, 0, 120, 0, 0, 0] }], frames: [{ name: "fPallet", key: null, father: null, local: [500, 200, 0, 0, 0, 30], pose: [500, 200, 0, 0, 0, 30] }],
     points: [point("pHome", null, null, [600, 0, 700, 180, 0, 180]), point("pPick", "0", "fPallet", [10.5, 20, 30, 180, 0, 0]), point("pPick", "1", "fPallet", [110.5, 20, 30, 180, 0, 0]), point(HOSTILE, null, "fPallet", [0, 0, 0, 0, 0, 0])],
     joints: [], signals: signals(), phases: PHASES, limits: LIMITS, lines: [{ link: "Socket\\host", type: "socket" }, { link: "Serial\\port1", type: "serial" }], userScreens: ["", "scMain"],
   };

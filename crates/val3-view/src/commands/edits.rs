@@ -12,7 +12,7 @@ use crate::wire::{CommandError, PointName, UnsavedMessage};
 /// Largest number of changes that can be undone.
 const MOST_EDITS: usize = 1000;
 
-/// Changes of points and joint positions.
+/// Changes of points, joint positions, frames and tools.
 #[derive(Debug, Default)]
 pub(super) struct Edits {
     /// Values that differ from their files.
@@ -32,26 +32,26 @@ struct Edit {
 }
 
 impl Edits {
-    /// Changes a value.
+    /// Changes a value. Returns the result of `write`.
     ///
     /// # Errors
     /// The errors of `write`.
-    pub(super) fn change(
+    pub(super) fn change<T>(
         &mut self,
         datum: GlobalValue,
         controller: &mut Controller,
-        write: impl FnOnce(&GlobalValue, &mut Controller) -> Result<(), CommandError>,
-    ) -> Result<(), CommandError> {
+        write: impl FnOnce(&GlobalValue, &mut Controller) -> Result<T, CommandError>,
+    ) -> Result<T, CommandError> {
         let before = positions::all_nums(&controller.vm.space.memory, datum.place);
         let before = before.ok_or_else(|| CommandError(format!("`{}` does not exist any more", datum.name)))?;
-        write(&datum, controller)?;
+        let written = write(&datum, controller)?;
         let name = PointName { name: datum.name, key: datum.key };
         let was_unsaved = !self.unsaved.insert(name.clone());
         if self.done.len() >= MOST_EDITS {
             self.done.remove(0);
         }
         self.done.push(Edit { name, before, was_unsaved });
-        Ok(())
+        Ok(written)
     }
 
     /// Restores the value before the last change.
@@ -109,9 +109,10 @@ impl Edits {
     }
 }
 
-/// Whether a value is the point or joint position with this name.
+/// Whether a value is the position with this name.
 fn is_named(datum: &GlobalValue, name: &PointName) -> bool {
-    matches!(datum.base, BaseType::Point | BaseType::Joint) && datum.name == name.name && datum.key == name.key
+    let is_position = matches!(datum.base, BaseType::Point | BaseType::Joint | BaseType::Frame | BaseType::Tool);
+    is_position && datum.name == name.name && datum.key == name.key
 }
 
 /// Copies all numbers of a value, with its configuration; `None` if their counts differ.

@@ -18,6 +18,24 @@ pub(super) fn datum(name: &str, key: Option<ElementKey>, controller: &Controller
         .map_err(|key| no_datum("point", name, key.as_deref()))
 }
 
+/// Finds the frame that a command names.
+pub(super) fn frame_named(
+    name: &str,
+    key: Option<ElementKey>,
+    controller: &Controller,
+) -> Result<GlobalValue, CommandError> {
+    find(name, key, &[BaseType::Frame], controller).map_err(|key| no_datum("frame", name, key.as_deref()))
+}
+
+/// Finds the tool that a command names.
+pub(super) fn tool_named(
+    name: &str,
+    key: Option<ElementKey>,
+    controller: &Controller,
+) -> Result<GlobalValue, CommandError> {
+    find(name, key, &[BaseType::Tool], controller).map_err(|key| no_datum("tool", name, key.as_deref()))
+}
+
 /// Error for a name without a value.
 pub(super) fn no_datum(kind: &str, name: &str, key: Option<&str>) -> CommandError {
     CommandError(match key {
@@ -35,8 +53,7 @@ pub(super) fn tool_pose(tool: Option<ToolName>, controller: &Controller) -> Resu
     if name == FLANGE {
         return Ok(IsometryMatrix3::identity());
     }
-    let tool = find(&name, key, &[BaseType::Tool], controller);
-    let tool = tool.map_err(|key| no_datum("tool", &name, key.as_deref()))?;
+    let tool = tool_named(&name, key, controller)?;
     let pose = Poses::new(&controller.vm.space.memory).of_tool(ToolRef(tool.place));
     let pose = pose.map_err(|fault| CommandError(format!("the tool has no father (error {})", fault.0)))?;
     Ok(Trsf::isometry(&pose))

@@ -1,6 +1,7 @@
 //! Teaching: data get the current position of the arm (`here` and `herej`, 9.6.3 and 9.2.3).
 
 use val3_geometry::Trsf;
+use val3_kinematics::Joints;
 use val3_lang::call::{FrameRef, PointRef};
 use val3_lang::references;
 use val3_lang::types::BaseType;
@@ -52,4 +53,20 @@ fn teach_point(
     let present = configuration::of_point(memory, point.place, is_scara).unwrap_or(ConfigValue([0.0; 3]));
     let config = configuration::taught(present, ConfigValue::at(model, &joints), is_scara);
     write(point, (0..).zip(local).chain(config), controller)
+}
+
+/// Joints of a command, within the limits of the axes.
+pub(super) fn joints_of(numbers: &[f64], controller: &Controller) -> Result<Joints, CommandError> {
+    let model = controller.arm().model();
+    if numbers.len() != model.axes() {
+        return Err(CommandError(format!("a joint position has {} numbers", model.axes())));
+    }
+    let mut joints = Joints::default();
+    for (joint, number) in joints.iter_mut().zip(numbers) {
+        *joint = *number;
+    }
+    match model.violations(&joints).next() {
+        Some(violation) => Err(CommandError(violation.to_string())),
+        None => Ok(joints),
+    }
 }

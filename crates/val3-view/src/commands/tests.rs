@@ -187,4 +187,5 @@ fn unsaved_values_survive_a_new_start() {
     assert_eq!(operator.unsaved().points, []);
 }
 
+mod frames_and_tools;
 mod laws;

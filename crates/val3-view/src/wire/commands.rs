@@ -24,7 +24,11 @@ pub enum Command {
     SetPoint(SetPoint),
     /// Sets a point or joint position to the current position of the arm.
     Teach(Teach),
-    /// Restores the value before the last change by `setPoint` or `teach`.
+    /// Computes a frame from three positions of the arm.
+    TeachFrame(TeachFrame),
+    /// Computes the centre point of a tool from positions in which its tip touches the same place.
+    TeachTool(TeachTool),
+    /// Restores the value before the last change.
     Undo,
     /// Computes the joint positions that reach a point or joint position. Changes nothing.
     Solve(Teach),
@@ -70,6 +74,31 @@ pub struct Teach {
     /// Tool whose centre point counts; the tool of the last move if missing.
     #[schemars(with = "ToolName", default)]
     pub tool: Option<ToolName>,
+}
+
+/// Arguments of `teachFrame`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct TeachFrame {
+    /// Frame name, prefixed by the library.
+    pub name: String,
+    /// Index or key; `null` for data with a single value.
+    pub key: Option<ElementKey>,
+    /// Tool whose centre point counts; the tool of the last move if missing.
+    #[schemars(with = "ToolName", default)]
+    pub tool: Option<ToolName>,
+    /// Joints of the arm, in degrees or mm: at the origin, on the positive x axis, and in the xy plane at positive y.
+    pub joints: [Vec<f64>; 3],
+}
+
+/// Arguments of `teachTool`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct TeachTool {
+    /// Tool name, prefixed by the library.
+    pub name: String,
+    /// Index or key; `null` for data with a single value.
+    pub key: Option<ElementKey>,
+    /// Joints of the arm, in degrees or mm, in at least four positions in which the tip touches the same place.
+    pub joints: Vec<Vec<f64>>,
 }
 
 /// Arguments of `reach`.
@@ -233,6 +262,13 @@ pub struct UnreachableValue {
     pub reason: String,
 }
 
+/// Response of `teachTool`.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct TaughtTool {
+    /// Largest distance of the tip from the touched place, in mm.
+    pub residual: f64,
+}
+
 /// Response of `record`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Recorded {
@@ -274,6 +310,20 @@ impl Arguments for Teach {
         let key = optional::<Option<ElementKey>>(arguments, "key", reason)?.flatten();
         let Reach { tool } = Reach::read(arguments)?;
         Ok(Self { name, key, tool })
+    }
+}
+
+impl Arguments for TeachFrame {
+    fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
+        let Teach { name, key, tool } = Teach::read(arguments)?;
+        Ok(Self { name, key, tool, joints: value(arguments, "joints", "`joints` has three joint positions")? })
+    }
+}
+
+impl Arguments for TeachTool {
+    fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
+        let Teach { name, key, .. } = Teach::read(arguments)?;
+        Ok(Self { name, key, joints: value(arguments, "joints", "`joints` is an array of joint positions")? })
     }
 }
 

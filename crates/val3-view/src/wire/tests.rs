@@ -58,6 +58,8 @@ fn commands_follow_the_schema() {
         json!({ "command": "teach", "name": "pPick", "key": "1" }),
         json!({ "command": "teach", "name": "jHome", "tool": { "name": "flange" } }),
         json!({ "command": "solve", "name": "pPick", "tool": { "name": "tTools", "key": 1 } }),
+        json!({ "command": "teachFrame", "name": "fTable", "joints": [[0.0], [1.0], [2.0]], "tool": { "name": "tA" } }),
+        json!({ "command": "teachTool", "name": "tTools", "key": 1, "joints": [[0.0], [1.0], [2.0], [3.0]] }),
         json!({ "command": "undo" }),
         json!({ "command": "reach", "tool": { "name": "tGripper", "key": null } }),
         json!({ "command": "save" }),
@@ -79,6 +81,7 @@ fn responses_follow_the_schema() {
     let reason = Some("axis 1 would be at 200".to_owned());
     let solution = ArmSolution { config: None, joints: None, reason, is_chosen: false };
     check(&validator_of("Solved"), &json!(Solved { solutions: vec![solution] }));
+    check(&validator_of("TaughtTool"), &json!(TaughtTool { residual: 0.1 }));
     let value = UnreachableValue { name: "pFar".to_owned(), key: None, reason: "too far".to_owned() };
     check(&validator_of("Reached"), &json!(Reached { unreachable: vec![value] }));
     check(&validator_of("Recorded"), &json!(Recorded { file, text, remarks: vec![] }));

@@ -28,7 +28,7 @@ const RECORD: &str = "record";
 const RUN: &str = "run";
 
 /// Commands that are executed after the end of a run, between which no cycle is required.
-const AFTER_END: [&str; 6] = ["save", "setPoint", "teach", "undo", "solve", "reach"];
+const AFTER_END: [&str; 8] = ["save", "setPoint", "teach", "teachFrame", "teachTool", "undo", "solve", "reach"];
 
 /// Reason why other commands are not executed after the end of a run.
 const ENDED: &str = "the run has ended; Run starts the application again";

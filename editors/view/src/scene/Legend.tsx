@@ -1,10 +1,12 @@
 // Legend of the colours that occur in the drawing.
 
 import type { JSX } from "preact";
+import { isDark } from "../look";
+import { pointText } from "../panels/points/edits";
 import type { Store } from "../store";
 import { hiddenLayers } from "./layers";
 import { spheresOf } from "./MotionMarks";
-import { CORNERS, css, phaseColour } from "./palette";
+import { CORNERS, css, DARK, LIGHT, phaseColour } from "./palette";
 import type { Viewport } from "./Viewport";
 
 const CORNER_NAMES = { leave: "leave distance", reach: "reach distance", both: "leave and reach distance" } as const;
@@ -17,10 +19,13 @@ export function Legend({ store, view }: { store: Store; view: Viewport | undefin
   const occurring = new Set([...travelled, ...(hasAhead ? path.map(({ phase }) => phase) : [])]);
   const phases = (store.scene.value?.phases ?? []).filter((phase) => phase !== "waiting" && occurring.has(phase));
   const corners = hidden.has("ahead") ? [] : [...new Set(spheresOf(queue).map(({ kind }) => kind))];
-  return phases.length + corners.length === 0 ? null : (
+  const { points, unreachable } = store.panels.cell;
+  const hasFar = !hidden.has("points") && points.value.some((point) => unreachable.value.has(pointText(point)));
+  return phases.length + corners.length === 0 && !hasFar ? null : (
     <ul class="legend" aria-label="Colours of the path">
       {phases.map((phase) => <li key={phase}><i style={{ background: css(phaseColour(phase)) }} />{phase}</li>)}
       {hasAhead ? <li><i class="dashed" />ahead</li> : null}
+      {hasFar ? <li><i class="ball" style={{ background: css((isDark.value ? DARK : LIGHT).unreachable) }} />out of reach</li> : null}
       {corners.map((kind) => <li key={kind}><i class="ball" style={{ background: css(CORNERS[kind]) }} />{CORNER_NAMES[kind]}</li>)}
     </ul>
   );

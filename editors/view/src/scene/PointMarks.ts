@@ -20,20 +20,22 @@ export class PointMarks {
   }
 
   /** Places the points with a size in mm if something has changed. */
-  place(points: readonly CellPoint[], chosen: PointName | undefined, size: number, look: Look): void {
-    const wanted = [points, chosen, size, look];
+  place(points: readonly CellPoint[], chosen: PointName | undefined, unreachable: ReadonlyMap<string, string>, size: number, look: Look): void {
+    const wanted = [points, chosen, unreachable, size, look];
     if (wanted.every((value, index) => value === this.placed[index])) {
       return;
     }
     this.placed = wanted;
     const drawn = points.slice(0, MOST);
     this.labels = drawn.map((point, index): Label => {
-      const isChosen = chosen !== undefined && pointText(chosen) === pointText(point);
+      const name = pointText(point);
+      const isChosen = chosen !== undefined && pointText(chosen) === name;
+      const isFar = unreachable.has(name);
       const [x = 0, y = 0, z = 0] = point.pose;
       const scale = isChosen ? size * 1.7 : size;
       this.object.setMatrixAt(index, new Matrix4().makeScale(scale, scale, scale).setPosition(x, y, z));
-      this.object.setColorAt(index, new Color(isChosen ? look.selected : look.point));
-      return { text: pointText(point), at: point.pose, kind: isChosen ? "selected" : "point" };
+      this.object.setColorAt(index, new Color(isFar ? look.unreachable : isChosen ? look.selected : look.point));
+      return { text: isFar ? `${name} (out of reach)` : name, at: point.pose, kind: isChosen ? "selected" : "point" };
     });
     this.object.count = drawn.length;
     this.object.instanceMatrix.needsUpdate = true;

@@ -6,6 +6,7 @@ import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
 import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
+import { pointText } from "../panels/points/edits";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
 import { ArmShape } from "./armShape";
@@ -122,12 +123,12 @@ export class Viewport {
     if (this.isFollowing) {
       this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
     }
-    const { points, motion, selectedPoint } = store.panels.cell;
-    this.points.place(points.value, selectedPoint.value, this.length * 0.011, this.look);
+    const { points, frames, motion, selectedPoint, unreachable } = store.panels.cell;
+    this.points.place(points.value, selectedPoint.value, unreachable.value, this.length * 0.011, this.look);
     this.motion.place(motion.value);
     this.names = [...this.points.labels];
-    this.placeFrames(cell, placed.flange, base);
-    this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...cell.frames.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
+    this.placeFrames(placed.flange, base);
+    this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
     this.showLayers();
     this.request();
@@ -184,7 +185,7 @@ export class Viewport {
     positions.push(...this.corners(), ...this.trail.positions());
     add(this.tcp.position);
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
-    cell?.frames.forEach(({ pose }) => add(pose));
+    this.store.panels.cell.frames.value.forEach(({ pose }) => add(pose));
     this.camera.show(positions, areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas)), view);
     this.isFirst = false;
   }
@@ -231,14 +232,15 @@ export class Viewport {
     this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas);
   }
 
-  private placeFrames(cell: Cell, flange: Frame, base: Frame): void {
+  private placeFrames(flange: Frame, base: Frame): void {
     const chosen = this.store.selection.value;
     this.triads.segments.clear();
     this.triad(IDENTITY, this.length * 0.32);
     if (Math.hypot(...base.position) > 1) {
       this.triad(base, this.length * 0.2);
     }
-    for (const { name, pose } of hiddenLayers.peek().has("frames") ? [] : cell.frames) {
+    for (const { pose, ...frame } of hiddenLayers.peek().has("frames") ? [] : this.store.panels.cell.frames.value) {
+      const name = pointText(frame);
       const isChosen = chosen?.kind === "frame" && chosen.name === name;
       this.triad(frameOf(pose), this.length * (isChosen ? 0.24 : 0.13));
       this.names.push({ text: name, at: pose, kind: isChosen ? "selected" : "frame" });
@@ -249,7 +251,7 @@ export class Viewport {
     const tool = this.store.panels.cell.sample.value?.tool;
     const named = [...this.store.tools.values()].find(({ pose }) => pose === tool)?.name;
     this.names.push({ text: named ?? "TCP", at: this.tcp.position, kind: chosen?.kind === "tool" && chosen.name === named ? "selected" : "tool" });
-    const other = chosen?.kind === "tool" && chosen.name !== named ? cell.tools.find(({ name }) => name === chosen.name) : undefined;
+    const other = chosen?.kind === "tool" && chosen.name !== named ? this.store.panels.cell.tools.value.find(({ name }) => name === chosen.name) : undefined;
     if (other !== undefined) {
       const at = composed(flange, frameOf(other.pose));
       this.triads.segments.add(flange.position, at.position, [r, g, b]);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { firstChoice, solutionsOf, solutionText } from "../../src/panels/points/solutions";
-import { reasonsOf } from "../../src/panels/points/useReach";
+import { reasonsOf } from "../../src/panels/points/reachQuery";
 import { taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
 import { editedTrsf, fatherText, fieldTexts, pointText } from "../../src/panels/points/edits";
 

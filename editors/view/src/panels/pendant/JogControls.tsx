@@ -2,8 +2,12 @@
 
 import type { JSX } from "preact";
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { Cell, CellScene, Notice } from "../shared/cell";
+import { pointText } from "../points/edits";
+import { ToolChoice } from "../points/ToolChoice";
+import { chosenPose } from "../points/tools";
+import type { Cell, CellPoint, CellScene, Notice } from "../shared/cell";
 import { flangeAt } from "./armModel";
+import { JointEntry } from "./JointEntry";
 import { HoldButton } from "./HoldButton";
 import { Holder, type Step } from "./Holder";
 import { cartesianStep, fraction, jointStep, STEPS } from "./jogSteps";
@@ -38,9 +42,10 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
             <option value="joint">the joints</option>
             <option value="world">world</option>
             <option value="tool">the tool</option>
-            {scene.frames.map(({ name }) => <option key={name} value={`frame:${name}`}>{name}</option>)}
+            {cell.frames.value.map(pointText).map((name) => <option key={name} value={`frame:${name}`}>{name}</option>)}
           </select>
         </label>
+        <ToolChoice cell={cell} />
         <label>Step{" "}
           <select value={step} onChange={({ currentTarget }) => setStep(Number(currentTarget.value))}>
             {STEPS.map((size) => <option key={size} value={size}>{size} mm, {size}°</option>)}
@@ -49,7 +54,7 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
       </div>
       {reason === undefined ? null : <p class="reason">{reason}</p>}
       <Axes {...controls} hasButtons={way === "joint"} />
-      {way === "joint" ? null : <Directions {...controls} way={way} />}
+      {way === "joint" ? <JointEntry {...controls} axes={scene.arm.axes} /> : <Directions {...controls} way={way} />}
     </fieldset>
   );
 }
@@ -94,9 +99,9 @@ function isNearLimit(value: number, min: number, max: number): boolean {
 
 function Directions({ cell, notice, scene, holder, step, reason, way }: ControlProps & { way: string }): JSX.Element {
   const sample = cell.sample.value;
-  const [base, tool] = [frameOf(scene.base), frameOf(sample?.tool ?? [])];
+  const [base, tool] = [frameOf(scene.base), frameOf(chosenPose(cell.chosenTool.value, cell.tools.value) ?? sample?.tool ?? [])];
   const world = composed(base, composed(flangeAt(scene.arm, sample?.joints ?? []), tool));
-  const frame = frameOfWay(scene, way);
+  const frame = frameOfWay(cell.frames.value, way);
   const pose = poseOf(frame === undefined ? world : composed(inverse(frame), world));
   return (
     <div class="axes">
@@ -117,7 +122,7 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
 }
 
 /** Returns the frame whose axes count; `undefined` for the axes of the tool. */
-function frameOfWay(scene: CellScene, way: string): Frame | undefined {
+function frameOfWay(frames: readonly CellPoint[], way: string): Frame | undefined {
   const name = way.startsWith("frame:") ? way.slice("frame:".length) : "";
-  return way === "tool" ? undefined : frameOf(scene.frames.find((frame) => frame.name === name)?.pose ?? []);
+  return way === "tool" ? undefined : frameOf(frames.find((frame) => pointText(frame) === name)?.pose ?? []);
 }

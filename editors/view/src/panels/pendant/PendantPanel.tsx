@@ -13,15 +13,19 @@ import { UserPage } from "./UserPage";
 export function PendantPanel({ cell }: { cell: Cell }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const { blocked } = cell;
+  const isManual = cell.state.value?.mode === "manual";
+  const userPage = <Fold key="screen" name="userPage" label="User page" className="screen-part" isOpenAtFirst={isUsed(cell)}><UserPage cell={cell} notice={notice} /></Fold>;
   return (
     <section class="panel pendant" aria-label="Pendant">
       {blocked.value === undefined ? null : <p class="blocked">{blocked.value}</p>}
       <NoticeLine notice={notice} />
       <div class="mcp">
-        <Fold name="userPage" label="User page" className="screen-part" isOpenAtFirst={isUsed(cell)}><UserPage cell={cell} notice={notice} /></Fold>
-        <RobotControls cell={cell} notice={notice} />
-        <JogControls cell={cell} notice={notice} />
-        <Fold name="keypad" label="Keys of the pendant" className="keypad-part" isOpenAtFirst={false}><Keypad cell={cell} notice={notice} /></Fold>
+        {/* In manual mode, jogging comes before the user page, so that small windows show it without scrolling. */}
+        {isManual ? null : userPage}
+        <RobotControls key="robot" cell={cell} notice={notice} />
+        <JogControls key="jog" cell={cell} notice={notice} />
+        {isManual ? userPage : null}
+        <Fold key="keypad" name="keypad" label="Keys of the pendant" className="keypad-part" isOpenAtFirst={false}><Keypad cell={cell} notice={notice} /></Fold>
       </div>
     </section>
   );

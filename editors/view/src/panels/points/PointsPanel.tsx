@@ -6,13 +6,12 @@ import { type Cell, type CellPoint, Notice } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
 import { NoticeLine } from "../shared/NoticeLine";
 import { COORDINATES, fatherText, pointText, samePoint, shortNumber } from "./edits";
+import { FramesAndTools } from "./FramesAndTools";
 import { JointsTable } from "./JointsTable";
 import { PointEditor } from "./PointEditor";
 import { SaveBar } from "./SaveBar";
 import { ToolChoice } from "./ToolChoice";
-import type { ChosenTool } from "./tools";
 import { ReachMark } from "./ReachMark";
-import { useReach } from "./useReach";
 import { fixed } from "../shared/fixed";
 
 const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
@@ -20,11 +19,9 @@ const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
 export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const [text, setText] = useState("");
-  const [tool, setTool] = useState<ChosenTool>(undefined);
-  const reach = useReach(cell, tool);
+  const [tool, reach, frames] = [cell.chosenTool.value, cell.unreachable.value, cell.frames.value];
   const points = cell.points.value;
-  const scene = cell.scene.value;
-  const fathers = useMemo(() => new Map((scene?.frames ?? []).map(({ name, father }) => [name, father])), [scene]);
+  const fathers = useMemo(() => new Map(frames.map((frame) => [pointText(frame), frame.father])), [frames]);
   const unsaved = cell.unsaved.value;
   const words = text.toLowerCase().split(/\s+/).filter((word) => word !== "");
   const shown = points.filter((point) => words.every((word) => `${pointText(point)} ${point.father ?? ""}`.toLowerCase().includes(word)));
@@ -37,7 +34,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
       <div class="row tools">
         <input type="search" aria-label="Filter points" placeholder="Filter" value={text} onInput={({ currentTarget }) => setText(currentTarget.value)} />
         <span class="count" role="status">{shown.length} of {points.length}</span>
-        <ToolChoice cell={cell} tool={tool} onChange={setTool} />
+        <ToolChoice cell={cell} />
         <SaveBar cell={cell} notice={notice} changed={unsaved.size} />
       </div>
       <NoticeLine notice={notice} />
@@ -56,6 +53,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
       />
       {present === undefined ? <p class="hint">Choose a point to change it, or to move the arm there.</p> : <PointEditor key={`${pointText(present)} ${present.local.join()} ${present.config ?? ""}`} cell={cell} notice={notice} point={present} tool={tool} fathers={fatherText(present.father, fathers)} />}
       <JointsTable cell={cell} notice={notice} joints={cell.joints.value} reach={reach} />
+      <FramesAndTools cell={cell} notice={notice} tool={tool} />
     </section>
   );
 }

@@ -1,22 +1,19 @@
-// Choice of the tool with which points are taught and reached.
+// Choice of the tool with which the operator jogs, teaches points, and checks their reach.
 
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";
 import { pointText } from "./edits";
-import { type ChosenTool, FLANGE } from "./tools";
+import { FLANGE } from "./tools";
 
 const LAST = "";
 
-interface Props {
-  cell: Cell;
-  tool: ChosenTool;
-  onChange: (tool: ChosenTool) => void;
-}
-
-export function ToolChoice({ cell, tool, onChange }: Props): JSX.Element {
-  const tools = [FLANGE, ...(cell.scene.value?.tools ?? [])];
-  const last = cell.sample.value?.toolName;
-  const choose = (text: string): void => onChange(tools.find((candidate) => pointText(candidate) === text));
+export function ToolChoice({ cell }: { cell: Cell }): JSX.Element {
+  const tools = [FLANGE, ...cell.tools.value];
+  const [tool, last] = [cell.chosenTool.value, cell.toolName.value];
+  const choose = (text: string): void => {
+    const found = tools.find((candidate) => pointText(candidate) === text);
+    cell.chosenTool.value = found && { name: found.name, key: found.key };
+  };
   return (
     <label>Tool{" "}
       <select value={tool === undefined ? LAST : pointText(tool)} onChange={({ currentTarget }) => choose(currentTarget.value)}>

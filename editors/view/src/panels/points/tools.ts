@@ -1,6 +1,7 @@
 // Tool whose centre point is taught, and the configuration that a taught point gets.
 
-import { type PointName, pointText } from "./edits";
+import type { CellPoint, Pose } from "../shared/cell";
+import { type PointName, pointText, samePoint } from "./edits";
 
 /** Tool; `undefined` for the tool of the last move. */
 export type ChosenTool = PointName | undefined;
@@ -22,4 +23,9 @@ export function taughtConfig(point: string | null | undefined, arm: string | und
   const words = (text: string | null | undefined): string[] => (text ?? "").split(" ").filter((word) => word !== "");
   const present = words(point);
   return words(arm).map((word, index) => (present[index]?.endsWith("same") === true ? present[index] : word));
+}
+
+/** Returns the pose of a chosen tool on the flange; `undefined` for the tool of the last move. */
+export function chosenPose(tool: ChosenTool, tools: readonly CellPoint[]): Pose | undefined {
+  return tool === undefined ? undefined : samePoint(tool, FLANGE) ? [] : tools.find((candidate) => samePoint(candidate, tool))?.pose;
 }

@@ -48,6 +48,8 @@ export class PanelModel {
   private readonly levels = new TimedLevels<SignalState>();
   private readonly points = new DataValues<CellPoint>(({ points }) => points);
   private readonly joints = new DataValues<JointValue>(({ joints }) => joints ?? []);
+  private readonly frames = new DataValues<CellPoint>(({ frames }) => frames ?? []);
+  private readonly tools = new DataValues<CellPoint>(({ tools }) => tools ?? []);
   private readonly undo = signal<PointName | undefined>(undefined);
   private readonly scene = signal<CellScene | undefined>(undefined);
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
@@ -61,10 +63,9 @@ export class PanelModel {
 
   /** Begins a new run: all previous messages are discarded. */
   addScene(scene: SceneMessage): void {
-    this.clear();
     this.scene.value = scene;
-    this.points.restart(scene.points);
-    this.joints.restart(scene.joints ?? []);
+    this.clear();
+    this.cell.unreachable.value = new Map();
     this.unsaved.value = new Set();
     this.undo.value = undefined;
     this.chosenRange.value = undefined;
@@ -77,8 +78,11 @@ export class PanelModel {
     this.motions.length = 0;
     this.pages.length = 0;
     this.levels.clear();
-    this.points.restart(this.scene.peek()?.points ?? []);
-    this.joints.restart(this.scene.peek()?.joints ?? []);
+    const scene = this.scene.peek();
+    this.points.restart(scene?.points ?? []);
+    this.joints.restart(scene?.joints ?? []);
+    this.frames.restart(scene?.frames ?? []);
+    this.tools.restart(scene?.tools ?? []);
     Object.values(this.counts).forEach((count) => (count.value += 1));
   }
 
@@ -110,8 +114,7 @@ export class PanelModel {
   }
 
   addData(message: DataMessage): void {
-    this.points.add(message);
-    this.joints.add(message);
+    [this.points, this.joints, this.frames, this.tools].forEach((values) => values.add(message));
     this.counts.data.value += 1;
   }
 
@@ -153,6 +156,11 @@ export class PanelModel {
       levels,
       points: after(data, (t) => this.points.at(t)),
       joints: after(data, (t) => this.joints.at(t)),
+      frames: after(data, (t) => this.frames.at(t)),
+      tools: after(data, (t) => this.tools.at(t)),
+      toolName: computed(() => around.sample.value?.toolName),
+      chosenTool: signal(undefined),
+      unreachable: signal(new Map()),
       history,
       unsaved: this.unsaved,
       undo: this.undo,

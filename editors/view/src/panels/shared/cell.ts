@@ -6,6 +6,7 @@ import type { SignalHistory } from "../io/sparkline";
 import type { Transfer } from "../io/lineBytes";
 import type { ArmChain } from "../pendant/armModel";
 import type { PointName } from "../points/edits";
+import type { ChosenTool } from "../points/tools";
 import type { TaskSegments, TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
 import type { Moves } from "../tasks/moves";
@@ -23,13 +24,15 @@ export type JointValue = wire.JointValue;
 
 export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
   arm: ArmChain;
-  frames: readonly Pick<wire.CellPoint, "name" | "father" | "pose">[];
+  /** Frames with their initial values. */
+  frames: readonly CellPoint[];
   signals: readonly SignalInfo[];
   /** Points with their initial values. */
   points: readonly CellPoint[];
   /** Joint positions with their initial values. */
   joints?: readonly JointValue[];
-  tools?: readonly Pick<wire.CellPoint, "name" | "key">[];
+  /** Tools with their initial values. */
+  tools?: readonly CellPoint[];
 };
 
 /** Recorded move with its line instead of the number of the line. */
@@ -103,7 +106,15 @@ export interface Cell {
   levels: ReadonlySignal<ReadonlyMap<string, SignalState>>;
   points: ReadonlySignal<readonly CellPoint[]>;
   joints: ReadonlySignal<readonly JointValue[]>;
+  frames: ReadonlySignal<readonly CellPoint[]>;
+  tools: ReadonlySignal<readonly CellPoint[]>;
   sample: ReadonlySignal<ArmSample | undefined>;
+  /** Name of the last move's tool. */
+  toolName: ReadonlySignal<string | null | undefined>;
+  /** Tool with which the operator jogs, teaches and checks the reach. */
+  chosenTool: Signal<ChosenTool>;
+  /** Reasons why the arm cannot reach points and joint positions with this tool, by name. */
+  unreachable: Signal<ReadonlyMap<string, string>>;
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
@@ -111,9 +122,9 @@ export interface Cell {
   canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
-  /** Names of points and joint positions that were changed by hand and not saved. */
+  /** Names of points, joint positions, frames and tools that were changed by hand and not saved. */
   unsaved: ReadonlySignal<ReadonlySet<string>>;
-  /** Point or joint position whose last change can be undone. */
+  /** Value whose last change can be undone. */
   undo: ReadonlySignal<PointName | undefined>;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;

@@ -19,7 +19,8 @@ export type IoMessage = wire.IoMessage;
 
 export type PageMessage = Pick<wire.PageMessage, "t"> & CellPage;
 
-export type DataMessage = Pick<wire.DataMessage, "t"> & { points: readonly Omit<CellPoint, "father">[]; joints?: readonly JointValue[] | undefined };
+/** Changed values. Runs of earlier versions have only points. */
+export type DataMessage = Pick<wire.DataMessage, "t"> & { points: readonly Omit<CellPoint, "father">[]; joints?: readonly JointValue[] | undefined; frames?: readonly CellPoint[] | undefined; tools?: readonly CellPoint[] | undefined };
 
 /** Changed data. Runs of earlier versions have no `undo`. */
 export type UnsavedMessage = Pick<wire.UnsavedMessage, "points"> & { undo?: wire.PointName | null | undefined };

@@ -1,0 +1,99 @@
+// Frames and tools are taught by positions of the arm, and the reach of points follows the chosen tool.
+const assert = require("node:assert/strict");
+const { readFileSync, writeFileSync } = require("node:fs");
+const { join } = require("node:path");
+const { test } = require("node:test");
+const { served } = require("./served.js");
+
+const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
+
+/** Switches to manual mode with power. */
+async function toManual(page) {
+  await page.getByLabel(/mode/i).first().selectOption("manual");
+  await page.getByRole("button", { name: "Power off" }).click();
+  await page.getByRole("button", { name: "Power on" }).waitFor();
+}
+
+async function jogTo(page, joints) {
+  await page.evaluate((jog) => window.val3View.store.command("operate", { keys: { jog } }), joints);
+  await page.waitForFunction((joints) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < 1e-6), joints);
+}
+
+/** Jogs to the joints, and presses the button of each position. */
+async function teach(page, value, positions) {
+  await page.getByRole("combobox", { name: /^Frame or tool/ }).selectOption(value);
+  for (const [name, joints] of positions) {
+    await jogTo(page, joints);
+    await page.getByRole("button", { name, exact: true }).click();
+  }
+  await page.getByRole("button", { name: `Compute ${value}` }).click();
+}
+
+test("a frame and a tool are taught, undone and saved", () => served([], async (run) => {
+  const page = await run.open();
+  await toManual(page);
+  await page.getByRole("tab", { name: "Points" }).click();
+  const values = (kind) => page.evaluate((kind) => window.val3View.store.panels.cell[kind].value, kind);
+  const [[frame], [tool]] = [await values("frames"), await values("tools")];
+
+  await page.getByRole("combobox", { name: /^Tool/ }).selectOption("flange");
+  await teach(page, frame.name, [["Origin", [0, 20, 90, 0, 60, 0]], ["On the x axis", [0, 30, 90, 0, 50, 0]], ["In the xy plane", [20, 20, 90, 0, 60, 0]]]);
+  await page.getByText("Computed.").waitFor();
+  await page.waitForFunction((before) => window.val3View.store.panels.cell.frames.value[0].pose.join() !== before, frame.pose.join());
+  await page.getByRole("button", { name: `Undo ${frame.name}` }).click();
+  await page.waitForFunction((before) => window.val3View.store.panels.cell.frames.value[0].pose.join() === before, frame.pose.join());
+
+  const tilted = [[0, 20, 90, 0, 60, 0], [0, 20, 90, 40, 60, 0], [0, 20, 90, 0, 90, 20], [0, 20, 90, -40, 60, 0]];
+  await teach(page, tool.name, tilted.map((joints, index) => [`Position ${index + 1}`, joints]));
+  await page.getByText(/^Computed; the tip is at most [\d.]+ mm from the touched place\.$/).waitFor();
+  await page.getByRole("button", { name: "Position 2 ✓" }).click();
+  await page.getByRole("button", { name: `Compute ${tool.name}` }).click();
+  await page.getByText("the orientations of positions 2 and 4 are less than 5 degrees apart").waitFor();
+
+  await page.getByRole("button", { name: "Save to .dtx (1)" }).click();
+  await page.getByText("Saved palletiser.dtx.").waitFor();
+  // All positions have the same centre of the wrist, 100 mm behind the flange.
+  const [saved] = await values("tools");
+  assert.ok(Math.hypot(saved.local[0], saved.local[1], saved.local[2] + 100) < 1e-6, saved.local.join());
+  assert.match(readFileSync(join(run.folder, POINTS), "latin1"), /name="tGripper"[^>]*>\s*<Value key="0" (?:[xy]="-?0(?:\.0+)?" )*z="-100"/);
+}));
+
+test("points out of reach have their own colour in the picture", () => served([], async (run) => {
+  const page = await run.open();
+  await page.locator(".legend").getByText("out of reach").waitFor();
+  await page.getByRole("tab", { name: "Points" }).click();
+  const names = await page.evaluate(() => [...window.val3View.store.panels.cell.unreachable.value.keys()]);
+  assert.ok(names.includes("pFar"), names.join());
+  await page.getByRole("button", { name: "pFar", exact: true }).click();
+  await page.locator(".names").getByText("pFar (out of reach)").waitFor();
+  await page.getByRole("row", { name: /^pFar out of reach/ }).waitFor();
+}, (folder) => {
+  const file = join(folder, POINTS);
+  const far = '<Data name="pFar" access="private" xsi:type="array" type="pointRx" size="1"><Value key="0" x="1500" fatherId="fCell[0]" /></Data>';
+  writeFileSync(file, readFileSync(file, "latin1").replace('<Data name="pPick"', (pick) => `${far}\n    ${pick}`), "latin1");
+}));
+
+test("entered joints have the limits of the axes, and the arm goes there", () => served([], async (run) => {
+  const page = await run.open();
+  await toManual(page);
+  await page.getByRole("button", { name: "Enter joints…" }).click();
+  const fields = page.getByRole("group", { name: "Joints to go to" });
+  await fields.getByLabel("J1").fill("999");
+  await fields.getByText(/^J1 is 999, outside the range from -\d+ to \d+ degrees\.$/).waitFor();
+  await fields.getByLabel("J1").fill("6,5");
+  await fields.getByRole("button", { name: "Go to the entered joints" }).hover();
+  await page.mouse.down();
+  await page.waitForFunction(() => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - 6.5) < 1e-3);
+  await page.mouse.up();
+}));
+
+test("in manual mode, jogging needs no scrolling in a small window", () => served([], async (run) => {
+  const page = await run.open();
+  await toManual(page);
+  for (const [width, height] of [[1280, 800], [1366, 768], [900, 500]]) {
+    await page.setViewportSize({ width, height });
+    const box = await page.getByRole("button", { name: "J6 plus" }).boundingBox();
+    const bar = await page.locator(".time-bar").boundingBox();
+    assert.ok(box.y + box.height <= bar.y, `J6 ends at ${box.y + box.height} of ${bar.y} in ${width}x${height}`);
+  }
+}));
