@@ -79,7 +79,16 @@ mod tests {
 
     #[test]
     fn other_lines_have_none() {
-        for line in ["nCount=", "call pick(", "if nCount=1", "// nCount++", "movej(pA,,mB)", "tool=3", "numbers x", "s=\"a mod b\" c"] {
+        for line in [
+            "nCount=",
+            "call pick(",
+            "if nCount=1",
+            "// nCount++",
+            "movej(pA,,mB)",
+            "tool=3",
+            "numbers x",
+            "s=\"a mod b\" c",
+        ] {
             assert_eq!(advice(line), None, "{line}");
         }
     }

@@ -11,8 +11,8 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::assertions;
-use crate::condition_text::ConditionText;
 use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS, filters};
+use crate::condition_text::ConditionText;
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
 use crate::protocol::{

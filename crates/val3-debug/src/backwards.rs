@@ -101,7 +101,9 @@ impl Debugger {
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
         self.back_to_last(CycleWatch::Lines, watcher, |debugger, replayed| match replayed.status {
-            RunStatus::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm, &[]) => Some(Stop::Step { task }),
+            RunStatus::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm, &[]) => {
+                Some(Stop::Step { task })
+            }
             _ => debugger.stop_at_path_fault(replayed),
         })
     }

@@ -239,7 +239,8 @@ impl Breakpoints {
         for (instance, owner) in space.loaded() {
             for (number, program) in (0..).zip(&owner.image.programs) {
                 let stops = (0..).zip(&program.code).filter(|(_, step)| step.mark.is_stop());
-                guards.extend(stops.filter_map(|(op, _)| self.guard(space, GuardedOp { instance, program: number, op })));
+                guards
+                    .extend(stops.filter_map(|(op, _)| self.guard(space, GuardedOp { instance, program: number, op })));
             }
         }
         guards
@@ -250,7 +251,8 @@ impl Breakpoints {
         let program = image.programs.get(usize::from(place.program))?;
         let line = program.halt_at(place.op)?;
         let is_entry = place.op == 0 || program.entry() == Some(place.op);
-        let next = NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
+        let next =
+            NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
         let rules = self.rules(space, &next);
         let conditions: Option<Vec<_>> = rules.iter().map(|rule| Some(&rule.condition?.fragment)).collect();
         StopGuard::new(space, place, conditions?)

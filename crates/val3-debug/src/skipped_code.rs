@@ -50,9 +50,10 @@ fn matches(pattern: &str, text: &str) -> bool {
         None => text.is_empty(),
         Some('*') => {
             let after = pattern.get(1..).unwrap_or_default();
-            text.char_indices().map(|(at, _)| at).chain([text.len()]).any(|at| {
-                text.get(at..).is_some_and(|text| matches(after, text))
-            })
+            text.char_indices()
+                .map(|(at, _)| at)
+                .chain([text.len()])
+                .any(|at| text.get(at..).is_some_and(|text| matches(after, text)))
         }
         Some(wanted) => {
             rest.next().is_some_and(|found| wanted == '?' || wanted == found)

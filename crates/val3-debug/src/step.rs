@@ -39,7 +39,11 @@ impl Step {
         let depth = task.thread.frames.len();
         // A step that begins in skipped code may end there.
         let is_skipped = depth > self.depth
-            && task.thread.frames.last().is_some_and(|frame| skipped.iter().any(|code| code.contains(&vm.space, frame)));
+            && task
+                .thread
+                .frames
+                .last()
+                .is_some_and(|frame| skipped.iter().any(|code| code.contains(&vm.space, frame)));
         let is_deep_enough = match self.kind {
             StepKind::In => !is_skipped,
             StepKind::IntoTask => true,

@@ -75,7 +75,10 @@ const REMEDIES: &[(&[&str], &str)] = &[
     (&["CIRC"], "`movec(…)` moves along a circle"),
     (&["getJoint", "getJoints", "getJointPos"], "`herej()` returns the position of the axes"),
     (&["getPos", "getPosition", "getPose", "cpos"], "`here(tTool,fFrame)` returns the position of the tool"),
-    (&["abort", "halt", "exit"], "`stopMove()` stops the arm, `taskKill(\"name\")` ends a task, and `return` a program"),
+    (
+        &["abort", "halt", "exit"],
+        "`stopMove()` stops the arm, `taskKill(\"name\")` ends a task, and `return` a program",
+    ),
     (&["point", "pointRx", "createPoint"], "a point is a value in braces: `{{x,y,z,rx,ry,rz},{sfree,efree,wfree}}`"),
     (&["goto", "jump"], "VAL 3 has no `goto`: use loops and programs"),
     (&["try", "catch", "throw", "raise", "finally"], "VAL 3 has no exceptions: test the results of instructions"),

@@ -237,7 +237,8 @@ mod tests {
               | run-time error 20: index too large
               ? the last index is `size(nA)-1`
               > start.pgx:8 `5` the first index
-        "#]].assert_eq(&program(
+        "#]]
+        .assert_eq(&program(
             "for nI=size(nC) to 0 step -1\nnX=nC[nI]\nendFor\nfor nI=5 to 1 step -1\nnX=nA[nI]\nendFor",
         ));
     }
@@ -257,7 +258,8 @@ mod tests {
               | run-time error 20: index too large
               ? the last index is `size(nC)-1`
               > start.pgx:11 `size(nC)` the limit of the counter
-        "#]].assert_eq(&program(
+        "#]]
+        .assert_eq(&program(
             "for nI=0 to size(nC)-1\nnX=nC[nI+1]\nendFor\nfor nI=0 to 4\nnX=nA[1+nI]\nendFor\n\
              while nI<size(nC)\nnX=nC[nI+1]\nnI=nI+1\nendWhile",
         ));
@@ -274,9 +276,8 @@ mod tests {
               | run-time error 21: index negative
               ? the first index is 0
               > start.pgx:8 `-1` the last index
-        "#]].assert_eq(&program(
-            "for nI=0 to size(nC)-1\nnX=nC[nI-1]\nendFor\nfor nI=4 to -1 step -1\nnX=nA[nI]\nendFor",
-        ));
+        "#]]
+        .assert_eq(&program("for nI=0 to size(nC)-1\nnX=nC[nI-1]\nendFor\nfor nI=4 to -1 step -1\nnX=nA[nI]\nendFor"));
     }
 
     #[test]
@@ -287,7 +288,8 @@ mod tests {
               ? the last index is `size(nC)-1`
               > start.pgx:5 `size(nC)` the last index
               ! end one earlier (unsafe)
-        "#]].assert_eq(&program("for nI=1 to size(nC)\nnX=nC[nI]\nendFor"));
+        "#]]
+        .assert_eq(&program("for nI=1 to size(nC)\nnX=nC[nI]\nendFor"));
     }
 
     #[test]

@@ -90,7 +90,8 @@ mod tests {
             main.dtx:3 `0` `vel` of a motion descriptor cannot be 0
               | every move with it fails
               ? write a number above 0
-        "#]].assert_eq(&check(&RULE, &descriptor("vel=\"0\" reach=\"0\" leave=\"0\"")));
+        "#]]
+        .assert_eq(&check(&RULE, &descriptor("vel=\"0\" reach=\"0\" leave=\"0\"")));
     }
 
     #[test]

@@ -85,7 +85,8 @@ mod tests {
             start.pgx:7 `0` `tvel` of a motion descriptor cannot be 0
               | every move with it fails
               ? write a number above 0
-        "#]].assert_eq(&check(&RULE, "mdesc m\nm.vel=0\nm.accel=0\nm.tvel=0\nm.leave=0\nm.reach=0"));
+        "#]]
+        .assert_eq(&check(&RULE, "mdesc m\nm.vel=0\nm.accel=0\nm.tvel=0\nm.leave=0\nm.reach=0"));
     }
 
     #[test]

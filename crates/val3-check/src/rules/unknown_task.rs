@@ -139,7 +139,8 @@ mod tests {
 
     #[test]
     fn a_call_after_a_test_for_the_task_is_reported_only_with_a_similar_name() {
-        let kill = |name| format!("taskCreate \"robot\",10,p()\nif taskStatus(\"{name}\")!=-1\ntaskKill(\"{name}\")\nendIf");
+        let kill =
+            |name| format!("taskCreate \"robot\",10,p()\nif taskStatus(\"{name}\")!=-1\ntaskKill(\"{name}\")\nendIf");
         assert_eq!(program(&kill("camera")), "");
         assert!(program(&kill("Robot")).contains("did you mean `robot`?"));
     }

@@ -64,7 +64,8 @@ mod tests {
 
     #[test]
     fn skipped_programs_are_stepped_over() {
-        for (pattern, place) in [("main:w*", ("main:start()", FIRST_LINE + 1)), ("other", ("main:work()", FIRST_LINE))] {
+        for (pattern, place) in [("main:w*", ("main:start()", FIRST_LINE + 1)), ("other", ("main:work()", FIRST_LINE))]
+        {
             let mut client = TestClient::launching(CALLER, json!({ "stopOnEntry": true, "skip": [pattern] }));
             client.body("configurationDone", json!({}));
             client.run();

@@ -97,7 +97,9 @@ fn conditions_of_numbers_do_not_interrupt_the_run() {
 
 #[test]
 fn both_forms_of_a_condition_stop_at_the_same_lines() {
-    for condition in ["nSum>=20", "x_nAt%3==1", "(x_nAt>2 and nSum<30) or x_nAt==9", "x_nAt*x_nAt-nSum/2>10", "10/(5-x_nAt)>3"] {
+    for condition in
+        ["nSum>=20", "x_nAt%3==1", "(x_nAt>2 and nSum<30) or x_nAt==9", "x_nAt*x_nAt-nSum/2>10", "10/(5-x_nAt)>3"]
+    {
         let general = format!("size(sNames)==2 and ({condition})");
         assert_eq!(sums(&mut debugger([condition, "", ""])), sums(&mut debugger([&general, "", ""])), "{condition}");
         let back = |condition: &str| {

@@ -141,7 +141,8 @@ end
 
 #[test]
 fn numbers_beyond_the_range_are_refused() {
-    let mut stopped = Stopped::at("num nX\nprogram start()\nbegin\n  call show()\nend\nprogram show()\nbegin\n  nX=1\nend\n");
+    let mut stopped =
+        Stopped::at("num nX\nprogram start()\nbegin\n  call show()\nend\nprogram show()\nbegin\n  nX=1\nend\n");
     let refused = "the number is too large for a num";
     assert_eq!(stopped.assign("nX", "-1e400"), refused);
     assert_eq!(stopped.watch("1e400"), refused);

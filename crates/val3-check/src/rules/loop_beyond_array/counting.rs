@@ -90,8 +90,15 @@ fn for_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoo
     let (low, highest) = (Bound::new(program, low)?, Bound::new(program, high)?);
     let is_executed = low.size_of.is_none() && low.offset <= highest.lowest();
     let (lowest, start) = (Some(low.offset), Some(start));
-    (is_executed && writes(program, stmt, counter) == 0)
-        .then_some(CountingLoop { counter, start, stop, is_descending, lowest, highest, block })
+    (is_executed && writes(program, stmt, counter) == 0).then_some(CountingLoop {
+        counter,
+        start,
+        stop,
+        is_descending,
+        lowest,
+        highest,
+        block,
+    })
 }
 
 fn while_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
