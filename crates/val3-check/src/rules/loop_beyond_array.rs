@@ -82,12 +82,12 @@ enum Side {
 impl Outside {
     fn word(&self, program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Wording {
         let array = program.text(self.array);
-        let pass = if self.is_in_first_pass(counting) { "first" } else { "last" };
+        let pass = if self.is_in_first_pass(counting) { "the first pass" } else { "the last pass" };
         match self.side {
             Side::BeyondEnd => {
                 let index = counting.highest.shifted(self.offset).text(program);
                 Wording::new(
-                    format!("in the {pass} pass the index is `{index}`, which is beyond the end of `{array}`"),
+                    format!("in {pass} the index is `{index}`, which is beyond the end of `{array}`"),
                     runtime_error(INDEX_TOO_LARGE),
                     format!("the last index is `size({array})-1`"),
                 )
@@ -95,7 +95,7 @@ impl Outside {
             Side::BelowZero => {
                 let index = counting.lowest.unwrap_or_default() + self.offset;
                 Wording::new(
-                    format!("in the {pass} pass the index of `{array}` is {index}"),
+                    format!("in {pass} the index of `{array}` is {index}"),
                     runtime_error(INDEX_NEGATIVE),
                     "the first index is 0",
                 )
