@@ -413,7 +413,7 @@ fn an_incomplete_log_is_no_complete_measurement() {
           "measured with the application of `val3 arm measure`",
         ]
         # The entries below that no public source settles.
-        model = ["height", "z0", "maximum_speed", "nominal_speed", "acceleration", "deceleration"]
+        model = ["height", "z0", "maximum_speed", "nominal_speed", "acceleration", "deceleration", "shapes"]
 
         # Lengths in mm.
         [geometry]
@@ -434,6 +434,14 @@ fn an_incomplete_log_is_no_complete_measurement() {
         # Kilograms.
         [payload]
         maximum = 8.4
+
+        # By drawings of arms of this size: no mesh is public.
+        [shapes]
+        base = [{ from = [0, 0, -150], to = [0, 0, 60], radius = 90 }]
+        link1 = [{ from = [0, 0, 90], to = [380, 0, 90], radius = 70 }]
+        link2 = [{ from = [0, 0, 230], to = [240, 0, 230], radius = 75 }]
+        link3 = [{ from = [0, 0, 0], to = [0, 0, 300], radius = 12 }]
+        link4 = [{ from = [0, 0, -10], to = [0, 0, -10], radius = 25 }]
     "##]]
     .assert_eq(&file);
 
