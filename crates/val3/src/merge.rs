@@ -17,7 +17,8 @@ use crate::output::{OutputContent, to_stderr, to_stdout_as};
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 
-/// Exit code of a merge driver that has failed. From 129 on, git aborts the merge instead of recording a conflict.
+/// Exit code of a merge driver that has failed. From 129 on, git aborts the merge instead of recording a conflict (git 2.39
+/// records one nevertheless).
 const EXIT_FAILED: u8 = 129;
 
 /// Paths that mean a base that does not exist.

@@ -159,8 +159,14 @@ fn a_driver_that_fails_stops_the_merge() {
         |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"),
     );
     git_ok(&folder, &["config", "merge.val3.driver", "val3 merge --path=%P %O %A absent"]);
+    let head = || git_ok(&folder, &["rev-parse", "HEAD"]).stdout;
+    let before = head();
     let run = git(&folder, &["merge", "other"]);
-    assert!(run.code > 0 && !run.stdout.contains("CONFLICT"), "{run:?}");
+    assert!(run.code > 0, "{run:?}");
+    assert_eq!(head(), before);
+    // git 2.39 reports a conflict, later versions end the merge.
+    let is_open = git(&folder, &["rev-parse", "--verify", "MERGE_HEAD"]).code == 0;
+    assert_eq!(is_open, run.stdout.contains("CONFLICT"), "{run:?}");
 }
 
 #[test]

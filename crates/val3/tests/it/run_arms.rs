@@ -120,7 +120,7 @@ fn a_file_without_sense_is_refused_with_its_line() {
         `"scara"`
             line 4, geometry.a1: a SCARA arm has no such length, remove it
         `[axis]`
-            line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `times`, `geometry`, `axes`, `payload`
+            line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `times`, `geometry`, `axes`, `payload`, `shapes`
     "#]].assert_eq(&messages);
 }
 
