@@ -1,5 +1,5 @@
-//! `distances/arms.json`: 24 positions of three arms with the exact distances between their links, a tool and four things.
-//! Two libraries, coal 3.0.3 and python-fcl 0.7.0, agree with them within 1e-5 mm.
+//! `distances/arms.json`: 24 positions of three arms with the exact distances between their links, a tool and four
+//! things. Two libraries, coal 3.0.3 and python-fcl 0.7.0, agree with them within 1e-5 mm.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
 

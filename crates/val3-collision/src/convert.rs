@@ -1,4 +1,4 @@
-//! Poses and vectors of nalgebra as those of the library of distances, and back.
+//! Conversion of poses and vectors between `nalgebra` and `parry3d`.
 
 use parry3d_f64::math::{Mat3, Pose, Rotation, Vector};
 use val3_geometry::{IsometryMatrix3, Vector3};

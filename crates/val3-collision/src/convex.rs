@@ -1,9 +1,9 @@
 //! Distances between convex shapes, each with its proof.
 //!
-//! The library's search for the nearest points may end before it has found them, for example where two shapes touch with
-//! corners or faces, and may call shapes of many directions disjoint when it has searched for too long. So no answer is
-//! taken on trust: a distance needs a *gap*, two parallel planes so far apart that have the shapes on different sides. An
-//! answer without a proof is searched for again from other directions.
+//! The library's search for the nearest points may end before it has found them, for example where two shapes touch
+//! with corners or faces, and may call shapes of many directions disjoint when it has searched for too long. So no
+//! answer is taken on trust: a distance needs a *gap*, two parallel planes so far apart that have the shapes on
+//! different sides. An answer without a proof is searched for again from other directions.
 
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query::details::{
@@ -64,7 +64,8 @@ impl ConvexPair<'_> {
         (-self.gap(normal), self.extremes(normal))
     }
 
-    /// Returns directions of unit length to begin a search with: from centre to centre, and along the axes of both frames.
+    /// Returns directions of unit length to begin a search with: from centre to centre, and along the axes of both
+    /// frames.
     fn directions(&self) -> impl Iterator<Item = Vector> {
         let axes = [Vector::X, Vector::Y, Vector::Z];
         let axes = axes.into_iter().chain(axes.map(|axis| self.pose.rotation * axis));
@@ -101,14 +102,16 @@ impl ConvexPair<'_> {
         }
     }
 
-    /// Returns the distance of two planes across a direction, of which one has the first shape behind it, and the other the
-    /// second in front. It is at most the distance of the shapes, and negative where the planes are not between them.
+    /// Returns the distance of two planes across a direction, of which one has the first shape behind it, and the other
+    /// the second in front. It is at most the distance of the shapes, and negative where the planes are not between
+    /// them.
     fn gap(&self, normal: Vector) -> f64 {
         let [on_first, on_second] = self.extremes(normal);
         normal.dot(on_second - on_first)
     }
 
-    /// Returns the point of the first shape that is farthest in a direction, and the one of the second that is least far.
+    /// Returns the point of the first shape that is farthest in a direction, and the one of the second that is least
+    /// far.
     fn extremes(&self, normal: Vector) -> [Vector; 2] {
         [self.first.local_support_point(normal), self.second.support_point(self.pose, -normal)]
     }

@@ -15,7 +15,7 @@ use crate::surfaces;
 pub struct PlacedShape<'s> {
     /// The shape.
     pub shape: &'s Shape,
-    /// Pose of its frame.
+    /// Pose of the shape's frame in the common frame.
     pub pose: &'s IsometryMatrix3<f64>,
 }
 
@@ -69,8 +69,8 @@ pub fn nearest(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Nearness {
     }
 }
 
-/// What is left of a shape without its rounding: the axis of a capsule, the whole of other shapes. Distances from axes are
-/// exact where those from round bodies are approximations.
+/// A shape without its rounding: the axis of a capsule; every other shape unchanged. The library computes distances
+/// from axes exactly, and distances from round bodies approximately.
 struct Core {
     shape: SharedShape,
     pose: Pose,
@@ -117,10 +117,10 @@ fn between(first: &Core, second: &Core, relative: &Pose, limit: f64) -> Found {
         let Found::Apart([on_second, on_first]) = found else { return found };
         return Found::Apart([on_first, on_second].map(|point| relative.transform_point(point)));
     }
-    // All other shapes are convex.
     match (first.shape.as_support_map(), second.shape.as_support_map()) {
         (Some(first), Some(second)) => ConvexPair { first, second, pose: relative }.nearest(limit),
-        _ => Found::Beyond,
+        // The only shapes that are not convex are surfaces. An overlap is the answer that hides nothing.
+        _ => Found::Overlap,
     }
 }
 

@@ -7,8 +7,8 @@ use parry3d_f64::shape::{SharedShape, TriMesh};
 
 use crate::convex::{ConvexPair, Found};
 
-/// Returns how near a shape at a pose is to a surface, with points in the frame of the surface. The shape may be a surface
-/// too.
+/// Returns how near a shape at a pose is to a surface, with points in the frame of the surface. The shape may be a
+/// surface too.
 pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit: f64) -> Found {
     let bounds = shape.compute_aabb(pose);
     let to_box = |node: &BvhNode, _: f64| between(&bounds, node.mins(), node.maxs());
@@ -20,7 +20,8 @@ pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit
                 let triangle = SharedShape::triangle(triangle.a, triangle.b, triangle.c);
                 turned_back(nearest(other, &triangle, &pose.inverse(), limit), pose)
             }
-            (None, None) => Found::Beyond,
+            // Every shape is one of both. An overlap is the answer that hides nothing.
+            (None, None) => Found::Overlap,
         };
         Some(NearestTriangle(found))
     };

@@ -294,8 +294,8 @@ struct StopRule<'a> {
 }
 
 impl StopRule<'_> {
-    /// Whether the breakpoint affects the task, and the condition holds for it before the line. If the condition cannot be evaluated, the task stops, and `arrival`
-    /// gets the fault.
+    /// Whether the breakpoint affects the task, and the condition holds for it before the line. If the condition cannot
+    /// be evaluated, the task stops, and `arrival` gets the fault.
     fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {
         if self.task.is_some_and(|name| !is_named(controller, task, name)) {
             return false;

@@ -266,7 +266,7 @@ impl Arm {
         std::iter::once(IsometryMatrix3::identity()).chain(links).collect()
     }
 
-    /// Returns the rough shapes of the base and of each link; empty if the file of the arm has none.
+    /// Returns the capsules around the base and around each link; empty if the arm's file has no `[shapes]`.
     #[must_use]
     pub fn shapes(&self) -> &[Vec<LinkCapsule>] {
         &self.shapes

@@ -226,8 +226,8 @@ impl Vm {
         task.is_some_and(|task| task.thread.is_at_end)
     }
 
-    /// Passes the stop before the end of a task that is before the return of its first program, because the caller has
-    /// already handled this stop. No effect at other places.
+    /// Marks the stop before the end of a task as done, if the next operation of the task is the return of its first
+    /// program. The caller has stopped there for another reason, such as a breakpoint.
     pub fn pass_end(&mut self, id: TaskNumber) {
         let Some(at) = self.roster.position(id) else { return };
         let Some(thread) = self.roster.tasks.get(at).map(|task| &task.thread) else { return };

@@ -1,4 +1,4 @@
-//! Distances compared with those of two other libraries.
+//! Comparison with the distances that two other libraries compute.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a failed test panics")]
 

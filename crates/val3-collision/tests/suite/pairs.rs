@@ -1,5 +1,5 @@
-//! `pairs.json`: 36 pairs of shapes with their exact distances. Two libraries, coal 3.0.3 and python-fcl 0.7.0, agree with
-//! them within 1e-6 and 6e-4 mm.
+//! `pairs.json`: 36 pairs of shapes with their exact distances. Two libraries, coal 3.0.3 and python-fcl 0.7.0, agree
+//! with them within 1e-6 and 6e-4 mm.
 
 use serde_json::Value;
 use val3_collision::{Nearness, PlacedShape, Shape, nearest};

@@ -64,7 +64,8 @@ fn ends(arm: &Arm, joints: &Joints) -> Vec<(usize, Vector3<f64>)> {
     arm.shapes().iter().enumerate().flat_map(place).collect()
 }
 
-/// The upper arm of a six-axis arm is beside the chain of its links: the largest mistake of a drawing along the chain.
+/// The upper arm of a six-axis arm is beside the line from axis 2 to axis 3, where a drawing of the chain would show
+/// it.
 #[test]
 fn upper_arms_are_beside_the_chain() {
     let families =

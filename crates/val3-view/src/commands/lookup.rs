@@ -24,7 +24,7 @@ pub(super) fn frame_named(
     key: Option<ElementKey>,
     controller: &Controller,
 ) -> Result<GlobalValue, CommandError> {
-    find(name, key, &[BaseType::Frame], controller).map_err(|key| no_datum("frame", name, key.as_deref()))
+    named("frame", BaseType::Frame, name, key, controller)
 }
 
 /// Finds the tool that a command names.
@@ -33,7 +33,18 @@ pub(super) fn tool_named(
     key: Option<ElementKey>,
     controller: &Controller,
 ) -> Result<GlobalValue, CommandError> {
-    find(name, key, &[BaseType::Tool], controller).map_err(|key| no_datum("tool", name, key.as_deref()))
+    named("tool", BaseType::Tool, name, key, controller)
+}
+
+/// Finds the value of a type. `kind` is the word for the type in the error.
+fn named(
+    kind: &str,
+    base: BaseType,
+    name: &str,
+    key: Option<ElementKey>,
+    controller: &Controller,
+) -> Result<GlobalValue, CommandError> {
+    find(name, key, &[base], controller).map_err(|key| no_datum(kind, name, key.as_deref()))
 }
 
 /// Error for a name without a value.
