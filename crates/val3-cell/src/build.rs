@@ -165,7 +165,8 @@ mod tests {
     #[test]
     fn the_base_is_below_world_by_the_height_of_the_arm() {
         let arm = arm("tx2-60l");
-        let cell = build(&format!("[[object]]\nname = \"foot\"\nin = \"base\"\nat = [1, 2, 3]\n{SPHERE}"), &arm).unwrap();
+        let cell =
+            build(&format!("[[object]]\nname = \"foot\"\nin = \"base\"\nat = [1, 2, 3]\n{SPHERE}"), &arm).unwrap();
         let place: [f64; 3] = cell.things[0].pose.translation.vector.into();
         assert_eq!(place, [1.0, 2.0, 3.0 - arm.height()]);
     }
@@ -196,69 +197,115 @@ mod tests {
 
     #[test]
     fn names_are_needed_and_unique() {
-        refused("[[object]]\nbox = [1, 2, 3]", expect![[r#"
+        refused(
+            "[[object]]\nbox = [1, 2, 3]",
+            expect![[r#"
             object[0].name: object 1 has no name
-            help: add `name = "…"`: messages use it"#]]);
+            help: add `name = "…"`: messages use it"#]],
+        );
         let twice = format!("[[object]]\nname = \"a\"\n{SPHERE}\n[[object]]\nname = \"a\"\n{SPHERE}");
-        refused(&twice, expect![[r#"
+        refused(
+            &twice,
+            expect![[r#"
             object[1].name: two objects have the name `a`
-            help: rename one of them"#]]);
-        refused(&format!("[[object]]\nname = \"link2\"\n{SPHERE}"), expect![[r#"
+            help: rename one of them"#]],
+        );
+        refused(
+            &format!("[[object]]\nname = \"link2\"\n{SPHERE}"),
+            expect![[r#"
             object[0].name: `link2` is a part of the robot
-            help: choose another name"#]]);
+            help: choose another name"#]],
+        );
     }
 
     #[test]
     fn unknown_carriers_have_a_suggestion() {
-        refused(&format!("[[object]]\nname = \"a\"\nin = \"ftable\"\n{SPHERE}"), expect![[r#"
+        refused(
+            &format!("[[object]]\nname = \"a\"\nin = \"ftable\"\n{SPHERE}"),
+            expect![[r#"
             object[0].in: there is no frame, tool or object `ftable`
-            help: did you mean `fTable`?"#]]);
-        refused(&format!("[[object]]\nname = \"a\"\nin = \"link7\"\n{SPHERE}"), expect![[r#"
+            help: did you mean `fTable`?"#]],
+        );
+        refused(
+            &format!("[[object]]\nname = \"a\"\nin = \"link7\"\n{SPHERE}"),
+            expect![[r#"
             object[0].in: the arm has no `link7`
-            help: its links are `link1` to `link6`"#]]);
-        refused(&format!("[[object]]\nname = \"fTable\"\n{SPHERE}\n[[object]]\nname = \"b\"\nin = \"fTable\"\n{SPHERE}"), expect![[r#"
+            help: its links are `link1` to `link6`"#]],
+        );
+        refused(
+            &format!("[[object]]\nname = \"fTable\"\n{SPHERE}\n[[object]]\nname = \"b\"\nin = \"fTable\"\n{SPHERE}"),
+            expect![[r#"
             object[1].in: `fTable` is an object of this file and a frame of the application
-            help: rename the object"#]]);
-        let circle = format!("[[object]]\nname = \"a\"\nin = \"b\"\n{SPHERE}\n[[object]]\nname = \"b\"\nin = \"a\"\n{SPHERE}");
-        refused(&circle, expect![[r#"
+            help: rename the object"#]],
+        );
+        let circle =
+            format!("[[object]]\nname = \"a\"\nin = \"b\"\n{SPHERE}\n[[object]]\nname = \"b\"\nin = \"a\"\n{SPHERE}");
+        refused(
+            &circle,
+            expect![[r#"
             object[0].in: `a` is carried by itself
-            help: one of these objects needs another `in`"#]]);
+            help: one of these objects needs another `in`"#]],
+        );
     }
 
     #[test]
     fn shapes_are_needed_and_possible() {
-        refused("[[object]]\nname = \"a\"", expect![[r#"
+        refused(
+            "[[object]]\nname = \"a\"",
+            expect![[r#"
             object[0]: `a` has no shape
-            help: add one of `box`, `cylinder`, `sphere`, `capsule`, `mesh`: `box = [200, 100, 50]`"#]]);
-        refused(&format!("[[object]]\nname = \"a\"\nbox = [1, 2, 3]\n{SPHERE}"), expect![[r#"
+            help: add one of `box`, `cylinder`, `sphere`, `capsule`, `mesh`: `box = [200, 100, 50]`"#]],
+        );
+        refused(
+            &format!("[[object]]\nname = \"a\"\nbox = [1, 2, 3]\n{SPHERE}"),
+            expect![[r#"
             object[0].sphere: `box` and `sphere` are two shapes
-            help: list them: `shapes = [{ … }, { … }]`"#]]);
-        refused("[[object]]\nname = \"a\"\nbox = [1, 0, 3]", expect![[r#"
+            help: list them: `shapes = [{ … }, { … }]`"#]],
+        );
+        refused(
+            "[[object]]\nname = \"a\"\nbox = [1, 0, 3]",
+            expect![[r#"
             object[0].box: it is no shape: a length is not greater than 0
-            help: "#]]);
-        refused("[[object]]\nname = \"a\"\nat = [1, 2]\nbox = [1, 1, 3]", expect![[r#"
+            help: "#]],
+        );
+        refused(
+            "[[object]]\nname = \"a\"\nat = [1, 2]\nbox = [1, 1, 3]",
+            expect![[r#"
             object[0].at: a pose has 3 or 6 numbers, and this has 2
-            help: write `[x, y, z]` or `[x, y, z, rx, ry, rz]`"#]]);
+            help: write `[x, y, z]` or `[x, y, z, rx, ry, rz]`"#]],
+        );
     }
 
     #[test]
     fn a_mesh_in_another_unit_is_recognised_by_its_size() {
         let mesh = |file: &str, unit: &str| format!("[[object]]\nname = \"a\"\nmesh = \"{file}\"\nunit = \"{unit}\"");
-        refused(&mesh("tiny.stl", "mm"), expect![[r#"
+        refused(
+            &mesh("tiny.stl", "mm"),
+            expect![[r#"
             object[0].mesh: `tiny.stl` is 1.12 mm long
-            help: is it in metres? add `unit = "m"`"#]]);
-        refused(&mesh("huge.stl", "m"), expect![[r#"
+            help: is it in metres? add `unit = "m"`"#]],
+        );
+        refused(
+            &mesh("huge.stl", "m"),
+            expect![[r#"
             object[0].mesh: `huge.stl` is 1118033.99 mm long
-            help: is it in mm? remove `unit = "m"`"#]]);
-        refused(&mesh("no.stl", "mm"), expect![[r#"
+            help: is it in mm? remove `unit = "m"`"#]],
+        );
+        refused(
+            &mesh("no.stl", "mm"),
+            expect![[r#"
             object[0].mesh: cannot read `no.stl`: it does not exist
-            help: name an existing STL file of at most 32 MB"#]]);
+            help: name an existing STL file of at most 32 MB"#]],
+        );
     }
 
     #[test]
     fn exceptions_name_things_of_the_cell() {
-        refused(&format!("allow = [[\"arm\", \"raek\"]]\n[[object]]\nname = \"rack\"\n{SPHERE}"), expect![[r#"
+        refused(
+            &format!("allow = [[\"arm\", \"raek\"]]\n[[object]]\nname = \"rack\"\n{SPHERE}"),
+            expect![[r#"
             allow[0]: the cell has nothing with the name `raek`
-            help: it has `base`, `link1`, `link2`, `link3`, `link4`, `link5`, `link6`, `rack`"#]]);
+            help: it has `base`, `link1`, `link2`, `link3`, `link4`, `link5`, `link6`, `rack`"#]],
+        );
     }
 }

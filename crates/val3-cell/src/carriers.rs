@@ -50,7 +50,8 @@ pub(crate) fn carriers(
     let names = names(objects)?;
     let named = objects.iter().enumerate().map(|(index, ObjectEntry { carrier, at, .. })| {
         let name = carrier.as_deref().unwrap_or("world");
-        let (carrier, face) = CarrierNames { names: &names, arm, surroundings }.find(name, &format!("object[{index}].in"))?;
+        let (carrier, face) =
+            CarrierNames { names: &names, arm, surroundings }.find(name, &format!("object[{index}].in"))?;
         Ok((carrier, face * pose(at, &format!("object[{index}].at"))?))
     });
     let named: Vec<(Named, IsometryMatrix3<f64>)> = named.collect::<Result<_, _>>()?;
@@ -88,8 +89,13 @@ fn names(objects: &[ObjectEntry]) -> Result<BTreeMap<&str, usize>, CellError> {
             return fault(format!("object {} has no name", index + 1), "add `name = \"…\"`: messages use it");
         }
         let is_letter = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == ' ';
-        if !name.starts_with(|letter: char| letter.is_ascii_alphabetic() || letter == '_') || !name.chars().all(is_letter) {
-            return fault(format!("`{name}` is no name"), "a name has letters, digits, `_` and blanks, and begins with a letter");
+        if !name.starts_with(|letter: char| letter.is_ascii_alphabetic() || letter == '_')
+            || !name.chars().all(is_letter)
+        {
+            return fault(
+                format!("`{name}` is no name"),
+                "a name has letters, digits, `_` and blanks, and begins with a letter",
+            );
         }
         if is_reserved(name) {
             return fault(format!("`{name}` is a part of the robot"), "choose another name");
@@ -109,7 +115,6 @@ fn is_reserved(name: &str) -> bool {
 fn link(name: &str) -> Option<usize> {
     name.strip_prefix("link")?.parse().ok().filter(|_| name.len() == "link".len() + 1)
 }
-
 
 /// Names that `in` can have.
 struct CarrierNames<'n> {
@@ -152,7 +157,10 @@ impl CarrierNames<'_> {
             (None, Err(similar)) => {
                 let message = format!("there is no frame, tool or object `{name}`");
                 let help = similar.map_or_else(
-                    || "write `world`, `base`, `flange`, `link1`, or a name of the application or of this file".to_owned(),
+                    || {
+                        "write `world`, `base`, `flange`, `link1`, or a name of the application or of this file"
+                            .to_owned()
+                    },
                     |similar| format!("did you mean `{similar}`?"),
                 );
                 Err(CellError::new(key, message, help))

@@ -52,7 +52,9 @@ impl TryFrom<Vec<String>> for AllowedPair {
     fn try_from(texts: Vec<String>) -> Result<Self, Self::Error> {
         let (names, reason) = match <[String; 3]>::try_from(texts) {
             Ok([first, second, reason]) => ([first, second], reason),
-            Err(texts) => (<[String; 2]>::try_from(texts).map_err(|_| "write two names, and the reason")?, String::new()),
+            Err(texts) => {
+                (<[String; 2]>::try_from(texts).map_err(|_| "write two names, and the reason")?, String::new())
+            }
         };
         Ok(Self { names, reason })
     }

@@ -50,7 +50,11 @@ pub(crate) fn measure(a: &Placed<'_>, b: &Placed<'_>, limit: f64) -> Reading {
             let next = if bound > limit {
                 Reading::Beyond(bound)
             } else {
-                between(PlacedShape { shape: first, pose: &first_pose }, PlacedShape { shape: second, pose: &second_pose }, limit)
+                between(
+                    PlacedShape { shape: first, pose: &first_pose },
+                    PlacedShape { shape: second, pose: &second_pose },
+                    limit,
+                )
             };
             if next.at_least() < reading.at_least() {
                 reading = next;

@@ -83,7 +83,8 @@ impl Mesh {
     /// Length of the diagonal of the box around all corners.
     pub(crate) fn extent(&self) -> f64 {
         let Some(start) = self.points.first() else { return 0.0 };
-        let (min, max) = self.points.iter().fold((*start, *start), |(min, max), point| (min.inf(point), max.sup(point)));
+        let (min, max) =
+            self.points.iter().fold((*start, *start), |(min, max), point| (min.inf(point), max.sup(point)));
         (max - min).norm()
     }
 }
@@ -126,7 +127,9 @@ fn text(bytes: &[u8]) -> Result<Vec<Vector3<f64>>, MeshError> {
     match corners.len() {
         count if count % 3 != 0 => Err(MeshError::Line(last)),
         count if count / 3 > MOST_TRIANGLES => Err(MeshError::TooMany(count / 3)),
-        _ if text.trim_end().rsplit('\n').next().is_some_and(|end| end.trim_start().starts_with("endsolid")) => Ok(corners),
+        _ if text.trim_end().rsplit('\n').next().is_some_and(|end| end.trim_start().starts_with("endsolid")) => {
+            Ok(corners)
+        }
         _ => Err(MeshError::Form),
     }
 }
@@ -160,7 +163,8 @@ mod tests {
 
     #[test]
     fn corners_are_shared() {
-        let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let square =
+            [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let mesh = Mesh::read(&binary_file(&square)).unwrap();
         assert_eq!((mesh.points.len(), mesh.triangles), (4, vec![[0, 1, 2], [1, 3, 2]]));
     }

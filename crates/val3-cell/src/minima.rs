@@ -22,8 +22,8 @@ pub struct Minimum {
     pub time: f64,
 }
 
-/// Records the smallest distances of all pairs, and over all pairs for each key: the line that has requested a move.
-/// Distances above 500 mm are left out.
+/// Records the smallest distances of pairs, and over all pairs for each key: the line that has requested a move.
+/// Distances above 500 mm are left out, and so are those between parts of the arm and what it carries.
 #[derive(Debug, Clone)]
 pub struct Minima<K> {
     scene: Arc<Scene>,
@@ -38,26 +38,41 @@ impl<K: Ord + Clone> Minima<K> {
     #[must_use]
     pub fn new(scene: Arc<Scene>) -> Self {
         let count = scene.pairs.len();
-        Self { scene, past: None, tracks: vec![Track::default(); count], pairs: vec![None; count], keys: BTreeMap::new() }
+        Self {
+            scene,
+            past: None,
+            tracks: vec![Track::default(); count],
+            pairs: vec![None; count],
+            keys: BTreeMap::new(),
+        }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// Looks at the end of a cycle in which the arm has moved for `key`.
-    pub fn see(&mut self, sight: Sight<'_>, key: Option<&K>) {
+    pub fn see(&mut self, sight: &Sight<'_>, key: Option<&K>) {
         if !Arc::ptr_eq(&self.scene.arm, sight.arm) {
             self.scene = Arc::new(self.scene.with_arm(Arc::clone(sight.arm)));
             self.tracks.fill(Track::default());
         }
-        if self.past.as_ref().is_some_and(|past| past.has_jumped(&sight)) {
+        if self.past.as_ref().is_some_and(|past| past.has_jumped(sight)) {
             self.tracks.fill(Track::default());
         }
-        let step = Step::new(&self.scene, self.past.as_ref(), &sight);
-        for ((pair, track), least) in self.scene.pairs.iter().zip(&mut self.tracks).zip(&mut self.pairs) {
+        let step = Step::new(&self.scene, self.past.as_ref(), sight);
+        let pairs = self.scene.pairs.iter().zip(&mut self.tracks).zip(&mut self.pairs);
+        for ((pair, track), least) in pairs.filter(|((pair, _), _)| !pair.is_arm) {
             let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance);
             let known = key.and_then(|key| self.keys.get(key));
             let of_key = if key.is_some() { known.map_or(FAR, |least| least.measured.distance) } else { of_pair };
             let threshold = of_pair.max(of_key);
-            let Some(found) = track.follow(&step, pair, Wanted { threshold, margin: EXACT, limit: threshold }) else { continue };
-            let names = [pair.first, pair.second].map(|body| self.scene.name(body).to_owned());
+            let Some(found) = track.follow(&step, pair, Wanted { threshold, margin: EXACT, limit: threshold }) else {
+                continue;
+            };
+            let names = self.scene.names(pair);
             let minimum = Minimum { names, measured: found.measured, time: step.time(found.fraction) };
             if let Some(key) = key.filter(|_| found.measured.distance < of_key) {
                 self.keys.insert(key.clone(), minimum.clone());

@@ -44,7 +44,8 @@ impl Allowed {
                 if names.iter().any(|body| is_named(&matcher, body)) {
                     return Ok(matcher);
                 }
-                let help = format!("it has {}", names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "));
+                let help =
+                    format!("it has {}", names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "));
                 Err(CellError::new(key, format!("the cell has nothing with the name `{name}`"), help))
             };
             let [first, second] = pair;
@@ -92,6 +93,8 @@ pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
         let is_allowed = cell.allowed.contains(names.get(first)?, names.get(second)?);
         let own = a.clearance.into_iter().chain(b.clearance).reduce(f64::max);
         let clearance = if is_arm { 0.0 } else { own.unwrap_or(cell.clearance) };
+        // What moves is named first.
+        let (first, second) = if a.chain.is_none() { (second, first) } else { (first, second) };
         (matters && !is_allowed).then_some(Pair { first, second, clearance, is_arm })
     });
     pairs.collect()

@@ -32,11 +32,11 @@ pub(crate) fn pose(at: &[f64], key: &str) -> Result<IsometryMatrix3<f64>, CellEr
 }
 
 pub(crate) fn check_colour(colour: &str, key: &str) -> Result<String, CellError> {
-    let is_code = colour.strip_prefix('#').is_some_and(|code| code.len() == 6 && code.bytes().all(|c| c.is_ascii_hexdigit()));
+    let is_code =
+        colour.strip_prefix('#').is_some_and(|code| code.len() == 6 && code.bytes().all(|c| c.is_ascii_hexdigit()));
     if is_code {
         return Ok(colour.to_owned());
     }
     let message = format!("`{colour}` is no colour");
     Err(CellError::new(format!("{key}.colour"), message, "write red, green and blue as `#d9a400`"))
 }
-

@@ -83,14 +83,16 @@ impl Scene {
 
     /// Names of the frames and tools that carry things, in the order in which [`crate::Sight::places`] lists their poses.
     pub fn data(&self) -> impl Iterator<Item = &Carrier> {
-        self.cell.things.iter().map(|thing| &thing.carrier).filter(|carrier| {
-            matches!(carrier, Carrier::Frame(_) | Carrier::Tool(_))
-        })
+        self.cell
+            .things
+            .iter()
+            .map(|thing| &thing.carrier)
+            .filter(|carrier| matches!(carrier, Carrier::Frame(_) | Carrier::Tool(_)))
     }
 
-    /// Name of a body.
-    pub(crate) fn name(&self, body: usize) -> &str {
-        self.bodies.get(body).map_or("", |body| &body.name)
+    /// Names of both bodies of a pair.
+    pub(crate) fn names(&self, pair: &Pair) -> [String; 2] {
+        [pair.first, pair.second].map(|body| self.bodies.get(body).map(|body| body.name.clone()).unwrap_or_default())
     }
 
     /// Poses of the arm's parts and of the flange at a joint position.

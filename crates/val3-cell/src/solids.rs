@@ -99,7 +99,8 @@ pub(crate) fn solid(
     } else {
         return Ok(None);
     };
-    let shape = shape_of(&form, hull.unwrap_or(maker.is_carried)).map_err(|error| CellError::new(&key, format!("it is no shape: {error}"), ""))?;
+    let shape = shape_of(&form, hull.unwrap_or(maker.is_carried))
+        .map_err(|error| CellError::new(&key, format!("it is no shape: {error}"), ""))?;
     let pose = place * Trsf::new(offset, [0.0; 3]).isometry();
     Ok(Some(Solid { shape, pose, form }))
 }
@@ -116,8 +117,15 @@ fn sides(cuboid: &BoxKey) -> ([f64; 3], [f64; 3]) {
 }
 
 /// Reads a mesh, and refuses a size that hints at another unit.
-fn mesh_in_mm(path: &Utf8Path, unit: MeshUnit, key: &str, surroundings: &mut dyn Surroundings) -> Result<Mesh, CellError> {
-    let mesh = surroundings.mesh(path).map_err(|message| CellError::new(key, message, "name an existing STL file of at most 32 MB"))?;
+fn mesh_in_mm(
+    path: &Utf8Path,
+    unit: MeshUnit,
+    key: &str,
+    surroundings: &mut dyn Surroundings,
+) -> Result<Mesh, CellError> {
+    let mesh = surroundings
+        .mesh(path)
+        .map_err(|message| CellError::new(key, message, "name an existing STL file of at most 32 MB"))?;
     let mesh = mesh.scaled(unit.length());
     let extent = mesh.extent();
     let help = match unit {

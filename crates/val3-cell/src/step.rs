@@ -39,9 +39,9 @@ pub(crate) struct Past {
 }
 
 impl Past {
-    pub(crate) fn of(sight: Sight<'_>) -> Self {
+    pub(crate) fn of(sight: &Sight<'_>) -> Self {
         let Sight { joints, placement, places, time, .. } = sight;
-        Self { joints, placement, places, time }
+        Self { joints: *joints, placement: *placement, places: places.clone(), time: *time }
     }
 
     /// Whether the arm is elsewhere without a motion.

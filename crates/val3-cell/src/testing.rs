@@ -22,7 +22,8 @@ const FIN: &str = "solid fin\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvert
 
 impl Surroundings for Application {
     fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String> {
-        let fin = |factor| Mesh::read(FIN.as_bytes()).map(|mesh| mesh.scaled(factor)).map_err(|error| error.to_string());
+        let fin =
+            |factor| Mesh::read(FIN.as_bytes()).map(|mesh| mesh.scaled(factor)).map_err(|error| error.to_string());
         match path.as_str() {
             "fin.stl" => fin(1.0),
             "tiny.stl" => fin(0.1),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use val3_kinematics::Joints;
 
 use crate::measure::Measured;
+use crate::pairs::Pair;
 use crate::scene::Scene;
 use crate::step::{Past, Sight, Step};
 use crate::track::{EXACT, Found, Track, Wanted};
@@ -14,7 +15,7 @@ const TOUCHING: f64 = 1e-9;
 
 /// An encounter of two things.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Encounter {
+pub struct Encounter<T> {
     /// What has happened.
     pub state: EncounterState,
     /// Names of both things.
@@ -25,6 +26,8 @@ pub struct Encounter {
     pub time: f64,
     /// Joint position at this time, in degrees or mm.
     pub joints: Joints,
+    /// What the arm was doing at this time, as the caller has labelled it.
+    pub label: T,
     /// Whether they were so near when the run began.
     pub at_start: bool,
 }
@@ -52,35 +55,36 @@ impl EncounterState {
     }
 }
 
-/// Watches all pairs of a scene.
+/// Watches all pairs of a scene. A label states what the arm does in a cycle, such as the move that it executes.
 #[derive(Debug, Clone)]
-pub struct Watch {
+pub struct Watch<T> {
     scene: Arc<Scene>,
     past: Option<Past>,
-    pairs: Vec<WatchedPair>,
-}
-
-#[derive(Debug, Clone, Default)]
-struct WatchedPair {
-    track: Track,
-    /// The present encounter: its smallest distance.
-    nearest: Option<Nearest>,
+    pairs: Vec<WatchedPair<T>>,
 }
 
 #[derive(Debug, Clone)]
-struct Nearest {
+struct WatchedPair<T> {
+    track: Track,
+    /// The present encounter: its smallest distance.
+    nearest: Option<Nearest<T>>,
+}
+
+#[derive(Debug, Clone)]
+struct Nearest<T> {
     measured: Measured,
     time: f64,
     joints: Joints,
+    label: T,
     at_start: bool,
     touches: bool,
 }
 
-impl Watch {
+impl<T: Clone> Watch<T> {
     /// Watches a scene from the first sight on.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
-        let pairs = vec![WatchedPair::default(); scene.pairs.len()];
+        let pairs = vec![WatchedPair { track: Track::default(), nearest: None }; scene.pairs.len()];
         Self { scene: Arc::new(scene), past: None, pairs }
     }
 
@@ -91,69 +95,86 @@ impl Watch {
     }
 
     /// Looks at the end of a cycle. Returns the encounters that begin, become contacts or end.
-    pub fn see(&mut self, sight: Sight<'_>) -> Vec<Encounter> {
+    pub fn see(&mut self, sight: &Sight<'_>, label: &T) -> Vec<Encounter<T>> {
         if !Arc::ptr_eq(&self.scene.arm, sight.arm) {
             // Other lengths of links: all bounds are void.
             self.scene = Arc::new(self.scene.with_arm(Arc::clone(sight.arm)));
-            self.pairs.iter_mut().for_each(|pair| pair.track = Track::default());
-        } else if self.past.as_ref().is_some_and(|past| past.is_same(&sight)) {
+            self.forget_distances();
+        } else if self.past.as_ref().is_some_and(|past| past.is_same(sight)) {
             self.past = Some(Past::of(sight));
             return Vec::new();
         }
-        let at_start = self.past.is_none();
-        if self.past.as_ref().is_some_and(|past| past.has_jumped(&sight)) {
-            self.pairs.iter_mut().for_each(|pair| pair.track = Track::default());
+        if self.past.as_ref().is_some_and(|past| past.has_jumped(sight)) {
+            self.forget_distances();
         }
-        let step = Step::new(&self.scene, self.past.as_ref(), &sight);
-        let mut encounters = Vec::new();
-        for (pair, watched) in self.scene.pairs.iter().zip(&mut self.pairs) {
-            let least = pair.clearance.max(TOUCHING);
-            let best = watched.nearest.as_ref().map(|nearest| nearest.measured.distance);
-            let wanted = match best {
-                None => Wanted { threshold: least, margin: 0.0, limit: least },
-                Some(best) => Wanted { threshold: best, margin: EXACT, limit: least + EXACT },
-            };
-            let found = watched.track.follow(&step, pair, wanted);
-            let names = || [pair.first, pair.second].map(|body| self.scene.name(body).to_owned());
-            if let Some(Found { measured, fraction }) = found {
-                let touches = measured.distance <= TOUCHING && !pair.is_arm;
-                let before = watched.nearest.as_ref();
-                let at_start = before.map_or(at_start, |nearest| nearest.at_start);
-                let state = if touches { EncounterState::Contact } else { EncounterState::Near };
-                let is_new = before.is_none_or(|nearest| touches && !nearest.touches);
-                let touches = touches || before.is_some_and(|nearest| nearest.touches);
-                let nearest =
-                    Nearest { measured, time: step.time(fraction), joints: step.joints(fraction), at_start, touches };
-                if is_new {
-                    encounters.push(nearest.encounter(state, names()));
-                }
-                watched.nearest = Some(nearest);
-            }
-            if watched.track.at_least() > least + EXACT
-                && let Some(nearest) = watched.nearest.take()
-            {
-                encounters.push(nearest.encounter(EncounterState::Clear, names()));
-            }
-        }
+        let step = Step::new(&self.scene, self.past.as_ref(), sight);
+        let present = Present { step: &step, label, at_start: self.past.is_none() };
+        let pairs = self.scene.pairs.iter().zip(&mut self.pairs);
+        let encounters = pairs.flat_map(|(pair, watched)| watched.see(&self.scene, pair, &present)).flatten().collect();
         self.past = Some(Past::of(sight));
         encounters
     }
 
+    fn forget_distances(&mut self) {
+        self.pairs.iter_mut().for_each(|pair| pair.track = Track::default());
+    }
+
     /// Ends all encounters, at the end of a run.
-    pub fn finish(&mut self) -> Vec<Encounter> {
+    pub fn finish(&mut self) -> Vec<Encounter<T>> {
         let pairs = self.scene.pairs.iter().zip(&mut self.pairs);
         let ended = pairs.filter_map(|(pair, watched)| {
-            let names = [pair.first, pair.second].map(|body| self.scene.name(body).to_owned());
-            Some(watched.nearest.take()?.encounter(EncounterState::Clear, names))
+            Some(watched.nearest.take()?.encounter(EncounterState::Clear, self.scene.names(pair)))
         });
         ended.collect()
     }
 }
 
-impl Nearest {
-    fn encounter(&self, state: EncounterState, names: [String; 2]) -> Encounter {
-        let Self { measured, time, joints, at_start, .. } = self;
-        Encounter { state, names, measured: *measured, time: *time, joints: *joints, at_start: *at_start }
+/// A cycle, for all pairs.
+struct Present<'p, T> {
+    step: &'p Step<'p>,
+    label: &'p T,
+    /// Whether it is the first one.
+    at_start: bool,
+}
+
+impl<T: Clone> WatchedPair<T> {
+    /// Looks at a pair. Returns its encounter if that begins or becomes a contact, and if it ends.
+    fn see(&mut self, scene: &Scene, pair: &Pair, present: &Present<'_, T>) -> [Option<Encounter<T>>; 2] {
+        let least = pair.clearance.max(TOUCHING);
+        let wanted = match &self.nearest {
+            None => Wanted { threshold: least, margin: 0.0, limit: least },
+            Some(nearest) => Wanted { threshold: nearest.measured.distance, margin: EXACT, limit: least + EXACT },
+        };
+        let found = self.track.follow(present.step, pair, wanted);
+        let begun = found.and_then(|found| {
+            let state = self.approach(&found, pair, present)?;
+            Some(self.nearest.as_ref()?.encounter(state, scene.names(pair)))
+        });
+        let is_apart = self.track.at_least() > least + EXACT;
+        let ended = if is_apart { self.nearest.take() } else { None };
+        [begun, ended.map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)))]
+    }
+
+    /// Records a smaller distance. Returns the state of the encounter if it is another one than before.
+    fn approach(&mut self, found: &Found, pair: &Pair, present: &Present<'_, T>) -> Option<EncounterState> {
+        let Found { measured, fraction } = *found;
+        let touches = measured.distance <= TOUCHING && !pair.is_arm;
+        let before = self.nearest.as_ref();
+        let has_touched = before.is_some_and(|nearest| nearest.touches);
+        let is_new = before.is_none() || touches && !has_touched;
+        let (time, joints) = (present.step.time(fraction), present.step.joints(fraction));
+        let at_start = before.map_or(present.at_start, |nearest| nearest.at_start);
+        let label = present.label.clone();
+        self.nearest = Some(Nearest { measured, time, joints, label, at_start, touches: touches || has_touched });
+        is_new.then_some(if touches { EncounterState::Contact } else { EncounterState::Near })
+    }
+}
+
+impl<T: Clone> Nearest<T> {
+    fn encounter(&self, state: EncounterState, names: [String; 2]) -> Encounter<T> {
+        let Self { measured, time, joints, label, at_start, .. } = self;
+        let (measured, time, joints, label, at_start) = (*measured, *time, *joints, label.clone(), *at_start);
+        Encounter { state, names, measured, time, joints, label, at_start }
     }
 }
 

@@ -46,6 +46,11 @@ pub struct RunSettings {
     /// both in the frame that the link has in the chain of the arm.
     #[schemars(with = "BTreeMap<String, String>")]
     pub shapes: BTreeMap<String, Utf8PathBuf>,
+    /// The file with the things around the arm, relative to the folder of this file; `cell.toml` beside this file by
+    /// default, and `none` for an empty room.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
+    pub cell: Option<Utf8PathBuf>,
     /// Licences that differ from the licences of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
     /// Values that instructions of add-ons return, and programs that are called in place of them, because a simulated

@@ -21,7 +21,7 @@ pub fn settings(file: Option<&ConfigFile>) -> Vec<Setting> {
     let default = ConfigFile::default();
     let file = file.unwrap_or(&default);
     let mut found = Vec::new();
-    let (schema, value) = (schema_of::<crate::Config>(), value_of(&file.config));
+    let (schema, value) = (schema_of::<Config>(), value_of(&file.config));
     collect(file, &schema, &value, "", &mut found);
     found
 }

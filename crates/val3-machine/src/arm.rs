@@ -72,6 +72,8 @@ pub struct RobotArm {
     yielding: Time,
     /// Whether the current fault of the path was reported.
     has_reported_fault: bool,
+    /// How often the arm was placed elsewhere without a motion.
+    placements: u64,
 }
 
 /// Reason why a move is not recorded.
@@ -144,6 +146,7 @@ impl RobotArm {
             jog: None,
             yielding: 0,
             has_reported_fault: false,
+            placements: 0,
         }
     }
 
@@ -151,6 +154,22 @@ impl RobotArm {
     #[must_use]
     pub fn model(&self) -> &Arm {
         &self.model
+    }
+
+    /// Model of the arm, which is another one after `setDH`.
+    pub(crate) fn shared_model(&self) -> &Arc<Arm> {
+        &self.model
+    }
+
+    /// How often the arm was placed elsewhere without a motion.
+    pub(crate) const fn placements(&self) -> u64 {
+        self.placements
+    }
+
+    /// Number and instruction of the move that the arm executes, or at whose end it rests.
+    pub(crate) fn current_move(&self) -> Option<(f64, MoveOrigin)> {
+        let origin = self.origins.get(&self.motion.current()?)?;
+        Some((self.motion.move_id().floor(), *origin))
     }
 
     /// Whether the settings or the cell name the model. Otherwise it is the default model for the kind of arm.
@@ -189,6 +208,7 @@ impl RobotArm {
     pub fn put(&mut self, joint: Joints) {
         self.motion.place(Arc::clone(&self.model), joint);
         self.origins.clear();
+        self.placements += 1;
         self.sample = self.motion.advance(Seconds(0.0));
         self.feedback = Feedback::at(joint);
     }

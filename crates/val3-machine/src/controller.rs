@@ -7,6 +7,7 @@ mod motion;
 mod operator;
 mod positions;
 mod snapshot;
+mod surroundings;
 
 use std::sync::Arc;
 
@@ -24,6 +25,7 @@ pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus,
 pub use operator::OperatorAction;
 pub use positions::{Activity, TaskPosition};
 pub use snapshot::Snapshot;
+pub(crate) use surroundings::MoveLabel;
 
 use operator::Operations;
 
@@ -271,6 +273,7 @@ impl Controller {
             self.begin_reactions(start);
             self.follow_script(start);
             self.devices.begin_cycle(start);
+            self.watch_surroundings(start);
         }
         let end = self.schedule.cycle_end();
         let cycle_end = self.schedule.cycle(&mut self.vm, &mut self.devices);

@@ -211,6 +211,29 @@ pub enum EventKind {
         /// The file.
         file: String,
     },
+    /// Two things have come too near to each other, touch, or are apart again.
+    Clearance {
+        /// `near`, `contact` or `clear`.
+        state: &'static str,
+        /// One of the things.
+        a: String,
+        /// The other one.
+        b: String,
+        /// Distance in mm; with `clear`, the smallest since `near`. A negative number is the depth of an overlap.
+        distance: f64,
+        /// A nearest point of each thing, in mm in world.
+        points: [[f64; 3]; 2],
+        /// Time of this distance, in seconds.
+        at: f64,
+        /// Joint position at this time, in degrees or mm.
+        joints: Vec<f64>,
+        /// Whether they were so near when the run began.
+        #[serde(skip_serializing_if = "std::ops::Not::not")]
+        start: bool,
+        /// The move that the arm executes.
+        #[serde(flatten, skip_serializing_if = "Option::is_none")]
+        of: Option<ClearanceMove>,
+    },
     /// Action of the cell or the operator.
     Act {
         /// Action, with the keys of a script as far as a script has such keys.
@@ -242,6 +265,23 @@ pub enum EventKind {
         /// Reason.
         reason: EndReason,
     },
+}
+
+/// The move during which two things are near each other.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ClearanceMove {
+    /// Id of the move.
+    pub id: f64,
+    /// The instruction.
+    #[serde(rename = "type")]
+    pub instruction: &'static str,
+    /// The program of the instruction.
+    pub program: String,
+    /// The line of the file, from 1.
+    pub line: u32,
+    /// The file.
+    #[serde(skip)]
+    pub file: String,
 }
 
 /// End reason in a run's record: the serialised form of a [`RunStatus`].

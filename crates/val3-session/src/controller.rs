@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_analysis::db::{Database, Project};
-use val3_analysis::items::project::items;
+use val3_analysis::items::project::{folder, items};
 use val3_analysis::paths::path_key;
 use val3_bytecode::Image;
 use val3_lang::types::Arm;
@@ -16,7 +16,7 @@ use crate::libraries::LibraryCompiler;
 use crate::media::CellMedia;
 use crate::settings::{ControllerSettings, MergedSettings};
 use crate::stand_ins::StandIn;
-use crate::{add_on_programs, arm, cell, pages, shapes};
+use crate::{add_on_programs, arm, cell, pages, shapes, surroundings};
 
 /// Opens the controller with the application's image in memory. Stand-ins are loaded in place of libraries.
 pub(crate) fn open(
@@ -55,5 +55,8 @@ pub(crate) fn open(
         devices.shapes = shapes::read(file, devices.state.arm.model().axes())?;
     }
     connection::connect(&mut devices.lines, &disk, tape, &merged)?;
-    Controller::new(devices, image, application, merged.line_cost).map_err(|_| SessionError::Memory)
+    let controller = Controller::new(devices, image, application, merged.line_cost);
+    let mut controller = controller.map_err(|_| SessionError::Memory)?;
+    surroundings::place(&mut controller, settings.cell.as_ref(), file, folder(db, project))?;
+    Ok(controller)
 }

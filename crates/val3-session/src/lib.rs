@@ -26,6 +26,7 @@ mod same_file;
 mod settings;
 mod shapes;
 mod stand_ins;
+mod surroundings;
 
 pub use application::Application;
 pub use arm::{ArmFile, request_arm};
@@ -37,4 +38,5 @@ pub use pace::{Delay, Pace};
 pub use same_file::is_same_file;
 pub use settings::{ControllerSettings, LINE_COST, PathRoot, line_cost};
 pub use stand_ins::StandInFault;
+pub use surroundings::CellChoice;
 pub use val3_compile::CodeForm;

@@ -16,6 +16,7 @@ use val3_machine::sio::SocketGuard;
 use crate::connection::Connection;
 use crate::error::SessionError;
 use crate::grants;
+use crate::surroundings::CellChoice;
 
 /// Profile that every controller has.
 const FIRST_PROFILE: &str = "default";
@@ -32,6 +33,8 @@ pub struct ControllerSettings {
     pub roots: Vec<PathRoot>,
     /// Connections of serial lines and sockets. They replace connections in the cell and in `val3.toml`.
     pub connections: Vec<Connection>,
+    /// The things around the arm, in place of the file in `val3.toml` or beside it.
+    pub cell: Option<CellChoice>,
     /// Whether sockets reach other machines; otherwise every address is redirected to this machine.
     pub network: bool,
     /// Date and time at the start.
@@ -211,7 +214,7 @@ pub(crate) fn refused(file: &ConfigFile, key: &str, message: String, help: &str)
     refusal(&file.fault(key, message, help.to_owned()))
 }
 
-fn refusal(error: &ConfigError) -> SessionError {
+pub(crate) fn refusal(error: &ConfigError) -> SessionError {
     SessionError::Setting { message: error.to_string(), help: String::new() }
 }
 

@@ -75,6 +75,8 @@ pub struct ControllerKeys {
     pub power: bool,
     /// Monitor speed in per cent.
     pub monitor_speed: Option<u8>,
+    /// File with the things around the arm, or `none`.
+    pub cell: Option<String>,
     /// Stand-in libraries by library alias, with paths as in the file.
     pub replace: BTreeMap<String, String>,
 }
@@ -90,6 +92,7 @@ struct ScenarioFile {
     skip: Option<Reason>,
     known_failure: Option<Reason>,
     arm: Option<String>,
+    cell: Option<String>,
     start: Option<Vec<f64>>,
     #[serde(default)]
     power: bool,
@@ -178,6 +181,7 @@ impl Scenario {
             skip,
             known_failure,
             arm,
+            cell,
             start,
             power,
             monitor_speed,
@@ -185,7 +189,7 @@ impl Scenario {
             ..
         } = file;
         let controller_keys =
-            ControllerKeys { arm, start, power, monitor_speed: monitor_speed.map(|speed| speed.0), replace };
+            ControllerKeys { arm, cell, start, power, monitor_speed: monitor_speed.map(|speed| speed.0), replace };
         Ok(Self { script, run, controller_keys, tags, limit, skip, known_failure, expectations, source })
     }
 

@@ -5,6 +5,7 @@ mod console;
 mod course;
 mod debug;
 mod default_run;
+mod encounters;
 mod end;
 mod ending;
 mod export;

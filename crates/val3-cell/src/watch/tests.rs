@@ -9,24 +9,27 @@ use crate::testing::{arm, build, scene, sight};
 const CYCLE: f64 = 0.004;
 
 /// Encounters while the arm moves through joint positions, one a cycle.
-fn encounters(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<Encounter> {
+fn encounters(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<Encounter<()>> {
     let mut watch = Watch::new(scene(text, arm));
     see_all(&mut watch, arm, path, 0)
 }
 
-fn see_all(watch: &mut Watch, arm: &Arc<Arm>, path: &[Joints], start: usize) -> Vec<Encounter> {
+fn see_all(watch: &mut Watch<()>, arm: &Arc<Arm>, path: &[Joints], start: usize) -> Vec<Encounter<()>> {
     let times = (start..).map(|cycle| cycle as f64 * CYCLE);
-    path.iter().zip(times).flat_map(|(joints, time)| watch.see(sight(arm, *joints, time))).collect()
+    path.iter().zip(times).flat_map(|(joints, time)| watch.see(&sight(arm, *joints, time), &())).collect()
 }
 
 /// A path on which all axes move linearly.
 fn line(from: Joints, to: Joints, cycles: usize) -> Vec<Joints> {
-    let at = |cycle: usize| std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * cycle as f64 / cycles as f64);
+    let at =
+        |cycle: usize| std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * cycle as f64 / cycles as f64);
     (0..=cycles).map(at).collect()
 }
 
-fn words(encounters: &[Encounter]) -> Vec<String> {
-    let word = |one: &Encounter| format!("{} {} {} {:.1}", one.state.word(), one.names[0], one.names[1], one.measured.distance);
+fn words(encounters: &[Encounter<()>]) -> Vec<String> {
+    let word = |one: &Encounter<()>| {
+        format!("{} {} {} {:.1}", one.state.word(), one.names[0], one.names[1], one.measured.distance)
+    };
     encounters.iter().map(word).collect()
 }
 
@@ -39,7 +42,7 @@ fn an_encounter_begins_touches_and_ends() {
     let post = "clearance = 50\n[[object]]\nname = \"post\"\nbox = [40, 40, 2000]\nat = [0, 700, 0]";
     let path = line(STRETCHED, [180.0, 90.0, 0.0, 0.0, 0.0, 0.0], 250);
     let found = encounters(post, &arm, &path);
-    let of_link4: Vec<Encounter> = found.into_iter().filter(|one| one.names[0] == "link4").collect();
+    let of_link4: Vec<Encounter<()>> = found.into_iter().filter(|one| one.names[0] == "link4").collect();
     let states: Vec<EncounterState> = of_link4.iter().map(|one| one.state).collect();
     assert_eq!(states, [EncounterState::Near, EncounterState::Contact, EncounterState::Clear]);
     assert!(of_link4[0].measured.distance < 50.0 && of_link4[0].measured.distance > 40.0, "{of_link4:?}");
@@ -55,7 +58,7 @@ fn a_thin_wall_between_two_cycles_is_found() {
                 [[object]]\nname = \"rod\"\nin = \"flange\"\ncapsule = { from = [0, 0, 0], to = [0, 0, 100], radius = 5 }";
     let path = [[-50.0, 90.0, 0.0, 0.0, 0.0, 0.0], [50.0, 90.0, 0.0, 0.0, 0.0, 0.0]];
     let found = encounters(wall, &arm, &path);
-    let rod: Vec<&Encounter> = found.iter().filter(|one| one.names[1] == "rod" || one.names[0] == "rod").collect();
+    let rod: Vec<&Encounter<()>> = found.iter().filter(|one| one.names[1] == "rod" || one.names[0] == "rod").collect();
     assert!(rod.iter().any(|one| one.state == EncounterState::Contact), "{:?}", words(&found));
     assert!(rod[0].time > 0.0 && rod[0].time < CYCLE, "between the cycles: {}", rod[0].time);
 }
@@ -66,7 +69,7 @@ fn an_overlap_at_the_start_is_reported_once() {
     let sleeve = "[[object]]\nname = \"sleeve\"\nbox = [3000, 100, 100]";
     let path = line(STRETCHED, [1.0, 90.0, 0.0, 0.0, 0.0, 0.0], 10);
     let found = encounters(sleeve, &arm, &path);
-    let of_link4 = |one: &&Encounter| one.names[0] == "link4";
+    let of_link4 = |one: &&Encounter<()>| one.names[0] == "link4";
     assert_eq!(found.iter().filter(of_link4).count(), 1, "{:?}", words(&found));
     assert!(found.iter().all(|one| one.at_start));
     let allowed = format!("allow = [[\"sleeve\", \"arm\", \"it is a sleeve\"]]\n{sleeve}");
@@ -77,7 +80,7 @@ fn an_overlap_at_the_start_is_reported_once() {
 fn the_end_of_a_run_ends_encounters() {
     let arm = arm("tx2-60l");
     let mut watch = Watch::new(scene("[[object]]\nname = \"bar\"\nin = \"world\"\nbox = [3000, 100, 100]", &arm));
-    let begun = watch.see(sight(&arm, STRETCHED, 0.0)).len();
+    let begun = watch.see(&sight(&arm, STRETCHED, 0.0), &()).len();
     assert!(begun > 0);
     assert_eq!(watch.finish().len(), begun);
     assert_eq!(watch.finish(), []);
@@ -89,11 +92,11 @@ fn a_frame_that_moves_carries_its_things() {
     let mut watch = Watch::new(scene("[[object]]\nname = \"cup\"\nin = \"fPart\"\nsphere = { radius = 20 }", &arm));
     let place = |x: f64| Some(Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry());
     let at = |place: Option<IsometryMatrix3<f64>>, time| Sight { places: vec![place], ..sight(&arm, STRETCHED, time) };
-    assert_eq!(watch.see(at(place(2000.0), 0.0)), []);
-    assert_eq!(words(&watch.see(at(place(850.0), 0.004)))[0].split(' ').next(), Some("contact"));
-    assert!(watch.see(at(None, 0.008)).iter().all(|one| one.state == EncounterState::Clear));
+    assert_eq!(watch.see(&at(place(2000.0), 0.0), &()), []);
+    assert_eq!(words(&watch.see(&at(place(850.0), 0.004), &()))[0].split(' ').next(), Some("contact"));
+    assert!(watch.see(&at(None, 0.008), &()).iter().all(|one| one.state == EncounterState::Clear));
     let nowhere = Some(Trsf::new([f64::NAN, 0.0, 1e300], [0.0; 3]).isometry());
-    assert_eq!(watch.see(at(nowhere, 0.012)), []);
+    assert_eq!(watch.see(&at(nowhere, 0.012), &()), []);
 }
 
 #[test]
@@ -102,8 +105,8 @@ fn an_arm_that_is_placed_elsewhere_touches_nothing_on_the_way() {
     let wall = "[[object]]\nname = \"wall\"\nbox = [0.1, 400, 400]\nat = [850, 0, 0]";
     let mut watch = Watch::new(scene(wall, &arm));
     let placed = |angle, placement, time| Sight { placement, ..sight(&arm, [angle, 90.0, 0.0, 0.0, 0.0, 0.0], time) };
-    assert_eq!(watch.see(placed(-40.0, 0, 0.0)), []);
-    assert_eq!(watch.see(placed(40.0, 1, 0.004)), []);
+    assert_eq!(watch.see(&placed(-40.0, 0, 0.0), &()), []);
+    assert_eq!(watch.see(&placed(40.0, 1, 0.004), &()), []);
 }
 
 #[test]
@@ -111,7 +114,11 @@ fn parts_of_the_arm_come_near_each_other() {
     let arm = arm("tx2-60l");
     let path = line([0.0; 6], [0.0, 120.0, 140.0, 0.0, 0.0, 0.0], 500);
     let found = encounters("", &arm, &path);
-    assert!(found.iter().all(|one| one.state != EncounterState::Contact), "capsules prove no contact: {:?}", words(&found));
+    assert!(
+        found.iter().all(|one| one.state != EncounterState::Contact),
+        "capsules prove no contact: {:?}",
+        words(&found)
+    );
     assert!(found.iter().any(|one| one.state == EncounterState::Near), "{:?}", words(&found));
 }
 
@@ -129,15 +136,14 @@ fn joints() -> impl Strategy<Value = Joints> {
 
 /// Random positions, and lines between them at about the nominal speed.
 fn path() -> impl Strategy<Value = Vec<Joints>> {
-    prop::collection::vec(joints(), 2).prop_map(|corners| {
-        corners.windows(2).flat_map(|ends| line(ends[0], ends[1], 100)).collect()
-    })
+    prop::collection::vec(joints(), 2)
+        .prop_map(|corners| corners.windows(2).flat_map(|ends| line(ends[0], ends[1], 100)).collect())
 }
 
 /// Smallest distance of each pair on a path, from four positions a cycle, without bounds.
 fn sampled(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<f64> {
     let scene = scene(text, arm);
-    let least = |pair: &crate::pairs::Pair| {
+    let least = |pair: &Pair| {
         let distances = path.windows(2).flat_map(|ends| line(ends[0], ends[1], 4)).map(|joints| {
             let sight = sight(arm, joints, 0.0);
             Step::new(&scene, None, &sight).measure(pair, 1.0, 1e4).at_least()
@@ -159,7 +165,7 @@ proptest! {
         found.extend(watch.finish());
         let scene = Arc::clone(watch.scene());
         for (pair, least) in scene.pairs.iter().zip(sampled(&text, &arm, &path)) {
-            let names = [scene.name(pair.first), scene.name(pair.second)];
+            let names = scene.names(pair);
             let ends = found.iter().filter(|one| one.state == EncounterState::Clear && one.names == names);
             let nearest = ends.map(|one| one.measured.distance).fold(f64::INFINITY, f64::min);
             prop_assert!(least >= pair.clearance || nearest <= least.max(0.0) + EXACT, "{names:?}: {nearest} for {least}");
@@ -193,7 +199,7 @@ proptest! {
         let arm = crate::testing::arm(arm);
         let scene = scene(CELL, &arm);
         let small: Joints = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) / 100.0);
-        let past = Past::of(sight(&arm, from, 0.0));
+        let past = Past::of(&sight(&arm, from, 0.0));
         let sight = sight(&arm, small, CYCLE);
         let step = Step::new(&scene, Some(&past), &sight);
         for pair in &scene.pairs {

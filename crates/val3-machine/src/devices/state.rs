@@ -1,5 +1,6 @@
 //! The state of the devices: plain data that a snapshot copies.
 
+use val3_cell::Watch;
 use val3_kinematics::Arm;
 use val3_lang::components::Component;
 use val3_lang::ports::Time;
@@ -9,6 +10,7 @@ use super::media_cost::MediaCost;
 use super::questions::Questions;
 use super::record::Record;
 use crate::arm::{ArmHold, RobotArm};
+use crate::controller::MoveLabel;
 use crate::controller_state::{Calendar, ControllerVersions, Cs9, EventLog, Languages, Profiles, Robot};
 use crate::io::{IoTable, LinkId};
 use crate::screen::Pendant;
@@ -24,6 +26,8 @@ pub struct DeviceState {
     pub robot: Robot,
     /// The arm.
     pub arm: RobotArm,
+    /// The things around the arm, if a cell describes them.
+    pub watch: Option<Watch<MoveLabel>>,
     /// The event log.
     pub log: EventLog,
     /// Users.

@@ -169,6 +169,12 @@ impl Controller {
         data.map(|data| format!("{prefix}{}", data.name)).collect()
     }
 
+    /// Names of the application's frames and tools.
+    #[must_use]
+    pub fn carrier_names(&self) -> Vec<String> {
+        self.variables("").into_iter().filter(|name| self.carrier_kind(name).is_some()).collect()
+    }
+
     pub(super) fn check_signal(&self, path: &str, may_come: bool) -> Result<(), Misfit> {
         let io = &self.devices.state.io;
         let may_exist = may_come && !io.is_configured(path);

@@ -7,7 +7,7 @@ use val3_lang::values::date::DateTime;
 use val3_machine::controller_state::Calendar;
 use val3_machine::sio::SocketGuard;
 
-use val3_session::{CodeForm, Connection, ControllerSettings, PathRoot, line_cost};
+use val3_session::{CellChoice, CodeForm, Connection, ControllerSettings, PathRoot, line_cost};
 use val3_suite::ControllerKeys;
 
 /// The properties of the virtual controller.
@@ -23,6 +23,9 @@ pub(crate) struct ControllerArgs {
     /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
     #[arg(help_heading = "Controller", long, value_name = "LINK=END")]
     pub(crate) line: Vec<Connection>,
+    /// Place the things of this file around the arm, instead of those of cell.toml; `none` for an empty room
+    #[arg(help_heading = "Controller", long, value_name = "FILE")]
+    pub(crate) cell: Option<CellChoice>,
     /// Let sockets connect to and accept other machines; otherwise every address means this machine
     #[arg(help_heading = "Controller", long)]
     pub(crate) network: bool,
@@ -61,6 +64,7 @@ impl ControllerArgs {
             start: self.start.clone().or_else(|| keys.start.clone()),
             power: self.power || keys.power,
             monitor_speed: self.monitor_speed.or(keys.monitor_speed),
+            cell: self.cell.clone().or_else(|| keys.cell.as_ref().map(|cell| CellChoice::of_text(cell))),
             ..self.clone()
         }
     }
@@ -71,6 +75,7 @@ impl ControllerArgs {
             arm: self.arm.clone(),
             roots: self.root.clone(),
             connections: self.line.clone(),
+            cell: self.cell.clone(),
             network: self.network,
             date: self.date,
             monitor_speed: self.monitor_speed,

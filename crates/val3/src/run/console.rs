@@ -8,6 +8,7 @@ use val3_machine::event::{Event, EventKind};
 use val3_machine::screen::{COLUMNS, PageContent, Pendant, display_columns, fitting};
 use val3_session::evaluate::missing_instruction;
 
+use super::encounters::{Encounter, Encounters};
 use super::failures::{Failure, Failures, ImpossiblePath};
 use super::missing::MissingLibraries;
 use crate::color::Color;
@@ -43,6 +44,7 @@ pub(crate) struct Console {
     has_said: bool,
     pub(super) paths: Paths,
     failures: Failures,
+    encounters: Encounters,
     missing: MissingLibraries,
 }
 
@@ -57,6 +59,7 @@ impl Console {
             has_said: false,
             paths,
             failures: Failures::default(),
+            encounters: Encounters::default(),
             missing: MissingLibraries::default(),
         })
     }
@@ -69,6 +72,11 @@ impl Console {
     /// Whether a task has stopped with an unhandled error.
     pub(crate) fn has_unhandled_errors(&self) -> bool {
         !self.failures.is_empty()
+    }
+
+    /// Whether something has touched something else.
+    pub(crate) fn has_contacts(&self) -> bool {
+        self.encounters.has_contacts()
     }
 
     /// Shows an event, if it is relevant for the user.
@@ -97,6 +105,7 @@ impl Console {
     pub(crate) fn follow(&mut self, event: &Event) {
         self.failures.follow(event);
         self.missing.follow(event);
+        self.encounters.follow(event);
     }
 
     /// Shows the unhandled errors: the errors that are due at a time of the run, or all errors at its end.
@@ -104,6 +113,17 @@ impl Console {
         if !self.is_silent {
             self.failures.take_unhandled(now).iter().for_each(|failure| self.fault(failure));
             self.failures.take_path().iter().for_each(|path| self.impossible_path(path));
+        }
+    }
+
+    /// Shows what has touched something else, and the nearest of the near misses.
+    pub(crate) fn show_encounters(&self) {
+        if self.is_silent {
+            return;
+        }
+        self.encounters.contacts().iter().for_each(|contact| self.contact(contact));
+        if let Some(near) = self.encounters.near_misses() {
+            to_stderr(|out| writeln!(out, "note: {near}"));
         }
     }
 
@@ -144,6 +164,18 @@ impl Console {
         let path = self.paths.to_open(file.as_str().into());
         let fault =
             human::ProgramError { code: None, message, help: CORRECT_PATH, label: reason, path: &path, line: *line };
+        to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
+    }
+
+    /// Writes what has touched something else, with the line of the move.
+    fn contact(&self, contact: &Encounter) {
+        let (message, help) = (contact.sentence(), contact.help());
+        let Some(of) = &contact.of else {
+            return to_stderr(|out| writeln!(out, "error: {message}\n  help: {help}"));
+        };
+        let path = self.paths.to_open(of.file.as_str().into());
+        let label = "during the move of this line";
+        let fault = human::ProgramError { code: None, message, help: &help, label, path: &path, line: of.line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 

@@ -282,6 +282,7 @@ impl<'a> Course<'a> {
     fn record_end(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let controller = &mut self.debugger.controller;
         controller.report_unmet_reactions();
+        controller.end_encounters();
         match end {
             End::Controller(RunStatus::Stuck) => controller.record_stuck_tasks(),
             End::Controller(RunStatus::Finished) if self.test.is_none() && self.has_failed_test.is_none() => {
@@ -320,7 +321,8 @@ impl<'a> Course<'a> {
 
     /// Exit code for an end.
     pub(super) fn exit_code(&self, end: End) -> u8 {
-        let has_failed = self.observers.has_unhandled_errors() || self.observers.has_diverged();
+        let observers = &self.observers;
+        let has_failed = observers.has_unhandled_errors() || observers.has_diverged() || observers.has_contacts();
         match end {
             End::BrokenOff(code) => code,
             End::Unread | End::Left | End::Restart => 0,

@@ -99,6 +99,11 @@ impl Observers {
         self.console.has_unhandled_errors()
     }
 
+    /// Whether something has touched something else.
+    pub(super) fn has_contacts(&self) -> bool {
+        self.console.has_contacts()
+    }
+
     /// Whether the output of the run is closed.
     pub(super) fn has_left(&self) -> bool {
         self.record.is_abandoned() || self.console.is_abandoned()
@@ -116,6 +121,7 @@ impl Observers {
             Some(live) => live.close().iter().try_for_each(|line| self.console.say(line))?,
             None => self.console.show_failures(None),
         }
+        self.console.show_encounters();
         self.record.flush()?;
         Ok(self.console)
     }

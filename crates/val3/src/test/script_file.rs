@@ -38,6 +38,9 @@ impl ScriptFile {
         let scenario = read_script(&shown)?;
         scenario.check_kind(case.kind).map_err(|error| unusable_script(&shown, &error))?;
         let mut keys = scenario.controller_keys().clone();
+        if let Some(cell) = keys.cell.as_mut().filter(|cell| *cell != "none") {
+            *cell = normalise(&folder.join(&*cell)).into_string();
+        }
         for library in keys.replace.values_mut() {
             *library = stand_in(folder, &shown, library)?.into_string();
         }

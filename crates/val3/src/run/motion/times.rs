@@ -1,6 +1,7 @@
 //! Time of a run by program line (`--times`), in cycles of 4 ms, and the limits of the arm's speed.
 
 mod limits;
+mod nearest;
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -21,6 +22,7 @@ use crate::output::file_kind::OutputFileKind;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 use limits::{LimitShare, LimitTimes, cell};
+use nearest::{Nearest, NearestRow};
 
 /// Activity of the arm while no move is recorded.
 const NO_MOVE: &str = "no move";
@@ -39,6 +41,8 @@ pub(super) struct RunTimes {
     tasks_before: Vec<TimeKey>,
     /// Line of the current move, or of the last move.
     present: Option<CodePlace>,
+    /// Smallest distances, if there are things around the arm.
+    nearest: Option<Nearest>,
 }
 
 /// A line and an activity.
@@ -79,6 +83,9 @@ struct TimesReport {
     advice: Option<String>,
     /// Blends that are shorter than requested, by line.
     blends: Vec<CutBlend>,
+    /// Smallest distance of each pair of things that came within 500 mm, smallest first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    nearest: Vec<NearestRow>,
 }
 
 #[derive(Serialize)]
@@ -89,6 +96,9 @@ struct TimesRow {
     line: u32,
     what: String,
     seconds: f64,
+    /// Smallest distance while the arm executed this line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nearest: Option<NearestRow>,
     /// Limits of the arm's speed, longest time first; empty for a task.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     limits: Vec<LimitShare>,
@@ -117,6 +127,7 @@ impl RunTimes {
             arm_before: None,
             tasks_before: Vec::new(),
             present: None,
+            nearest: None,
         })
     }
 
@@ -126,6 +137,9 @@ impl RunTimes {
         let passed = start.saturating_sub(self.last);
         self.last = start;
         let (arm, limit) = (self.of_arm(controller), controller.arm().speed_limit());
+        if let Some(nearest) = Nearest::of(&mut self.nearest, controller) {
+            nearest.see(start, controller, &arm);
+        }
         let moving = passed.min(CYCLE);
         let before = self.arm_before.replace((arm.clone(), limit));
         self.arm.entry(arm).or_default().add(limit, moving);
@@ -167,7 +181,10 @@ impl RunTimes {
         self.arm.values().for_each(|limits| all.extend(limits));
         let arm = self.arm.into_iter().map(|(entry, limits)| (entry, limits.total(), limits.shares()));
         let tasks = self.tasks.into_iter().map(|(entry, time)| (entry, time, Vec::new()));
-        let (arm, tasks) = (rows(arm), rows(tasks));
+        let (mut arm, tasks) = (rows(arm), rows(tasks));
+        if let Some(nearest) = &self.nearest {
+            arm.iter_mut().for_each(|row| row.nearest = nearest.of_line(&row.program, row.line));
+        }
         let report = TimesReport {
             duration: seconds(self.last),
             times: self.origin,
@@ -175,6 +192,7 @@ impl RunTimes {
             tasks,
             advice: all.advice(),
             blends: self.blends.into_lines(),
+            nearest: self.nearest.map(|nearest| nearest.of_pairs()).unwrap_or_default(),
         };
         match self.file {
             Some((mut file, path)) => {
@@ -201,7 +219,7 @@ fn rows(table: impl Iterator<Item = (TimeKey, Time, Vec<LimitShare>)>) -> Vec<Ti
 }
 
 fn row(TimeKey { task, program, line, what }: TimeKey, time: Time, limits: Vec<LimitShare>) -> TimesRow {
-    TimesRow { task, program, line, what, seconds: seconds(time), limits }
+    TimesRow { task, program, line, what, seconds: seconds(time), nearest: None, limits }
 }
 
 impl TimesReport {
@@ -211,6 +229,7 @@ impl TimesReport {
         self.part(&mut table, "tasks", &self.tasks);
         table.extend(self.advice.iter().map(|advice| format!("  {advice}\n")));
         table += &blends::table(&self.blends);
+        table += &nearest::table(&self.arm, &self.nearest);
         table
     }
 

@@ -1,0 +1,102 @@
+//! Things around the arm: where they are, and what comes too near to them.
+
+use std::sync::Arc;
+
+use val3_cell::{Carrier, Cell, DataKind, Encounter, Scene, Sight, Watch};
+use val3_geometry::{IsometryMatrix3, chain};
+use val3_lang::call::ToolRef;
+use val3_lang::ports::Time;
+use val3_lang::references;
+use val3_lang::types::BaseType;
+
+use super::Controller;
+use crate::arm::MoveOrigin;
+use crate::event::{ClearanceMove, EventKind, seconds};
+
+/// Number and instruction of the move that the arm executes.
+pub(crate) type MoveLabel = Option<(f64, MoveOrigin)>;
+
+impl Controller {
+    /// Returns whether a datum is a frame or a tool; `None` if it is neither, or does not exist.
+    #[must_use]
+    pub fn carrier_kind(&self, name: &str) -> Option<DataKind> {
+        match self.variable(name)? {
+            (_, BaseType::Frame) => Some(DataKind::Frame),
+            (_, BaseType::Tool) => Some(DataKind::Tool),
+            _ => None,
+        }
+    }
+
+    /// Places a cell around the arm, and watches the distances from now on.
+    pub fn surround(&mut self, cell: Cell) {
+        let arm = Arc::clone(self.devices.state.arm.shared_model());
+        self.devices.state.watch = Some(Watch::new(Scene::new(cell.into(), arm)));
+    }
+
+    /// Returns where the arm and the frames and tools of a scene are, at a time in seconds.
+    #[must_use]
+    pub fn sight(&self, scene: &Scene, time: f64) -> Sight<'_> {
+        let arm = &self.devices.state.arm;
+        Sight {
+            arm: arm.shared_model(),
+            joints: arm.joint(),
+            placement: arm.placements(),
+            places: scene.data().map(|carrier| self.place_of(carrier)).collect(),
+            time,
+        }
+    }
+
+    /// Pose of a frame in `world` or of a tool in `flange`; `None` for other carriers, and without a father.
+    fn place_of(&self, carrier: &Carrier) -> Option<IsometryMatrix3<f64>> {
+        match carrier {
+            Carrier::Frame(name) => self.frame_in_world(name),
+            Carrier::Tool(name) => self.tool_in_flange(name),
+            Carrier::World | Carrier::Link(_) | Carrier::Flange => None,
+        }
+    }
+
+    /// Current pose of a tool in `flange`, by name. `None` if the tool does not exist or has no father.
+    fn tool_in_flange(&self, name: &str) -> Option<IsometryMatrix3<f64>> {
+        let (place, _) = self.variable(name).filter(|(_, base)| *base == BaseType::Tool)?;
+        let way = references::of_tool(&self.vm.space.memory, ToolRef(place)).ok()?;
+        Some(chain::resolve(&way))
+    }
+
+    /// Watches the distances at the beginning of a cycle.
+    pub(super) fn watch_surroundings(&mut self, now: Time) {
+        let Some(mut watch) = self.devices.state.watch.take() else { return };
+        let scene = Arc::clone(watch.scene());
+        let label = self.devices.state.arm.current_move();
+        let encounters = watch.see(&self.sight(&scene, seconds(now)), &label);
+        self.devices.state.watch = Some(watch);
+        self.record_encounters(now, encounters);
+    }
+
+    /// Ends all encounters, at the end of a run.
+    pub fn end_encounters(&mut self) {
+        let encounters = self.devices.state.watch.as_mut().map(Watch::finish).unwrap_or_default();
+        self.record_encounters(self.now(), encounters);
+    }
+
+    fn record_encounters(&mut self, now: Time, encounters: Vec<Encounter<MoveLabel>>) {
+        for Encounter { state, names: [a, b], measured, time, joints, label, at_start } in encounters {
+            let axes = self.devices.state.arm.model().axes();
+            let of = label.filter(|_| !at_start).map(|(id, MoveOrigin { instruction, at, .. })| {
+                let (program, line, file) = self.devices.place(at);
+                ClearanceMove { id, instruction, program, line, file }
+            });
+            let kind = EventKind::Clearance {
+                state: state.word(),
+                a,
+                b,
+                distance: measured.distance,
+                points: measured.points.map(Into::into),
+                at: time,
+                joints: joints.iter().take(axes).copied().collect(),
+                start: at_start,
+                of,
+            };
+            self.devices.record_outside(now, kind);
+        }
+    }
+}
