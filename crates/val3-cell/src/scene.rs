@@ -81,6 +81,17 @@ impl Scene {
         &self.cell
     }
 
+    /// Names of the base, the links and the things.
+    pub fn body_names(&self) -> impl Iterator<Item = &str> {
+        self.bodies.iter().map(|body| body.name.as_str())
+    }
+
+    /// Whether the base, a link or a thing has this name.
+    #[must_use]
+    pub fn has_body(&self, name: &str) -> bool {
+        self.body_names().any(|known| known == name)
+    }
+
     /// Names of the frames and tools that carry things, in the order in which [`crate::Sight::places`] lists their poses.
     pub fn data(&self) -> impl Iterator<Item = &Carrier> {
         self.cell

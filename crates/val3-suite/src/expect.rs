@@ -22,11 +22,12 @@
 //! events = [{ move = "pick" }, { print = "picked" }, { data = { nState = 0 } }]
 //! ```
 //!
-//! Expectations about motion are in `motion` and `cycle_time`.
+//! Expectations about motion are in `motion`, `cycle_time` and `clearance`.
 //!
 //! Each family of expectations has a file, which contains its keys as plain data and, if it depends on the run, an
 //! observer type that receives each cycle and returns failures at the end.
 
+mod clearance;
 mod cycle_time;
 mod errors;
 mod fit;
@@ -46,6 +47,7 @@ use toml::Spanned;
 use val3_machine::script::SentText;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
+use clearance::Clearance;
 use cycle_time::CycleTime;
 use errors::ExpectedError;
 pub(crate) use errors::failure as error_failure;
@@ -84,6 +86,8 @@ pub(crate) struct Expectations {
     speed: Vec<Spanned<Speed>>,
     inside: Vec<Spanned<Inside>>,
     clear: Vec<Spanned<Clear>>,
+    contact: Option<Spanned<bool>>,
+    clearance: Option<Spanned<Clearance>>,
 }
 
 impl Expectations {
@@ -109,7 +113,8 @@ impl Expectations {
         let course = sent.is_empty() && errors.is_empty() && within.is_empty() && order.is_empty() && time.is_empty();
         let files = self.screen_file.is_none() && self.print_file.is_none();
         let motion = trace.is_none() && self.speed.is_empty() && self.inside.is_empty() && self.clear.is_empty();
-        texts && values && course && files && motion
+        let distances = self.contact.is_none() && self.clearance.is_none();
+        texts && values && course && files && motion && distances
     }
 
     /// Expectations that cannot be met in any run of the application, because of names or times.
@@ -120,6 +125,8 @@ impl Expectations {
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().faults(fit, &within.span()));
         let orders = self.order.iter().flat_map(|order| order.faults(fit));
         let times = self.time.iter().flat_map(|time| time.get_ref().faults(fit, &time.span()));
-        states.chain(sent::faults(&self.sent, fit)).chain(errors).chain(deadlines).chain(orders).chain(times).collect()
+        let distances = clearance::faults(self.contact.as_ref(), self.clearance.as_ref(), fit.controller);
+        let texts = sent::faults(&self.sent, fit);
+        states.chain(texts).chain(errors).chain(deadlines).chain(orders).chain(times).chain(distances).collect()
     }
 }

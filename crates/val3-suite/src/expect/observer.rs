@@ -6,6 +6,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 
 use super::Expectations;
+use super::clearance::ClearanceState;
 use super::cycle_time::Stopwatch;
 use super::errors::ExpectedErrors;
 use super::motion::MotionExpectation;
@@ -34,6 +35,7 @@ pub(crate) struct Observer {
     orders: Vec<OrderState>,
     stopwatches: Vec<Stopwatch>,
     motion: MotionExpectation,
+    clearance: ClearanceState,
     has_moved: bool,
     /// Printed lines, if they are compared with recorded lines.
     prints: Vec<String>,
@@ -54,6 +56,7 @@ impl Observer {
             orders: order.iter().map(OrderState::new).collect(),
             stopwatches: time.iter().map(Stopwatch::new).collect(),
             motion: MotionExpectation::default(),
+            clearance: ClearanceState::default(),
             has_moved: false,
             prints: Vec::new(),
         }
@@ -69,6 +72,7 @@ impl Observer {
         self.orders.iter_mut().for_each(|order| order.see(cycle));
         self.stopwatches.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
         self.motion.see(cycle, &self.expectations);
+        self.clearance.see(cycle, &self.expectations);
         if self.expectations.print_file.is_some() {
             let texts = cycle.events.iter().filter_map(|event| OutputKind::Print.text(event));
             self.prints.extend(texts.flat_map(str::lines).map(|line| line.trim_end().to_owned()));
@@ -105,6 +109,7 @@ impl Observer {
         failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
         failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));
         failures.extend(self.motion.failures(&self.expectations, controller, source));
+        failures.extend(self.clearance.failures(&self.expectations, source));
         failures
     }
 
