@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use camino::Utf8Path;
-use globset::{Glob, GlobBuilder, GlobSet, GlobSetBuilder};
+use globset::{ErrorKind, Glob, GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
@@ -42,7 +42,7 @@ impl TryFrom<Vec<String>> for Patterns {
         for pattern in &patterns {
             set.add(glob(pattern)?);
         }
-        let set = set.build().map_err(|error| error.kind().to_string())?;
+        let set = set.build().map_err(|error| reason(error.kind()))?;
         Ok(Self { patterns, set })
     }
 }
@@ -55,7 +55,18 @@ fn glob(pattern: &str) -> Result<Glob, String> {
         .literal_separator(true)
         .case_insensitive(true)
         .build()
-        .map_err(|error| format!("the pattern `{pattern}` cannot be read: {}", error.kind()))
+        .map_err(|error| format!("the pattern `{pattern}` cannot be read: {}", reason(error.kind())))
+}
+
+fn reason(fault: &ErrorKind) -> String {
+    match fault {
+        ErrorKind::UnclosedClass => "`[` has no `]`".to_owned(),
+        ErrorKind::UnclosedAlternates => "`{` has no `}`; a brace in a name is written `[{]`".to_owned(),
+        ErrorKind::UnopenedAlternates => "`}` has no `{`; a brace in a name is written `[}]`".to_owned(),
+        ErrorKind::InvalidRange(first, last) => format!("the range `{first}-{last}` is descending"),
+        ErrorKind::DanglingEscape => "nothing follows the last `\\`".to_owned(),
+        _ => "it is too complex".to_owned(),
+    }
 }
 
 impl From<Patterns> for Vec<String> {
@@ -107,7 +118,14 @@ mod tests {
 
     #[test]
     fn a_wrong_pattern_is_reported() {
-        let error = Patterns::try_from(vec!["a[".to_owned()]).unwrap_err();
-        assert!(error.contains("`a[`"), "{error}");
+        for (pattern, reason) in [
+            ("a[", "`[` has no `]`"),
+            ("a{b", "`{` has no `}`; a brace in a name is written `[{]`"),
+            ("a}", "`}` has no `{`; a brace in a name is written `[}]`"),
+            ("[z-a]", "the range `z-a` is descending"),
+        ] {
+            let error = Patterns::try_from(vec![pattern.to_owned()]).unwrap_err();
+            assert_eq!(error, format!("the pattern `{pattern}` cannot be read: {reason}"));
+        }
     }
 }

@@ -1,11 +1,10 @@
 //! ZIP archives of backups, unpacked in memory within limits.
 
 use std::fmt;
-use std::io::{BufReader, Cursor, Read as _};
+use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use zip::ZipArchive;
-use zip::result::ZipError;
 
 use crate::read::open_regular;
 use crate::{FileClass, Unreadable};
@@ -22,13 +21,28 @@ const MOST_RATIO: u64 = 1_024;
 /// Unpacked size that is accepted for any compression ratio, in bytes.
 const ANY_SIZE: u64 = 1 << 20;
 
+/// First bytes of an entry, with which an archive begins.
+const ENTRY_SIGNATURE: &[u8] = b"PK\x03\x04";
+
+/// First bytes of the record at the end of an archive.
+const END_SIGNATURE: &[u8] = b"PK\x05\x06";
+
+/// Maximum size of the record at the end of an archive, in bytes: 22 and a comment.
+const MOST_END: u64 = 22 + 65_535;
+
 /// Reason why an archive cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ArchiveFault {
     /// The archive file cannot be read.
     Unreadable(Unreadable),
-    /// The file is no ZIP archive, or is damaged.
-    Damaged(String),
+    /// The file is no ZIP archive.
+    NoArchive,
+    /// The end of the archive, with its directory, is missing.
+    CutOff,
+    /// The directory of the archive is damaged.
+    Damaged,
+    /// An entry cannot be unpacked, because its bytes are damaged or compressed by an unsupported method.
+    DamagedEntry(String),
     /// The archive has too many entries, or their unpacked size is too large.
     TooLarge,
     /// An entry is encrypted.
@@ -48,11 +62,8 @@ pub fn is_archive_name(path: &Utf8Path) -> bool {
 /// If the archive cannot be read, or has too many entries.
 pub fn archive_entries(path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, ArchiveFault> {
     let file = open_regular(path).map_err(ArchiveFault::Unreadable)?;
-    let archive = ZipArchive::new(BufReader::new(file)).map_err(|error| damaged(&error))?;
-    if archive.len() > MOST_ENTRIES {
-        return Err(ArchiveFault::TooLarge);
-    }
-    let names = archive.file_names().collect::<Result<Vec<_>, _>>().map_err(|error| damaged(&error))?;
+    let archive = open(BufReader::new(file))?;
+    let names = archive.file_names().collect::<Result<Vec<_>, _>>().map_err(|_| ArchiveFault::Damaged)?;
     let files = names.iter().map(|name| name.replace('\\', "/")).filter(|name| !name.ends_with('/'));
     Ok(files.map(Utf8PathBuf::from).collect())
 }
@@ -66,18 +77,15 @@ pub fn unpack(
     mut wanted: impl FnMut(&Utf8Path) -> bool,
 ) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, ArchiveFault> {
     let bytes = crate::read(path, FileClass::Record).map_err(ArchiveFault::Unreadable)?;
-    let mut archive = ZipArchive::new(Cursor::new(bytes.as_slice())).map_err(|error| damaged(&error))?;
-    if archive.len() > MOST_ENTRIES {
-        return Err(ArchiveFault::TooLarge);
-    }
+    let mut archive = open(Cursor::new(bytes.as_slice()))?;
     let mut files = Vec::new();
     let mut left = MOST_BYTES;
     for index in 0..archive.len() {
-        let raw = archive.by_index_raw(index).map_err(|error| damaged(&error))?;
+        let raw = archive.by_index_raw(index).map_err(|_| ArchiveFault::Damaged)?;
         if raw.is_dir() {
             continue;
         }
-        let name = inner_path(&raw.name().map_err(|error| damaged(&error))?)?;
+        let name = inner_path(&raw.name().map_err(|_| ArchiveFault::Damaged)?)?;
         if !wanted(&name) {
             continue;
         }
@@ -86,10 +94,10 @@ pub fn unpack(
         }
         let most = left.min(raw.compressed_size().saturating_mul(MOST_RATIO).max(ANY_SIZE));
         drop(raw);
+        let damaged = || ArchiveFault::DamagedEntry(name.to_string());
         let mut content = Vec::new();
-        let entry = archive.by_index(index).map_err(|error| damaged(&error))?;
-        let read = entry.take(most.saturating_add(1)).read_to_end(&mut content);
-        read.map_err(|error| ArchiveFault::Damaged(error.to_string()))?;
+        let entry = archive.by_index(index).map_err(|_| damaged())?;
+        entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(|_| damaged())?;
         left = match u64::try_from(content.len()) {
             Ok(size) if size <= most => left.saturating_sub(size),
             _ => return Err(ArchiveFault::TooLarge),
@@ -99,8 +107,28 @@ pub fn unpack(
     Ok(files)
 }
 
-fn damaged(error: &ZipError) -> ArchiveFault {
-    ArchiveFault::Damaged(error.to_string())
+/// Reads the directory of an archive.
+fn open<R: Read + Seek>(mut reader: R) -> Result<ZipArchive<R>, ArchiveFault> {
+    let fault = fault_without_directory(&mut reader).map_err(|error| ArchiveFault::Unreadable(error.into()))?;
+    let archive = ZipArchive::new(reader).map_err(|_| fault)?;
+    if archive.len() > MOST_ENTRIES { Err(ArchiveFault::TooLarge) } else { Ok(archive) }
+}
+
+/// The fault of a file whose directory cannot be read, from the signatures at its begin and end.
+fn fault_without_directory(reader: &mut (impl Read + Seek)) -> std::io::Result<ArchiveFault> {
+    let mut begin = Vec::new();
+    reader.by_ref().take(4).read_to_end(&mut begin)?;
+    let size = reader.seek(SeekFrom::End(0))?;
+    reader.seek(SeekFrom::Start(size.saturating_sub(MOST_END)))?;
+    let mut end = Vec::new();
+    reader.read_to_end(&mut end)?;
+    reader.rewind()?;
+    let has_end = end.windows(END_SIGNATURE.len()).any(|part| part == END_SIGNATURE);
+    Ok(match (has_end, begin == ENTRY_SIGNATURE) {
+        (true, _) => ArchiveFault::Damaged,
+        (false, true) => ArchiveFault::CutOff,
+        (false, false) => ArchiveFault::NoArchive,
+    })
 }
 
 /// Entry path, which must be inside the archive. Some tools write backslashes.
@@ -119,7 +147,12 @@ impl fmt::Display for ArchiveFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreadable(reason) => reason.fmt(f),
-            Self::Damaged(reason) => write!(f, "it is no ZIP archive, or a damaged one: {reason}"),
+            Self::NoArchive => f.write_str("it is no ZIP archive"),
+            Self::CutOff => f.write_str("the end of the ZIP archive is missing; copy it again"),
+            Self::Damaged => f.write_str("the directory of the ZIP archive is damaged; copy it again"),
+            Self::DamagedEntry(name) => {
+                write!(f, "`{name}` in it cannot be unpacked: it is damaged, or compressed by an unusual method")
+            }
             Self::TooLarge => f.write_str("it has more entries, or unpacks to more bytes, than a backup; unpack it"),
             Self::Encrypted(name) => write!(f, "`{name}` in it is encrypted; unpack it"),
             Self::Outside(name) => write!(f, "`{name}` resolves to a path outside the archive"),
@@ -167,7 +200,7 @@ mod tests {
         let path = packed(&folder, &[("usr/usrapp/a/a.pjx", b"a"), ("usr\\b.pgx", b"b"), ("../c.pgx", b"c")]);
         assert_eq!(archive_entries(&path).unwrap(), ["usr/usrapp/a/a.pjx", "usr/b.pgx", "../c.pgx"]);
         std::fs::write(&path, "text").unwrap();
-        assert!(matches!(archive_entries(&path), Err(ArchiveFault::Damaged(_))));
+        assert_eq!(archive_entries(&path), Err(ArchiveFault::NoArchive));
         assert_eq!(archive_entries(&folder), Err(ArchiveFault::Unreadable(Unreadable::Folder)));
     }
 
@@ -184,8 +217,35 @@ mod tests {
         let (_kept, folder) = folder();
         let path = folder.join("a.zip");
         std::fs::write(&path, "text").unwrap();
-        let error = unpack(&path, |_| true).unwrap_err();
-        assert!(error.to_string().starts_with("it is no ZIP archive, or a damaged one: "), "{error}");
+        assert_eq!(unpack(&path, |_| true), Err(ArchiveFault::NoArchive));
         assert_eq!(unpack(&folder, |_| true), Err(ArchiveFault::Unreadable(Unreadable::Folder)));
+    }
+
+    #[test]
+    fn an_archive_that_is_cut_off_anywhere_is_no_archive_or_has_no_end() {
+        let (_kept, folder) = folder();
+        let path = packed(&folder, &[("a.pjx", b"some text"), ("b.pgx", b"more text")]);
+        let bytes = std::fs::read(&path).unwrap();
+        for length in 0..bytes.len() {
+            std::fs::write(&path, &bytes[..length]).unwrap();
+            // Within the record at the end, only the record is damaged.
+            let fault = match length {
+                0..4 => ArchiveFault::NoArchive,
+                _ if length + 18 < bytes.len() => ArchiveFault::CutOff,
+                _ => ArchiveFault::Damaged,
+            };
+            assert_eq!(unpack(&path, |_| true), Err(fault), "{length} of {} bytes", bytes.len());
+        }
+    }
+
+    #[test]
+    fn the_damaged_entry_is_named() {
+        let (_kept, folder) = folder();
+        let path = packed(&folder, &[("a.pjx", b"some text"), ("b.pgx", b"more text")]);
+        let mut bytes = std::fs::read(&path).unwrap();
+        // Behind the local header of the first entry (30 bytes) and its name.
+        bytes[30 + "a.pjx".len()] ^= 0xff;
+        std::fs::write(&path, bytes).unwrap();
+        assert_eq!(unpack(&path, |_| true), Err(ArchiveFault::DamagedEntry("a.pjx".to_owned())));
     }
 }

@@ -141,7 +141,7 @@ mod tests {
                 log.lock().unwrap().push(format!("{database_key:?}"));
             }
         });
-        let fixture = Fixture::parse(CELL);
+        let fixture = Fixture::parse(CELL).with_stops();
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
         let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
         let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();

@@ -14,6 +14,7 @@ use val3_machine::sio::{
 
 use crate::cell::config;
 use crate::error::SessionError;
+use crate::json_fault::json_fault;
 use crate::settings::MergedSettings;
 
 /// Connection of a line, written as `Socket\host=server:2000`.
@@ -104,7 +105,7 @@ fn connected(mut configs: Vec<ChannelConfig>, lines: &[Connection]) -> Vec<Chann
 fn recorded(file: &Utf8Path) -> Result<BTreeMap<String, Vec<RecordedReply>>, SessionError> {
     let refused = |reason: String| SessionError::Recording { file: file.to_owned(), reason };
     let text = val3_files::read_text(file, FileClass::Record).map_err(|reason| refused(reason.to_string()))?;
-    replay(&text).map_err(|error| refused(error.to_string()))
+    replay(&text).map_err(|(line, error)| refused(json_fault(&error, line)))
 }
 
 /// Lines in `usr/configs/sio.cfx`.

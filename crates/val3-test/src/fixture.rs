@@ -7,6 +7,11 @@ use crate::write::{self, WrittenFile};
 /// Base folder of a fixture's paths: `Disk://x/y.pjx` is `/cell/usr/usrapp/x/y.pjx`.
 pub const ROOT: &str = "/cell/usr";
 
+/// An empty program `stop`.
+pub const EMPTY_STOP: &str = r#"<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2"><Program name="stop">
+<Code><![CDATA[begin
+end]]></Code></Program></Programs>"#;
+
 /// Files of a listing.
 #[derive(Debug, Clone)]
 pub struct Fixture {
@@ -27,6 +32,26 @@ impl Fixture {
         let mut fixture = Fixture { files: Vec::new(), places: Vec::new() };
         files(listing::read(&dedent(listing))).into_iter().for_each(|file| fixture.add(file));
         fixture
+    }
+
+    /// Adds an empty program `stop` to each project of the listing that has only `start`, because such a project is
+    /// no application.
+    #[must_use]
+    pub fn with_stops(mut self) -> Fixture {
+        const START: &str = "<Program file=\"start.pgx\" />";
+        let mut stops = Vec::new();
+        for (path, text) in &mut self.files {
+            if let Some(project) = path.strip_suffix(".pjx")
+                && text.contains(START)
+                && !text.contains("\"stop.pgx\"")
+            {
+                *text = text.replacen(START, &format!("{START}<Program file=\"stop.pgx\" />"), 1);
+                let folder = project.rsplit_once('/').map_or("", |(folder, _)| folder);
+                stops.push((format!("{folder}/stop.pgx"), EMPTY_STOP.to_owned()));
+            }
+        }
+        self.files.extend(stops);
+        self
     }
 
     /// Text of the file at `path`, which is relative to [`ROOT`].
@@ -82,7 +107,7 @@ fn project_files(project: &ListedProject, given: &[WrittenFile]) -> Vec<WrittenF
 
 #[cfg(test)]
 mod tests {
-    use super::Fixture;
+    use super::{EMPTY_STOP, Fixture};
 
     const LISTING: &str = r#"
         num nCount = 3
@@ -202,6 +227,17 @@ end]]></Code>
     #[should_panic(expected = "a local collection has no keys")]
     fn a_local_with_keys() {
         Fixture::parse("program p()\nnum l_nA[\"a\"]\nbegin\nend");
+    }
+
+    #[test]
+    fn an_application_gets_the_program_stop() {
+        let listing = "cls()\n--- part\npublic num nA\n--- other\ncls()\nprogram stop()\nbegin\nend";
+        let (before, after) = (Fixture::parse(listing), Fixture::parse(listing).with_stops());
+        assert_eq!(after.files.len(), before.files.len() + 1);
+        assert_eq!(after.text("usrapp/main/stop.pgx"), EMPTY_STOP);
+        let entries = r#"<Program file="start.pgx" /><Program file="stop.pgx" />"#;
+        assert!(after.text("usrapp/main/main.pjx").contains(entries), "on one line, so that no line number changes");
+        assert_eq!(after.text("usrapp/other/other.pjx"), before.text("usrapp/other/other.pjx"));
     }
 
     #[test]

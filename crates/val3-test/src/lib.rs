@@ -51,5 +51,5 @@ mod listing;
 mod markers;
 mod write;
 
-pub use fixture::{Fixture, ROOT};
+pub use fixture::{EMPTY_STOP, Fixture, ROOT};
 pub use markers::{MarkedText, Note, extract_markers};

@@ -13,7 +13,7 @@ use val3_check::fingerprint::Fingerprint;
 use val3_check::settings::RuleSelection;
 use val3_config::ConfigFile;
 use val3_files::{FileClass, Unreadable};
-use val3_session::SessionError;
+use val3_session::{SessionError, json_fault};
 
 use crate::output::file_kind::OutputFileKind;
 use crate::output::to_file;
@@ -188,7 +188,8 @@ impl BaselineFile<'_> {
             }
         };
         serde_json::from_str(&text).map_err(|error| {
-            let message = format!("the baseline `{}` cannot be read: {error}", self.shown());
+            let reason = json_fault(&error, error.line());
+            let message = format!("the baseline `{}` cannot be read: {reason}", self.shown());
             self.refused(message, "remove the file, and write a new one with `val3 check --write-baseline`")
         })
     }

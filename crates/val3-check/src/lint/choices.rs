@@ -90,6 +90,13 @@ impl ProgramView<'_> {
         self.is_closed(name) && !self.application().uses_of(name).may_write()
     }
 
+    /// Whether another program may write the data.
+    pub(crate) fn may_change_elsewhere(&self, name: &str) -> bool {
+        let users = self.application().users.get(name).into_iter().flatten();
+        let is_private = self.items.data.get(name).is_some_and(|item| !item.decl.public);
+        !is_private || users.filter(|(user, _)| user != self.name()).any(|(_, uses)| uses.may_write())
+    }
+
     /// Whether the programs that may change the data are known: the programs of an application without faults.
     pub(super) fn is_closed(&self, name: &str) -> bool {
         let application = self.application();

@@ -43,7 +43,7 @@ rule! {
     ///   putln(nParts[nI])
     /// endFor
     /// ```
-    V0333 "loop-beyond-array" Error, Program: check
+    V0333 "loop-beyond-array" Error, Member: check
 }
 
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
@@ -290,6 +290,65 @@ mod tests {
               ! end one earlier (unsafe)
         "#]]
         .assert_eq(&program("for nI=1 to size(nC)\nnX=nC[nI]\nendFor"));
+    }
+
+    #[test]
+    fn loops_with_the_condition_at_the_end_are_reported() {
+        expect![[r#"
+            start.pgx:7 `nA[nI]` in the last pass the index is `5`, which is beyond the end of `nA`
+              | run-time error 20: index too large
+              ? the last index is `size(nA)-1`
+              > start.pgx:9 `5` the last index
+            start.pgx:12 `nC[nI]` in the last pass the index is `size(nC)`, which is beyond the end of `nC`
+              | run-time error 20: index too large
+              ? the last index is `size(nC)-1`
+              > start.pgx:14 `size(nC)` the last index
+              ! end one earlier (unsafe)
+            start.pgx:17 `nC[nI+1]` in the last pass the index is `size(nC)`, which is beyond the end of `nC`
+              | run-time error 20: index too large
+              ? the last index is `size(nC)-1`
+              > start.pgx:19 `size(nC)` the limit of the counter
+            start.pgx:22 `nC[nI-1]` in the first pass the index of `nC` is -1
+              | run-time error 21: index negative
+              ? the first index is 0
+              > start.pgx:20 `0` the start of the counter
+        "#]]
+        .assert_eq(&program(
+            "nI=0\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>5\nnI=1\ndo\nnC[nI]=0\nnI=nI+1\nuntil nI>size(nC)\n\
+             nI=0\ndo\nnX=nC[nI+1]\nnI=nI+1\nuntil nI==size(nC)\nnI=0\ndo\nnX=nC[nI-1]\nnI=nI+1\nuntil 3<=nI",
+        ));
+    }
+
+    #[test]
+    fn other_loops_with_the_condition_at_the_end_are_not_reported() {
+        for code in [
+            "nI=0\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>4",
+            "nI=0\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>=size(nA)",
+            "nI=0\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI==5",
+            "nI=0.5\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>5",
+            "nI=0\nnX=1\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>5",
+            "if nX>0\nnI=0\nendIf\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>5",
+            "nI=0\ndo\nnI=nI+1\nnX=nA[nI-1]\nuntil nI>5",
+            "nI=0\ndo\nnX=nA[nI]\nnI=nI+1\nuntil nI>5 or nX==3",
+            "nI=0\ndo\nnX=nA[nI]\nif nX==3\nnI=9\nendIf\nnI=nI+1\nuntil nI>5",
+            "nI=0\ndo\nif nX==3\nreturn\nendIf\nnX=nA[nI]\nnI=nI+1\nuntil nI>5",
+            "nI=0\ndo\nif nI<5\nnX=nA[nI]\nendIf\nnI=nI+1\nuntil nI>5",
+            "nI=7\ndo\nnI=nI+1\nuntil nI>5",
+        ] {
+            assert_eq!(program(code), "", "{code}");
+        }
+    }
+
+    #[test]
+    fn a_loop_whose_counter_a_called_program_may_change_is_not_reported() {
+        let other = "program other()\nbegin\nnI=9\nend";
+        for code in [
+            "nI=0\ndo\nnX=nA[nI]\ncall other()\nnI=nI+1\nuntil nI>5",
+            "while nI<=size(nA)\nnX=nA[nI]\ncall other()\nnI=nI+1\nendWhile",
+            "for nI=0 to 5\nnX=nA[nI]\ncall other()\nendFor",
+        ] {
+            assert_eq!(program(&format!("{code}\n{other}")), "", "{code}");
+        }
     }
 
     #[test]

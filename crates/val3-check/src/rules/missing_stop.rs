@@ -7,16 +7,17 @@ use val3_analysis::items::project::find_file;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProjectView, is_library};
-use crate::rule::rule;
+use crate::rule::{Severity, rule};
 
 rule! {
     /// A project has the program `start` but no program `stop`.
     ///
     /// ## Why
     /// The controller starts an application only if it has both (2.1): `start`, and `stop`, which runs when the
-    /// application is stopped. A project without them is a library or a user type. `val3 run` does not run
-    /// it either. Many libraries still have one of the two from an earlier use as an application, so it is reported only if a whole cell is
-    /// checked, with the configuration of its controller, and only for projects that no other project of the cell uses.
+    /// application is stopped. A project without them is a library or a user type. `val3 run` does not run it either.
+    /// Many libraries still have one of the two from an earlier use as an application, so it is reported only for
+    /// projects that no other project uses. It is an info unless a whole cell is checked, with the configuration of its
+    /// controller.
     ///
     /// ## Bad
     /// ```val3
@@ -49,13 +50,15 @@ rule! {
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
     let Some(start) = view.items.programs.get(START) else { return };
     let may_stop = view.items.programs.contains_key(STOP) || view.items.may_have_program(STOP);
-    if may_stop || view.project.cell(view.db).is_none() || is_library(view.db, view.project) {
+    if may_stop || is_library(view.db, view.project) {
         return;
     }
+    let is_in_cell = view.project.cell(view.db).is_some();
+    let level = if is_in_cell { Severity::Warning } else { Severity::Info };
     let listed = &manifest(view.db, view.project.manifest(view.db)).programs;
     let reference = listed.iter().find(|reference| find_file(view.db, view.project, reference) == Some(*start));
     if let Some(range) = reference.and_then(|reference| program_file(view.db, view.project, reference)) {
-        found.report(&RULE, range, word());
+        found.report(&RULE, range, word()).level(level);
     }
 }
 
@@ -89,7 +92,12 @@ mod tests {
               ? add a program `stop`, which may be empty
         "#]]
         .assert_eq(&check(&RULE, "cls()"));
-        assert_eq!(testing::check(&RULE, "cls()"), "");
+    }
+
+    #[test]
+    fn the_finding_is_an_info_if_the_cell_is_unknown() {
+        assert_eq!(testing::levels(&RULE, "cls()"), [Severity::Info]);
+        assert_eq!(testing::levels(&RULE, "cls()\n=== /configs/arm.cfx\n<arm />"), [Severity::Warning]);
     }
 
     #[test]

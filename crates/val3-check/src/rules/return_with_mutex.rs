@@ -74,7 +74,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 fn after(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode, before: &Taken) -> Taken {
     let mut taken = before.clone();
     if matches!(point.kind, PointKind::Call(_)) {
-        taken.retain(|name, _| !may_change_elsewhere(program, name));
+        taken.retain(|name, _| !program.may_change_elsewhere(name));
     }
     for access in program.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read) {
         if let RootVariable::Data(name) = &access.root {
@@ -88,13 +88,6 @@ fn after(program: &ProgramView<'_>, id: FlowNodeId, point: &FlowNode, before: &T
         }
     }
     taken
-}
-
-/// Whether another program may write the variable.
-fn may_change_elsewhere(program: &ProgramView<'_>, name: &str) -> bool {
-    let users = program.application().users.get(name).into_iter().flatten();
-    let is_private = program.items.data.get(name).is_some_and(|item| !item.decl.public);
-    !is_private || users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())
 }
 
 /// Whether the program itself releases the mutex somewhere.

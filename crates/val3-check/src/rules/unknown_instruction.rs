@@ -96,6 +96,16 @@ mod tests {
         .assert_eq(&word("printf", None, None).to_string());
     }
 
+    /// The similar instruction does something different.
+    #[test]
+    fn a_name_of_another_language_is_no_misspelling() {
+        for (name, near) in [("setDI", "setDH"), ("getDO", "getDH"), ("sign", "sin"), ("set", "get"), ("lock", "clock")]
+        {
+            let help = word(name, Some(near), None).help;
+            assert!(!help.is_empty() && !help.contains(near), "{name}: {help}");
+        }
+    }
+
     #[test]
     fn other_callees_are_described() {
         expect![[r#"

@@ -12,7 +12,7 @@ use crate::{check_unit, finish, units};
 /// Checks the findings in a listing: code and message.
 #[track_caller]
 fn check(listing: &str, expected: Expect) {
-    let files = Fixture::parse(listing).files.into_iter().map(|(path, text)| (path, text.into_bytes()));
+    let files = Fixture::parse(listing).with_stops().files.into_iter().map(|(path, text)| (path, text.into_bytes()));
     let found = check_files(&files.collect::<Vec<_>>());
     let shown = found.iter().map(|found| format!("{} {}\n", found.code, found.message));
     expected.assert_eq(&shown.collect::<String>());
@@ -93,7 +93,7 @@ fn comments_without_effect_are_reported() {
 fn a_comment_for_a_disabled_rule_is_not_reported() {
     let listing = "public num nA\n//val3: allow(V0101)\nnA=1\n";
     let files: Vec<_> =
-        Fixture::parse(listing).files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
+        Fixture::parse(listing).with_stops().files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
     let never = RuleSelection { never: ["V0101"].into(), ..RuleSelection::default() };
     assert_eq!(check_selected(&files, &never), []);
     let only = RuleSelection { only: Some(["V0702"].into()), ..RuleSelection::default() };
@@ -115,7 +115,7 @@ fn findings_in_other_files_are_not_silenced() {
 /// Checks the code of the program `start` with each single fix, comment lines only.
 #[track_caller]
 fn fixed(listing: &str, expected: Expect) {
-    let files = Fixture::parse(listing).files.into_iter();
+    let files = Fixture::parse(listing).with_stops().files.into_iter();
     let system = Memory::new(files.map(|(path, text)| (Utf8PathBuf::from("/").join(path), text)));
     let workspace = load(&system, &["/".into()]).unwrap();
     let (db, settings) = (&workspace.db, WorkspaceSettings::default());

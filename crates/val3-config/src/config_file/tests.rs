@@ -208,7 +208,7 @@ fn wrong_words_are_reported() {
     refused(
         "exclude = [\"a[\"]\n",
         expect![[r#"
-            the pattern `a[` cannot be read: unclosed character class; missing ']'
+            the pattern `a[` cannot be read: `[` has no `]`
              --> cell/val3.toml:1
               |
             1 | exclude = ["a["]

@@ -37,7 +37,8 @@ fn dimensions(text: String) -> Result<u8, TableErrorKind> {
 
 /// Attribute value; empty if it is missing.
 fn attribute(element: &BytesStart<'_>, name: &str) -> Result<String, TableErrorKind> {
-    let found = element.try_get_attribute(name).map_err(|error| TableErrorKind::Xml(error.to_string()))?;
+    let malformed = || TableErrorKind::Xml("an attribute is not well-formed".to_owned());
+    let found = element.try_get_attribute(name).map_err(|_| malformed())?;
     Ok(found.map(|attribute| attribute.value.into_owned()).unwrap_or_default())
 }
 

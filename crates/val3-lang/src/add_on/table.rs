@@ -1,7 +1,8 @@
 //! Parses a table: `Language / Functions / Func { Name, Return, Param*, Lib, Class }`.
 
 use quick_xml::{
-    Reader,
+    Error, Reader,
+    errors::IllFormedError,
     events::{BytesStart, Event},
 };
 
@@ -27,9 +28,20 @@ pub fn parse_table(xml: &str) -> Result<AddOnTable, TableError> {
             Ok(event) => parser.event(&event).map_err(located)?,
             Err(error) => {
                 let offset = mark + position(reader.error_position());
-                return Err(TableError { offset, kind: TableErrorKind::Xml(error.to_string()) });
+                return Err(TableError { offset, kind: TableErrorKind::Xml(xml_fault(&error)) });
             }
         }
+    }
+}
+
+fn xml_fault(error: &Error) -> String {
+    match error {
+        Error::Syntax(_) => "a tag, a comment or a declaration has no end".to_owned(),
+        Error::IllFormed(IllFormedError::MismatchedEndTag { expected, found }) => {
+            format!("`</{found}>` at the end of the element `{expected}`")
+        }
+        Error::IllFormed(IllFormedError::UnmatchedEndTag(name)) => format!("`</{name}>` without a start tag"),
+        _ => "it is not well-formed".to_owned(),
     }
 }
 
@@ -198,7 +210,14 @@ mod tests {
     #[test]
     fn broken_tables_are_errors_with_a_position() {
         assert!(matches!(kind("<Language><Functions>"), Some(TableErrorKind::Xml(_))));
-        assert!(matches!(kind("<Language></Functions>"), Some(TableErrorKind::Xml(_))));
+        for (xml, reason) in [
+            ("<Language></Functions>", "`</Functions>` at the end of the element `Language`"),
+            ("</Functions>", "`</Functions>` without a start tag"),
+            ("<Language", "a tag, a comment or a declaration has no end"),
+            ("<Language><!-- ", "a tag, a comment or a declaration has no end"),
+        ] {
+            assert_eq!(kind(xml), Some(TableErrorKind::Xml(reason.to_owned())), "{xml}");
+        }
         assert_eq!(kind(""), Some(TableErrorKind::NotATable));
         assert_eq!(kind("<Project/>"), Some(TableErrorKind::NotATable));
         assert_eq!(kind(&with_function("<Return>num</Return>")), Some(TableErrorKind::NoName));

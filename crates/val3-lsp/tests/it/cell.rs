@@ -11,7 +11,7 @@ pub struct Cell {
 
 impl Cell {
     pub fn new(listing: &str) -> Self {
-        let cell = Self { folder: tempfile::tempdir().unwrap(), fixture: Fixture::parse(listing) };
+        let cell = Self { folder: tempfile::tempdir().unwrap(), fixture: Fixture::parse(listing).with_stops() };
         for (path, text) in &cell.fixture.files {
             cell.write(path, text);
         }

@@ -233,7 +233,7 @@ fn the_workspace_tree_and_pages_are_returned() {
     let tree = session.client.ask("val3/workspaceTree", Value::Null);
     let projects = tree.as_array().unwrap();
     assert_eq!(projects.iter().map(|project| &project["name"]).collect::<Vec<_>>(), ["main", "part"]);
-    assert_eq!(each(&projects[0]["programs"], "name"), ["other", "start"]);
+    assert_eq!(each(&projects[0]["programs"], "name"), ["other", "start", "stop"]);
     assert_eq!(each(&projects[0]["data"], "name"), ["pA", "nA"]);
     assert_eq!(each(&projects[0]["libraries"], "name"), ["part"]);
     assert_eq!(projects.iter().map(|project| &project["kind"]).collect::<Vec<_>>(), ["application", "library"]);

@@ -137,8 +137,8 @@ impl<L: ByteStream, F: FnMut(RecordedReply)> ByteStream for LineRecorder<L, F> {
 /// run was killed.
 ///
 /// # Errors
-/// The first line that is no event.
-pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<RecordedReply>>> {
+/// Number and fault of the first line that is no event.
+pub fn replay(record: &str) -> Result<BTreeMap<String, Vec<RecordedReply>>, (usize, serde_json::Error)> {
     #[derive(Deserialize)]
     #[serde(tag = "kind", rename_all = "lowercase")]
     enum RecordedEvent {
@@ -151,10 +151,10 @@ pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<RecordedR
         Else,
     }
     let mut answers: BTreeMap<String, Vec<RecordedReply>> = BTreeMap::new();
-    for line in record.split_inclusive('\n').filter(|line| !line.trim().is_empty()) {
+    for (number, line) in (1..).zip(record.split_inclusive('\n')).filter(|(_, line)| !line.trim().is_empty()) {
         match serde_json::from_str(line) {
             Ok(RecordedEvent::Line { link, entry }) => answers.entry(link).or_default().push(entry),
-            Err(error) if line.ends_with('\n') || !error.is_eof() => return Err(error),
+            Err(error) if line.ends_with('\n') || !error.is_eof() => return Err((number, error)),
             Ok(RecordedEvent::Else) | Err(_) => {}
         }
     }

@@ -8,6 +8,7 @@ use serde_json::Value;
 use val3_files::FileClass;
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::{EndReason, Event};
+use val3_session::json_fault;
 
 use crate::printable::one_line;
 use crate::user_error::UserError;
@@ -70,8 +71,7 @@ impl RunRecording {
         // If the recorded run was killed, its last line may be incomplete.
         lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
         let last = lines.last().ok_or("the file has no events")?;
-        let last: RecordingEnd =
-            serde_json::from_str(last).map_err(|error| format!("line {}: {error}", lines.len()))?;
+        let last: RecordingEnd = serde_json::from_str(last).map_err(|error| json_fault(&error, lines.len()))?;
         let reason = last.reason.filter(|_| last.kind == "end");
         Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
     }

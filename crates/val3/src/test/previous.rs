@@ -6,6 +6,7 @@ use std::fmt::Display;
 use camino::Utf8Path;
 use serde::Deserialize;
 use val3_files::FileClass;
+use val3_session::json_fault;
 
 use crate::user_error::UserError;
 
@@ -48,7 +49,8 @@ impl Previous {
     /// The file cannot be read, or is no report.
     pub(super) fn read(path: &Utf8Path) -> Result<Self, UserError> {
         let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(path, &error))?;
-        let report: PreviousReport = serde_json::from_str(&text).map_err(|error| unusable(path, &error))?;
+        let report: PreviousReport =
+            serde_json::from_str(&text).map_err(|error| unusable(path, &json_fault(&error, error.line())))?;
         if report.version != 1 {
             return Err(unusable(path, &format!("its version is {}, not 1", report.version)));
         }

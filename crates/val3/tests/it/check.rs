@@ -6,7 +6,7 @@ use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL, run};
 fn a_clean_application_ends_with_0() {
     let run = Folder::with(CLEAN).val3(&["check"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
-    assert!(run.stderr.contains("no findings in 3 files (1 application, "), "{run:?}");
+    assert!(run.stderr.contains("no findings in 4 files (1 application, "), "{run:?}");
 }
 
 #[test]
@@ -16,7 +16,7 @@ fn a_fault_ends_with_1() {
     assert!(run.stdout.contains("error[V0101]"), "{run:?}");
     assert!(run.stdout.contains("usrapp/main/start.pgx:"), "{run:?}");
     assert!(run.stderr.contains("val3 explain V0101"), "{run:?}");
-    assert!(run.stderr.contains("1 error in 1 of 3 files"), "{run:?}");
+    assert!(run.stderr.contains("1 error in 1 of 4 files"), "{run:?}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ const CELL: &str = r#"
 movej(pPick["near"],flange,mFast)
 movej(jPark,flange,mFast)
 movel(pBehind,flange,mFast)
+waitEndMove()
 
 === main/main.dtx
 <?xml version="1.0" encoding="utf-8"?>

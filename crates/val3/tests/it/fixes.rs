@@ -145,7 +145,7 @@ fn line_ends_are_kept() {
     for file in ["usrapp/main/main.pjx", "usrapp/main/main.dtx"] {
         folder.write(file, &folder.read(file).replace('\n', "\r\n"));
     }
-    folder.val3(&["check", "--fix", "--unsafe-fixes"]);
+    crate::support::run(folder.exact_command(&["check", "--fix", "--unsafe-fixes"]));
     let project = folder.read("usrapp/main/main.pjx");
     assert!(
         project.contains("    <Program file=\"start.pgx\" />\r\n    <Program file=\"stray.pgx\" />\r\n"),

@@ -28,7 +28,7 @@ fn a_fix_keeps_mode_and_hard_links() {
     let after = fs::metadata(&program).unwrap();
     assert_eq!((after.ino(), after.mode(), after.nlink()), (before.ino(), before.mode(), 2));
     assert!(folder.read("other.bak").contains("if nCount"));
-    assert_eq!(names(&folder, "usrapp/main"), ["main.dtx", "main.pjx", "start.pgx"]);
+    assert_eq!(names(&folder, "usrapp/main"), ["main.dtx", "main.pjx", "start.pgx", "stop.pgx"]);
 }
 
 #[test]
@@ -38,8 +38,8 @@ fn a_leftover_of_a_killed_run_is_no_file_of_the_cell() {
     fs::copy(folder.path().join(PROGRAM), folder.path().join("usrapp/main/.other.pgx.val3-tmp")).unwrap();
     let run = folder.val3(&["check", "--fix"]);
     assert_eq!(run.code, 0, "{run:?}");
-    assert!(run.stderr.contains("in 3 files"), "{run:?}");
-    assert_eq!(names(&folder, "usrapp/main"), [".other.pgx.val3-tmp", "main.dtx", "main.pjx", "start.pgx"]);
+    assert!(run.stderr.contains("in 4 files"), "{run:?}");
+    assert_eq!(names(&folder, "usrapp/main"), [".other.pgx.val3-tmp", "main.dtx", "main.pjx", "start.pgx", "stop.pgx"]);
     let same = folder.val3(&["diff", "usrapp/main", "usrapp/main"]);
     assert_eq!(same.code, 0, "{same:?}");
 }

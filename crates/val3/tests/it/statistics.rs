@@ -8,7 +8,7 @@ fn rules_are_counted() {
     let run = folder.val3(&["check", "--statistics"]);
     assert_eq!(run.code, 1, "{run:?}");
     assert!(run.stdout.starts_with("2 ? V0101 error   unknown-name\n1 * V0701 info    keyword-spelling\n"), "{run:?}");
-    assert!(run.stderr.contains("2 errors, 1 info in 2 of 6 files"), "{run:?}");
+    assert!(run.stderr.contains("2 errors, 1 info in 2 of 8 files"), "{run:?}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
-use val3_test::Fixture;
+use val3_test::{EMPTY_STOP, Fixture};
 
 /// A program without faults.
 pub(crate) const CLEAN: &str = "num nCount\nnCount=nCount+1\n";
@@ -70,9 +70,9 @@ impl Folder {
 
     /// Prepares a `val3` command in the folder, without colours from the environment.
     ///
-    /// Applications that are run get the program `stop`, which a listing may omit.
+    /// Applications that are run or checked get the program `stop`, which a listing may omit.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
-        if args.iter().take(2).any(|arg| ["run", "dap"].contains(arg)) {
+        if args.iter().take(2).any(|arg| ["run", "dap", "check"].contains(arg)) {
             add_stops(self.path());
         }
         self.exact_command(args)
@@ -113,10 +113,6 @@ pub(crate) fn add_stops(folder: &Path) {
         }
     }
 }
-
-/// An empty program `stop`.
-const EMPTY_STOP: &str = "<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"stop\"><Code>\
-                          <![CDATA[begin\nend]]></Code></Program></Programs>";
 
 /// Copies a folder with its content.
 pub(crate) fn copy_folder(from: &Path, to: &Path) {

@@ -100,10 +100,10 @@ fn libraries_outside_the_given_folder_are_watched() {
 #[test]
 fn a_temporarily_missing_folder_does_not_end_the_watch() {
     let folder = Folder::with(CLEAN);
-    let names = ["main.pjx", "main.dtx", "start.pgx"].map(|name| format!("usrapp/main/{name}"));
-    let texts = names.clone().map(|name| folder.read(&name));
     let watching = Watching::start(&folder, &[]);
     watching.round("no findings");
+    let names = ["main.pjx", "main.dtx", "start.pgx", "stop.pgx"].map(|name| format!("usrapp/main/{name}"));
+    let texts = names.clone().map(|name| folder.read(&name));
     names.iter().for_each(|name| std::fs::remove_file(folder.path().join(name)).unwrap());
     watching.round("error: ");
     names.iter().zip(&texts).for_each(|(name, text)| folder.write(name, text));

@@ -1,7 +1,7 @@
 //! Loops that count by 1, up or down, and the values of their counter.
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
-use val3_analysis::effects::AccessKind;
+use val3_analysis::effects::{AccessKind, RootVariable};
 use val3_lang::instructions::SIZE;
 use val3_lang::operators::BinaryOp;
 
@@ -49,7 +49,7 @@ impl Bound {
 /// A loop that counts by 1 and is executed at least once.
 pub(super) struct CountingLoop<'p> {
     pub(super) counter: ExprId,
-    /// Start of a `for`.
+    /// Start of a `for`, or value that the line before a `do` assigns.
     pub(super) start: Option<ExprId>,
     /// Limit in the head of the loop.
     pub(super) stop: ExprId,
@@ -63,8 +63,10 @@ pub(super) struct CountingLoop<'p> {
 
 impl<'p> CountingLoop<'p> {
     pub(super) fn new(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<Self> {
-        let counting = for_loop(program, stmt).or_else(|| while_loop(program, stmt))?;
-        matches!(program.body.expr(counting.counter), Expr::Name(_)).then_some(counting)
+        let counting =
+            for_loop(program, stmt).or_else(|| while_loop(program, stmt)).or_else(|| do_loop(program, stmt))?;
+        let is_name = matches!(program.body.expr(counting.counter), Expr::Name(_));
+        (is_name && !is_changed_by_call(program, stmt, counting.counter)).then_some(counting)
     }
 
     /// Difference between an index and the counter: 1 for `nParts[nI+1]`.
@@ -117,6 +119,31 @@ fn while_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingL
     is_certain.then_some(CountingLoop { counter, start, stop, is_descending, lowest, highest, block })
 }
 
+/// A `do` whose counter is set by the line before it.
+fn do_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
+    let StmtKind::Do { block, condition } = &stmt.kind else { return None };
+    let (counter, stop, offset) = match program.body.expr(program.body.without_parentheses((*condition)?)) {
+        Expr::Binary(BinaryOp::Greater, counter, stop) => (*counter, *stop, 0.0),
+        Expr::Binary(BinaryOp::Less, stop, counter) => (*counter, *stop, 0.0),
+        Expr::Binary(BinaryOp::GreaterOrEqual | BinaryOp::Equal, counter, stop) => (*counter, *stop, -1.0),
+        Expr::Binary(BinaryOp::LessOrEqual, stop, counter) => (*counter, *stop, -1.0),
+        _ => return None,
+    };
+    let StmtKind::Assign { target, value: start } = statement_before(program, stmt)?.kind else { return None };
+    let lowest = program.body.number(start).filter(|start| start.fract() == 0.0)?;
+    let highest = Bound::new(program, stop)?.shifted(offset);
+    let counts = block.iter().any(|stmt| is_increment(program, stmt, counter)) && writes(program, stmt, counter) == 1;
+    let is_certain = counts && program.is_same(target, counter) && lowest <= highest.lowest();
+    let (start, lowest, is_descending) = (Some(start), Some(lowest), false);
+    is_certain.then_some(CountingLoop { counter, start, stop, is_descending, lowest, highest, block })
+}
+
+/// The statement directly before `stmt` in the same block.
+fn statement_before<'p>(program: &'p ProgramView<'_>, stmt: &Stmt) -> Option<&'p Stmt> {
+    let block = program.body.blocks().find(|block| block.iter().any(|other| other.range == stmt.range))?;
+    block.iter().take_while(|other| other.range != stmt.range).last()
+}
+
 /// Whether the statement is `n=n+1`.
 pub(super) fn is_increment(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> bool {
     let StmtKind::Assign { target, value } = stmt.kind else { return false };
@@ -133,6 +160,16 @@ fn writes(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> usize {
         access.kind != AccessKind::Read && access.id != counter && stmt.range.contains_range(program.range(access.id))
     });
     inside.filter(|access| Some(&access.root) == root.as_ref()).count()
+}
+
+/// Whether a program that the loop calls may write the counter.
+fn is_changed_by_call(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> bool {
+    let calls = || stmt.with_inner().iter().any(|inner| matches!(inner.kind, StmtKind::Call(_)));
+    match program.effects.root(counter) {
+        Some(RootVariable::Local(_)) => false,
+        Some(RootVariable::Data(name)) => calls() && program.may_change_elsewhere(&name),
+        _ => calls(),
+    }
 }
 
 /// The other operand and the whole number that a sum adds to it: `nI` and 1 for `nI+1`, `1+nI` and `nI-(-1)`.

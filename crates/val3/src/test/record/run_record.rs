@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 use val3_machine::event::EndReason;
 use val3_machine::script::{LineBytes, ScriptAction};
+use val3_session::json_fault;
 use val3_suite::ControllerKeys;
 
 /// Contents of an event record.
@@ -122,7 +123,7 @@ impl RunRecord {
                 Ok(line) => lines.push(line),
                 // The last line of a run that was killed may be incomplete.
                 Err(error) if error.is_eof() && !text.ends_with('\n') => break,
-                Err(error) => return Err(format!("line {number}: {error}")),
+                Err(error) => return Err(json_fault(&error, number)),
             }
         }
         if lines.is_empty() {
