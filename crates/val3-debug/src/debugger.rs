@@ -281,6 +281,12 @@ impl Debugger {
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
+        if self.controller.vm.is_after_line(task)
+            && let Some(data) = self.follow_data(Some(task), false)
+        {
+            self.controller.vm.meet_stop_again(task);
+            return Some(data);
+        }
         if self.controller.vm.is_at_end(task) {
             return self.exit(task);
         }

@@ -207,6 +207,21 @@ impl Vm {
         self.forget_removed_stops();
     }
 
+    /// Stops the task once more where it has stopped. The caller has stopped there for another reason.
+    pub fn meet_stop_again(&mut self, id: TaskNumber) {
+        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
+            (task.thread.is_at_stop, task.thread.is_at_end) = (false, false);
+        }
+    }
+
+    /// Whether a task is after the instructions of the line that it has executed last: before its end, or at a stop
+    /// mark of a keyword that closes a block.
+    #[must_use]
+    pub fn is_after_line(&self, id: TaskNumber) -> bool {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
+        task.is_some_and(|task| task.thread.is_at_end || self.mark(&task.thread) == Some(LineMark::StopWithin))
+    }
+
     /// Whether a task has begun a line and not ended it.
     #[must_use]
     pub fn is_within_line(&self, id: TaskNumber) -> bool {
