@@ -7,6 +7,7 @@
 mod at_end;
 mod control;
 mod evaluation;
+mod named_data;
 mod search;
 
 use std::collections::BTreeMap;
@@ -30,6 +31,8 @@ use crate::protocol::{
 };
 use crate::session_start::SessionStart;
 use crate::stop_event;
+
+pub(crate) use named_data::NamedData;
 
 /// Next action of the run's loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -232,7 +232,7 @@ impl Debugger {
     }
 
     /// Restores the last snapshot before a moment, and returns the snapshot's moment.
-    fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
+    pub(crate) fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
         self.leave_present();
         let point = self.history.as_ref()?.earlier(moment)?;
         let start = point.moment;
@@ -244,7 +244,7 @@ impl Debugger {
 
     /// Replays the run towards `end`, by at most one cycle, and discards the events, which were already reported.
     /// Returns `None` at `end`.
-    fn replay(&mut self, watch: CycleWatch, end: Moment) -> Option<Replayed> {
+    pub(crate) fn replay(&mut self, watch: CycleWatch, end: Moment) -> Option<Replayed> {
         if Moment::of(&self.controller) >= end {
             return None;
         }
@@ -277,6 +277,6 @@ impl Debugger {
 
 /// Returns `part / whole`, from 0 to 1.
 #[expect(clippy::cast_precision_loss, reason = "people see per cent")]
-fn fraction(part: Time, whole: Time) -> f64 {
+pub(crate) fn fraction(part: Time, whole: Time) -> f64 {
     (part as f64 / whole.max(1) as f64).min(1.0)
 }

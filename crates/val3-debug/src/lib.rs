@@ -25,6 +25,7 @@ mod step_in;
 mod travel;
 mod values;
 mod watched;
+mod writes;
 
 pub use arguments::{FrameArgument, arguments};
 pub use backwards::{Goal, Watcher};
@@ -50,3 +51,4 @@ pub use values::{
     values,
 };
 pub use watched::WatchedData;
+pub use writes::{DataWrite, DataWrites};
