@@ -42,7 +42,7 @@ pub use goto::{GotoFault, GotoTarget};
 pub use history::{HistoryExtent, Moment, PastLimits};
 pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
 pub use restart::RestartFault;
-pub use skipped_code::{EmptySkipPattern, SkipPattern};
+pub use skipped_code::{InvalidSkipPattern, SkipPattern};
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
