@@ -151,12 +151,16 @@ impl Debugger {
                 // A wait ends without time passing, so the moment does not tell whether the run was before or after the
                 // end.
                 self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch, end));
+                // The replay counts the hits of an arrival that it reports.
+                let mut is_counted = matches!(stop, Stop::Breakpoints { .. });
                 if over > Moment::of(&self.controller) {
                     self.go_to(over);
+                    is_counted = false;
                 }
                 if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
-                    // The arrival was already counted as a hit.
-                    self.hit_again(task);
+                    if !is_counted {
+                        self.hit_again(task);
+                    }
                     self.controller.vm.pass_stop(task);
                 }
                 return Some(stop);
