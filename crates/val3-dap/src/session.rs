@@ -17,6 +17,7 @@ use val3_debug::{Goal, Stop};
 use val3_lang::ports::Time;
 use val3_machine::event::Event as MachineEvent;
 
+use crate::breakpoint_hits::ShownHits;
 use crate::breakpoints::BreakpointTable;
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
@@ -88,6 +89,8 @@ pub struct DebugSession {
     /// Next action that the last request requires.
     pub(crate) action: Option<NextAction>,
     pub(crate) breakpoints: BreakpointTable,
+    /// Hit counts that the client has.
+    pub(crate) shown_hits: ShownHits,
     pub(crate) handles: Handles,
     notices: Notices,
     pub(crate) subscriptions: Subscriptions,
@@ -117,6 +120,7 @@ impl DebugSession {
                 true => BreakpointTable::default(),
                 false => BreakpointTable::with_default_filters(),
             },
+            shown_hits: ShownHits::default(),
             handles: Handles::default(),
             notices,
             subscriptions: Subscriptions::default(),
@@ -158,6 +162,7 @@ impl DebugSession {
             self.place_again(run);
         }
         let ended = self.breakpoints.ended_data(run.debugger);
+        self.shown_hits.update(&ended);
         ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
@@ -183,7 +188,14 @@ impl DebugSession {
     /// Tells the client where its breakpoints are now.
     fn place_again(&mut self, run: &mut DebuggedRun<'_>) {
         let placed = self.breakpoints.place_all(run, &self.conventions);
+        self.shown_hits.update(&placed);
         placed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+    }
+
+    /// Sends the hit counts that have changed.
+    pub(crate) fn report_hits(&mut self, run: &DebuggedRun<'_>) {
+        let changes = self.shown_hits.changes(run.debugger);
+        changes.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
     }
 
     fn breakpoint_changed(&mut self, breakpoint: protocol::Breakpoint) {
@@ -208,6 +220,7 @@ impl DebugSession {
             self.client.custom_event("val3/motion", batch);
         }
         self.refresh_view(run);
+        self.report_hits(run);
         self.client.event(&StandardEvent::Stopped(event));
     }
 
@@ -258,6 +271,7 @@ impl DebugSession {
         self.handles.clear();
         self.breakpoints.apply_errors(run, &self.conventions);
         let removed = self.breakpoints.remove_data();
+        self.shown_hits.update(&removed);
         removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         self.place_again(run);
         self.phase = SessionState::Configuring;

@@ -342,6 +342,12 @@ impl Debugger {
         Some(stop.unwrap_or(Stop::Step { task }))
     }
 
+    /// Returns the number of hits of a breakpoint so far; at a moment of the past, up to this moment.
+    #[must_use]
+    pub fn hits(&self, id: BreakpointId) -> u64 {
+        self.breakpoints.hits.get(&id).copied().unwrap_or_default()
+    }
+
     /// Returns the log point messages since the last call.
     pub fn take_logged(&mut self) -> Vec<LoggedMessage> {
         std::mem::take(&mut self.logged)

@@ -30,6 +30,7 @@ impl DebugSession {
             Some(stop) => stop_event::stopped(&stop, controller),
             None => stop_event::cancelled(controller),
         };
+        self.report_hits(run);
         self.stopped_elsewhere(event);
     }
 
