@@ -1,6 +1,7 @@
 //! Event `stopped`, for each kind of stop.
 
-use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames};
+use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames, unlinked};
+use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{CodeSource, Controller, MotionFault};
@@ -28,7 +29,7 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             let meaning = runtime_errors::find(fault.0).map_or("unknown run-time error", |error| error.short);
             StoppedEvent {
                 description: Some("Paused on run-time error".to_owned()),
-                text: Some(format!("error {}: {meaning}", fault.0)),
+                text: Some(format!("error {}: {meaning}{}", fault.0, unlinked_data(*fault, *task, controller))),
                 ..event(StoppedEventReason::Exception, Some(*task))
             }
         }
@@ -52,6 +53,16 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             }
         }
     }
+}
+
+/// Names the variables without a signal that have caused a run-time error: ``: `diPart` has no link``. Empty for other
+/// errors.
+pub(crate) fn unlinked_data(fault: Fault, task: TaskNumber, controller: &mut Controller) -> String {
+    if fault.0 != runtime_errors::UNLINKED {
+        return String::new();
+    }
+    let causes: Vec<String> = unlinked(controller, task).iter().map(ToString::to_string).collect();
+    if causes.is_empty() { String::new() } else { format!(": {}", causes.join("; ")) }
 }
 
 /// The event of a run in which no task can continue.

@@ -23,6 +23,7 @@ mod skipped_code;
 mod step;
 mod step_in;
 mod travel;
+mod unlinked;
 mod values;
 mod watched;
 mod writes;
@@ -46,6 +47,7 @@ pub use skipped_code::{InvalidSkipPattern, SkipPattern};
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
+pub use unlinked::{UnlinkedData, unlinked};
 pub use values::{
     DebugValue, DisplayFormat, Inside, Scope, ScopeKind, count, data, row_of_data, scopes, string_of_data, subscript,
     values,
