@@ -84,6 +84,10 @@ pub struct DebugSession {
     pub(crate) start: SessionStart,
     run: RunState,
     is_configured: bool,
+    /// Whether the run goes to its end without stops (`startAtEnd`).
+    runs_to_end: bool,
+    /// Whether the run has stopped at the end of its recording, and was at no other moment since.
+    is_at_recorded_end: bool,
     /// Number of the present request.
     pub(crate) request: i64,
     /// Next action that the last request requires.
@@ -114,6 +118,8 @@ impl DebugSession {
             start: start.clone(),
             run,
             is_configured: false,
+            runs_to_end: false,
+            is_at_recorded_end: false,
             request: 0,
             action: None,
             breakpoints: match start.is_plain_run {
@@ -205,6 +211,10 @@ impl DebugSession {
 
     /// The run, or only one task, has stopped by itself.
     pub fn stop(&mut self, stop: &Stop, run: &mut DebuggedRun<'_>) {
+        if self.passes(stop, run) {
+            return;
+        }
+        self.end_run_to_end(run);
         let is_alone = stop.task_alone().is_some_and(|task| run.debugger.is_task_paused(task));
         let event = stop_event::stopped(stop, &mut run.debugger.controller);
         self.report_stop(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event }, run);
@@ -244,9 +254,11 @@ impl DebugSession {
             return;
         }
         self.phase = SessionState::Running;
+        self.is_at_recorded_end = false;
+        self.runs_to_end = self.start.settings.starts_at_end && self.run == RunState::Fresh;
         let task = controller.vm.tasks().first().map(|task| task.id);
         match self.run {
-            RunState::Fresh if self.start.settings.stops_on_entry => {
+            RunState::Fresh if self.start.settings.stops_on_entry && !self.runs_to_end => {
                 self.phase = SessionState::Stopped;
                 if let Some(task) = task {
                     // A breakpoint at the first line does not stop the task there once more.

@@ -74,6 +74,24 @@ pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
     }
 }
 
+/// The event of a run that has ended, with failed tasks or without any.
+pub(crate) fn ended(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused at the end of the run".to_owned()),
+        text: Some("the run has ended: go back, or continue to end the session".to_owned()),
+        ..event(StoppedEventReason::Pause, first_task(controller))
+    }
+}
+
+/// The event of a run at the end of the recording that it repeats.
+pub(crate) fn recorded_end(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused at the end of the recording".to_owned()),
+        text: Some("the recording ends here: go back, or continue to end the session".to_owned()),
+        ..event(StoppedEventReason::Pause, first_task(controller))
+    }
+}
+
 /// The event of a run that is where it was, because the client has cancelled a search.
 pub(crate) fn cancelled(controller: &Controller) -> StoppedEvent {
     StoppedEvent {

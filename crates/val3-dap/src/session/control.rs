@@ -149,6 +149,7 @@ impl DebugSession {
     /// Reports that the run is at another moment or line without having run there. There is no `invalidated`, because
     /// clients request all values after a stop, and VS Code would also request values of the previous stop.
     pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
+        self.is_at_recorded_end = false;
         self.handles.clear();
         self.following.push(StandardEvent::Stopped(event));
     }
