@@ -9,6 +9,7 @@ mod control;
 mod evaluation;
 mod named_data;
 mod search;
+mod step_wait;
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -32,6 +33,8 @@ use crate::protocol::{
 };
 use crate::session_start::SessionStart;
 use crate::stop_event;
+
+use step_wait::StepWait;
 
 pub(crate) use named_data::NamedData;
 
@@ -102,6 +105,8 @@ pub struct DebugSession {
     pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
     /// Moment of the past to which the run goes after the response to the present request.
     pub(crate) goal: Option<Goal>,
+    /// Wait of the current step.
+    step_wait: Option<StepWait>,
     /// Events that follow the response to the present request.
     pub(crate) following: Vec<StandardEvent>,
 }
@@ -132,6 +137,7 @@ impl DebugSession {
             subscriptions: Subscriptions::default(),
             goto_targets: BTreeMap::new(),
             goal: None,
+            step_wait: None,
             following: Vec::new(),
         }
     }
@@ -175,6 +181,7 @@ impl DebugSession {
             let output = message.text + "\n";
             self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
+        self.note_step_wait(run);
         self.subscriptions.note(events, &run.debugger.controller);
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);

@@ -107,6 +107,12 @@ pub(crate) fn waits(controller: &Controller) -> impl Iterator<Item = String> {
     positions.map(|at| format!("task `{}` {} at {}() line {}", at.name, at.activity, at.program, at.line))
 }
 
+/// Describes what a task waits for, like [`waits`].
+pub(crate) fn wait_of(task: TaskNumber, controller: &Controller) -> Option<String> {
+    let index = controller.vm.tasks().iter().position(|known| known.id == task)?;
+    waits(controller).nth(index)
+}
+
 fn first_task(controller: &Controller) -> Option<TaskNumber> {
     controller.vm.tasks().first().map(|task| task.id)
 }

@@ -219,6 +219,14 @@ impl Debugger {
         self.skipped = code;
     }
 
+    /// Returns the task of the current step while it waits within a line.
+    #[must_use]
+    pub fn waiting_step(&self) -> Option<TaskNumber> {
+        let step = self.step?;
+        let mut tasks = self.controller.vm.tasks().iter();
+        tasks.find(|task| task.id == step.task && task.thread.wait.is_some()).map(|task| task.id)
+    }
+
     /// Cancels the current step.
     pub fn abandon_step(&mut self) {
         self.step = None;

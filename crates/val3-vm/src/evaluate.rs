@@ -102,9 +102,11 @@ impl Vm {
         // No task runs: an instruction that stops the task of the frame does not end the fragment.
         let grant = Grant::once(grants.next().unwrap_or_default());
         let context = self.turn_context(TaskNumber::default(), grant, (now, 0), stack_size, host);
-        let mut run = FragmentRun { context, instance, base, fragment };
+        let mut run = FragmentRun { context, instance, base, fragment, passed_stops: 0 };
         let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread, grants));
+        let passed_stops = run.passed_stops;
         let end = end.unwrap_or_else(FragmentEnd::Failed).map(|value| look(&mut self.space.memory, host, value));
+        self.passed_stops = passed_stops;
         self.clear(&thread, &base);
         self.exchange_stack(task);
         if let Some(found) = self.space.instance_mut(instance) {
@@ -153,13 +155,15 @@ struct FragmentRun<'v, 'f> {
     /// Start of the fragment's stack frame.
     base: Base,
     fragment: &'f Fragment,
+    /// Passed stop marks.
+    passed_stops: u32,
 }
 
 impl FragmentRun<'_, '_> {
     /// Creates the fragment's frame, with references to the variables of the program in `called`, whose frame begins at
     /// the given base.
     fn enter(&mut self, thread: &mut Thread, called: Option<(Base, &Program)>) -> Result<()> {
-        let Self { context, instance, base, fragment } = self;
+        let Self { context, instance, base, fragment, .. } = self;
         let memory = &mut context.space.memory;
         let frame = Frame { instance: *instance, program: FRAGMENT, back: 0, back_line: 0, base: *base };
         thread.push(frame, &mut memory.stores.room)?;
@@ -194,7 +198,7 @@ impl FragmentRun<'_, '_> {
                     None => return Ok(FragmentEnd::Limit),
                 },
                 // Breakpoints in called programs have no effect.
-                TurnEnd::AtStop(_) => {}
+                TurnEnd::AtStop(_) => self.passed_stops = self.passed_stops.saturating_add(1),
             }
         }
     }

@@ -22,6 +22,8 @@ pub struct Vm {
     pub(crate) roster: Roster,
     /// Placeholder for the thread of the running task; `None` while a task runs.
     idle: Option<Box<Thread>>,
+    /// Stop marks that the last fragment has passed.
+    pub(crate) passed_stops: u32,
 }
 
 impl Vm {
@@ -197,6 +199,13 @@ impl Vm {
     /// Replaces all guards of stop marks.
     pub fn set_guards(&mut self, guards: Vec<StopGuard>) {
         self.space.guards = Arc::new(guards);
+    }
+
+    /// Returns the number of stop marks that the last [evaluated](Self::evaluate) fragment has passed in called programs
+    /// without a stop.
+    #[must_use]
+    pub fn passed_stops(&self) -> u32 {
+        self.passed_stops
     }
 
     /// Passes the stop mark at the task's next line, because the caller has already handled this stop.
