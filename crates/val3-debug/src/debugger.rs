@@ -14,7 +14,6 @@ use crate::pause::Pause;
 use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
 use crate::skipped_code::SkipPattern;
 use crate::step::{Step, StepKind};
-use crate::step_in::StepInTarget;
 use crate::travel::{MotionStop, Travel};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
@@ -170,13 +169,6 @@ impl Debugger {
     pub fn step(&mut self, task: TaskNumber, kind: StepKind) {
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         self.step = found.map(|task| Step::new(task, kind));
-    }
-
-    /// Starts a step of a task into the program that its next line calls, or with which a created task begins, also if
-    /// steps [skip](Self::skip) the program.
-    pub fn step_into(&mut self, task: TaskNumber, target: &StepInTarget) {
-        self.step(task, target.kind);
-        self.step = self.step.map(Step::into_target);
     }
 
     /// Removes breakpoints, the current step and pauses, discards the history, and returns to continuous motion.
