@@ -5,13 +5,13 @@ use std::sync::Arc;
 use val3_bytecode::{Fragment, Program, Storage};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Memory, Place, Stack, View};
+use val3_lang::memory::{Lanes, Memory, Stack};
 use val3_lang::ports::{TaskNumber, Time};
 
 use crate::calls::program_of;
 use crate::enter::{enter, leave, write};
 use crate::instance::FRAGMENT;
-use crate::operands::{OperandContext, on_frame};
+use crate::operands::{OperandContext, place_of, view_of};
 use crate::task::{Base, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Frame, Grant, Host, InstanceId, TurnEnd, Vm};
@@ -229,26 +229,6 @@ fn refer(memory: &mut Memory, (other, found): (&Base, Storage), (base, reference
             write(&mut memory.stack.views, base.view + u32::from(number), view)
         }
         Storage::Value(_) | Storage::Part(_) => Err(Fault::INTERPRETER),
-    }
-}
-
-/// Returns the place of a frame variable that is a single value.
-fn place_of(memory: &Memory, base: &Base, storage: Storage) -> Option<Place> {
-    match storage {
-        Storage::Value(lanes) => Some(on_frame(base, lanes)),
-        Storage::Place(number) => memory.stack.places.get(base.place as usize + usize::from(number)).copied(),
-        Storage::Part(_) | Storage::View(_) => None,
-    }
-}
-
-/// Returns the view of a frame variable that is a container.
-fn view_of(memory: &Memory, base: &Base, storage: Storage) -> Option<View> {
-    match storage {
-        Storage::Part(number) => {
-            memory.stack.parts.get(base.part as usize + usize::from(number)).copied().map(View::whole)
-        }
-        Storage::View(number) => memory.stack.views.get(base.view as usize + usize::from(number)).copied(),
-        Storage::Value(_) | Storage::Place(_) => None,
     }
 }
 
