@@ -9,6 +9,7 @@
 
 mod assertions;
 mod attach_server;
+mod breakpoint_hits;
 mod breakpoints;
 mod capabilities;
 mod cell_view;

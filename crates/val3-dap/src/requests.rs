@@ -11,6 +11,7 @@ mod evaluate;
 mod exception_info;
 mod goto;
 mod goto_targets;
+mod history;
 mod io;
 mod io_force;
 mod jog;
@@ -141,6 +142,7 @@ static REQUESTS: &[RequestHandler] = &[
     own::<user_page::UserPageRequest>(Inspects),
     own::<operate::Operate>(ChangesRun),
     own::<past::Past>(Inspects),
+    own::<history::History>(NeedsStop),
     own::<subscribe::Subscribe>(Inspects),
     own::<view::View>(ChangesRun),
 ];

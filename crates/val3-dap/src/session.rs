@@ -7,7 +7,9 @@
 mod at_end;
 mod control;
 mod evaluation;
+mod named_data;
 mod search;
+mod step_wait;
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -16,6 +18,7 @@ use val3_debug::{Goal, Stop};
 use val3_lang::ports::Time;
 use val3_machine::event::Event as MachineEvent;
 
+use crate::breakpoint_hits::ShownHits;
 use crate::breakpoints::BreakpointTable;
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
@@ -30,6 +33,10 @@ use crate::protocol::{
 };
 use crate::session_start::SessionStart;
 use crate::stop_event;
+
+use step_wait::StepWait;
+
+pub(crate) use named_data::NamedData;
 
 /// Next action of the run's loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,11 +87,17 @@ pub struct DebugSession {
     pub(crate) start: SessionStart,
     run: RunState,
     is_configured: bool,
+    /// Whether the run goes to its end without stops (`startAtEnd`).
+    runs_to_end: bool,
+    /// Whether the run has stopped at the end of its recording, and was at no other moment since.
+    is_at_recorded_end: bool,
     /// Number of the present request.
     pub(crate) request: i64,
     /// Next action that the last request requires.
     pub(crate) action: Option<NextAction>,
     pub(crate) breakpoints: BreakpointTable,
+    /// Hit counts that the client has.
+    pub(crate) shown_hits: ShownHits,
     pub(crate) handles: Handles,
     notices: Notices,
     pub(crate) subscriptions: Subscriptions,
@@ -92,6 +105,8 @@ pub struct DebugSession {
     pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
     /// Moment of the past to which the run goes after the response to the present request.
     pub(crate) goal: Option<Goal>,
+    /// Wait of the current step.
+    step_wait: Option<StepWait>,
     /// Events that follow the response to the present request.
     pub(crate) following: Vec<StandardEvent>,
 }
@@ -108,17 +123,21 @@ impl DebugSession {
             start: start.clone(),
             run,
             is_configured: false,
+            runs_to_end: false,
+            is_at_recorded_end: false,
             request: 0,
             action: None,
             breakpoints: match start.is_plain_run {
                 true => BreakpointTable::default(),
                 false => BreakpointTable::with_default_filters(),
             },
+            shown_hits: ShownHits::default(),
             handles: Handles::default(),
             notices,
             subscriptions: Subscriptions::default(),
             goto_targets: BTreeMap::new(),
             goal: None,
+            step_wait: None,
             following: Vec::new(),
         }
     }
@@ -155,12 +174,14 @@ impl DebugSession {
             self.place_again(run);
         }
         let ended = self.breakpoints.ended_data(run.debugger);
+        self.shown_hits.update(&ended);
         ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
             let output = message.text + "\n";
             self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
+        self.note_step_wait(run);
         self.subscriptions.note(events, &run.debugger.controller);
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);
@@ -180,7 +201,14 @@ impl DebugSession {
     /// Tells the client where its breakpoints are now.
     fn place_again(&mut self, run: &mut DebuggedRun<'_>) {
         let placed = self.breakpoints.place_all(run, &self.conventions);
+        self.shown_hits.update(&placed);
         placed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+    }
+
+    /// Sends the hit counts that have changed.
+    pub(crate) fn report_hits(&mut self, run: &DebuggedRun<'_>) {
+        let changes = self.shown_hits.changes(run.debugger);
+        changes.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
     }
 
     fn breakpoint_changed(&mut self, breakpoint: protocol::Breakpoint) {
@@ -190,6 +218,10 @@ impl DebugSession {
 
     /// The run, or only one task, has stopped by itself.
     pub fn stop(&mut self, stop: &Stop, run: &mut DebuggedRun<'_>) {
+        if self.passes(stop, run) {
+            return;
+        }
+        self.end_run_to_end(run);
         let is_alone = stop.task_alone().is_some_and(|task| run.debugger.is_task_paused(task));
         let event = stop_event::stopped(stop, &mut run.debugger.controller);
         self.report_stop(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event }, run);
@@ -205,6 +237,7 @@ impl DebugSession {
             self.client.custom_event("val3/motion", batch);
         }
         self.refresh_view(run);
+        self.report_hits(run);
         self.client.event(&StandardEvent::Stopped(event));
     }
 
@@ -228,9 +261,11 @@ impl DebugSession {
             return;
         }
         self.phase = SessionState::Running;
+        self.is_at_recorded_end = false;
+        self.runs_to_end = self.start.settings.starts_at_end && self.run == RunState::Fresh;
         let task = controller.vm.tasks().first().map(|task| task.id);
         match self.run {
-            RunState::Fresh if self.start.settings.stops_on_entry => {
+            RunState::Fresh if self.start.settings.stops_on_entry && !self.runs_to_end => {
                 self.phase = SessionState::Stopped;
                 if let Some(task) = task {
                     // A breakpoint at the first line does not stop the task there once more.
@@ -255,6 +290,7 @@ impl DebugSession {
         self.handles.clear();
         self.breakpoints.apply_errors(run, &self.conventions);
         let removed = self.breakpoints.remove_data();
+        self.shown_hits.update(&removed);
         removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         self.place_again(run);
         self.phase = SessionState::Configuring;

@@ -33,7 +33,9 @@ impl SessionStart {
         secret: Option<&Secret>,
     ) -> Result<Self, RequestFailure> {
         secret.map_or(Ok(()), |secret| secret.check(&arguments))?;
-        let settings = SessionSettings::of(&arguments)?;
+        let mut settings = SessionSettings::of(&arguments)?;
+        // A client that attaches comes while the run is going on.
+        settings.starts_at_end &= !is_attach;
         Ok(Self { seq, is_attach, is_plain_run: false, arguments, settings })
     }
 

@@ -19,6 +19,8 @@ pub struct SessionSettings {
     pub(crate) shows_screen_output: bool,
     /// The run stops before the end of its last task.
     pub(crate) stops_on_exit: bool,
+    /// Whether the run goes to its end without stops, and stops there.
+    pub starts_at_end: bool,
     /// The angles of positions are shown in radians.
     pub(crate) has_radians: bool,
     /// Whether a breakpoint, a step or an error stops only its task.
@@ -30,11 +32,18 @@ pub struct SessionSettings {
 impl SessionSettings {
     /// Starts the history, and sets the modes of the run.
     pub fn apply(&self, debugger: &mut Debugger) {
-        debugger.stop_at_exit(self.stops_on_exit);
+        debugger.stop_at_exit(self.stops_on_exit || self.starts_at_end);
         debugger.record(self.past);
+        debugger.skip(self.skipped.clone());
+        if !self.starts_at_end {
+            self.apply_modes(debugger);
+        }
+    }
+
+    /// Sets the modes of a run in which the user controls the tasks.
+    pub(crate) fn apply_modes(&self, debugger: &mut Debugger) {
         debugger.set_motion_mode(self.motion_mode);
         debugger.stop_tasks_alone(self.stops_one_task);
-        debugger.skip(self.skipped.clone());
     }
 
     /// The settings among the arguments of `launch` or `attach`.
@@ -50,6 +59,7 @@ impl SessionSettings {
             past: PastLimits { snapshots: snapshots.unwrap_or(usual.snapshots), bytes: bytes.unwrap_or(usual.bytes) },
             stops_on_entry: switch(arguments, "stopOnEntry", false)?,
             stops_on_exit: switch(arguments, "stopOnExit", false)?,
+            starts_at_end: switch(arguments, "startAtEnd", false)?,
             shows_screen_output: switch(arguments, "screenOutput", true)?,
             has_radians: is_second(arguments, "angles", ["degrees", "radians"])?,
             stops_one_task: is_second(arguments, "stopScope", ["all", "task"])?,

@@ -1,6 +1,7 @@
 //! Event `stopped`, for each kind of stop.
 
-use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames};
+use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames, unlinked};
+use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{CodeSource, Controller, MotionFault};
@@ -28,7 +29,7 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             let meaning = runtime_errors::find(fault.0).map_or("unknown run-time error", |error| error.short);
             StoppedEvent {
                 description: Some("Paused on run-time error".to_owned()),
-                text: Some(format!("error {}: {meaning}", fault.0)),
+                text: Some(format!("error {}: {meaning}{}", fault.0, unlinked_data(*fault, *task, controller))),
                 ..event(StoppedEventReason::Exception, Some(*task))
             }
         }
@@ -54,11 +55,39 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
     }
 }
 
+/// Names the variables without a signal that have caused a run-time error: ``: `diPart` has no link``. Empty for other
+/// errors.
+pub(crate) fn unlinked_data(fault: Fault, task: TaskNumber, controller: &mut Controller) -> String {
+    if fault.0 != runtime_errors::UNLINKED {
+        return String::new();
+    }
+    let causes: Vec<String> = unlinked(controller, task).iter().map(ToString::to_string).collect();
+    if causes.is_empty() { String::new() } else { format!(": {}", causes.join("; ")) }
+}
+
 /// The event of a run in which no task can continue.
 pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
     StoppedEvent {
         description: Some("Paused because no task can continue".to_owned()),
         text: Some(waits(controller).collect::<Vec<_>>().join("; ")),
+        ..event(StoppedEventReason::Pause, first_task(controller))
+    }
+}
+
+/// The event of a run that has ended, with failed tasks or without any.
+pub(crate) fn ended(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused at the end of the run".to_owned()),
+        text: Some("the run has ended: go back, or continue to end the session".to_owned()),
+        ..event(StoppedEventReason::Pause, first_task(controller))
+    }
+}
+
+/// The event of a run at the end of the recording that it repeats.
+pub(crate) fn recorded_end(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused at the end of the recording".to_owned()),
+        text: Some("the recording ends here: go back, or continue to end the session".to_owned()),
         ..event(StoppedEventReason::Pause, first_task(controller))
     }
 }
@@ -76,6 +105,12 @@ pub(crate) fn cancelled(controller: &Controller) -> StoppedEvent {
 pub(crate) fn waits(controller: &Controller) -> impl Iterator<Item = String> {
     let positions = controller.task_positions().into_iter();
     positions.map(|at| format!("task `{}` {} at {}() line {}", at.name, at.activity, at.program, at.line))
+}
+
+/// Describes what a task waits for, like [`waits`].
+pub(crate) fn wait_of(task: TaskNumber, controller: &Controller) -> Option<String> {
+    let index = controller.vm.tasks().iter().position(|known| known.id == task)?;
+    waits(controller).nth(index)
 }
 
 fn first_task(controller: &Controller) -> Option<TaskNumber> {

@@ -222,7 +222,9 @@ impl TestClient {
             match progress {
                 AdvanceResult::Stopped(stop) => {
                     self.session.stop(&stop, &mut run);
-                    break;
+                    if !self.session.is_running_to_end() {
+                        break;
+                    }
                 }
                 AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
                     if Pace::default().wait(&mut run.debugger.controller, wake).is_none() {

@@ -151,12 +151,16 @@ impl Debugger {
                 // A wait ends without time passing, so the moment does not tell whether the run was before or after the
                 // end.
                 self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch, end));
+                // The replay counts the hits of an arrival that it reports.
+                let mut is_counted = matches!(stop, Stop::Breakpoints { .. });
                 if over > Moment::of(&self.controller) {
                     self.go_to(over);
+                    is_counted = false;
                 }
                 if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
-                    // The arrival was already counted as a hit.
-                    self.hit_again(task);
+                    if !is_counted {
+                        self.hit_again(task);
+                    }
                     self.controller.vm.pass_stop(task);
                 }
                 return Some(stop);
@@ -232,7 +236,7 @@ impl Debugger {
     }
 
     /// Restores the last snapshot before a moment, and returns the snapshot's moment.
-    fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
+    pub(crate) fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
         self.leave_present();
         let point = self.history.as_ref()?.earlier(moment)?;
         let start = point.moment;
@@ -244,7 +248,7 @@ impl Debugger {
 
     /// Replays the run towards `end`, by at most one cycle, and discards the events, which were already reported.
     /// Returns `None` at `end`.
-    fn replay(&mut self, watch: CycleWatch, end: Moment) -> Option<Replayed> {
+    pub(crate) fn replay(&mut self, watch: CycleWatch, end: Moment) -> Option<Replayed> {
         if Moment::of(&self.controller) >= end {
             return None;
         }
@@ -277,6 +281,6 @@ impl Debugger {
 
 /// Returns `part / whole`, from 0 to 1.
 #[expect(clippy::cast_precision_loss, reason = "people see per cent")]
-fn fraction(part: Time, whole: Time) -> f64 {
+pub(crate) fn fraction(part: Time, whole: Time) -> f64 {
     (part as f64 / whole.max(1) as f64).min(1.0)
 }

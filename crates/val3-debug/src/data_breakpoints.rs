@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::RunStatus;
-use val3_vm::Frame;
+use val3_vm::{Frame, Vm};
 
 use crate::breakpoints::{BreakpointId, HitCondition};
 use crate::conditions::{CompiledExpression, application_context};
@@ -74,8 +74,27 @@ pub struct DataStop {
 #[derive(Debug, Default)]
 pub(crate) struct DataBreakpoints {
     all: Vec<DataWatch>,
-    /// Next line by task.
-    next: BTreeMap<TaskNumber, (Frame, u32)>,
+    next: NextLines,
+}
+
+/// Next line by task: stack frame and first operation.
+#[derive(Debug, Default)]
+pub(crate) struct NextLines(BTreeMap<TaskNumber, (Frame, u32)>);
+
+impl NextLines {
+    /// Stores the next line for each task without a stored line.
+    pub(crate) fn keep(&mut self, vm: &Vm) {
+        for task in vm.tasks() {
+            if let Some(frame) = task.thread.frames.last() {
+                self.0.entry(task.id).or_insert((*frame, task.thread.next));
+            }
+        }
+    }
+
+    /// Removes and returns the line that the task has executed since it was stored.
+    pub(crate) fn take(&mut self, task: TaskNumber) -> Option<(Frame, u32)> {
+        self.0.remove(&task)
+    }
 }
 
 #[derive(Debug)]
@@ -124,19 +143,9 @@ impl Debugger {
         let with_reads = self.data.all.iter().filter(|watch| watch.breakpoint.access != DataAccess::Write);
         let signals = with_reads.filter_map(|watch| watch.breakpoint.data.as_signal()).collect();
         self.controller.devices.watch_signal_reads(signals);
-        self.data.next.clear();
-        self.keep_lines();
-    }
-
-    /// Stores the next line for each task without a stored line.
-    fn keep_lines(&mut self) {
-        if self.data.is_empty() {
-            return;
-        }
-        for task in self.controller.vm.tasks() {
-            if let Some(frame) = task.thread.frames.last() {
-                self.data.next.entry(task.id).or_insert((*frame, task.thread.next));
-            }
+        self.data.next = NextLines::default();
+        if !self.data.is_empty() {
+            self.data.next.keep(&self.controller.vm);
         }
     }
 
@@ -146,8 +155,8 @@ impl Debugger {
         if self.data.is_empty() {
             return None;
         }
-        let line = task.and_then(|task| self.data.next.remove(&task));
-        self.keep_lines();
+        let line = task.and_then(|task| self.data.next.take(task));
+        self.data.next.keep(&self.controller.vm);
         let signal_reads = self.controller.devices.take_signal_reads();
         let mut changes = Vec::new();
         let moment = Moment::of(&self.controller);

@@ -211,6 +211,14 @@ impl Debugger {
         self.skipped = code;
     }
 
+    /// Returns the task of the current step while it waits within a line.
+    #[must_use]
+    pub fn waiting_step(&self) -> Option<TaskNumber> {
+        let step = self.step?;
+        let mut tasks = self.controller.vm.tasks().iter();
+        tasks.find(|task| task.id == step.task && task.thread.wait.is_some()).map(|task| task.id)
+    }
+
     /// Cancels the current step.
     pub fn abandon_step(&mut self) {
         self.step = None;
@@ -281,6 +289,12 @@ impl Debugger {
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
+        if self.controller.vm.is_after_line(task)
+            && let Some(data) = self.follow_data(Some(task), false)
+        {
+            self.controller.vm.meet_stop_again(task);
+            return Some(data);
+        }
         if self.controller.vm.is_at_end(task) {
             return self.exit(task);
         }
@@ -326,6 +340,12 @@ impl Debugger {
         let stop = self.hit(task);
         self.controller.vm.pass_stop(task);
         Some(stop.unwrap_or(Stop::Step { task }))
+    }
+
+    /// Returns the number of hits of a breakpoint so far; at a moment of the past, up to this moment.
+    #[must_use]
+    pub fn hits(&self, id: BreakpointId) -> u64 {
+        self.breakpoints.hits.get(&id).copied().unwrap_or_default()
     }
 
     /// Returns the log point messages since the last call.

@@ -23,8 +23,10 @@ mod skipped_code;
 mod step;
 mod step_in;
 mod travel;
+mod unlinked;
 mod values;
 mod watched;
+mod writes;
 
 pub use arguments::{FrameArgument, arguments};
 pub use backwards::{Goal, Watcher};
@@ -41,12 +43,14 @@ pub use goto::{GotoFault, GotoTarget};
 pub use history::{HistoryExtent, Moment, PastLimits};
 pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
 pub use restart::RestartFault;
-pub use skipped_code::{EmptySkipPattern, SkipPattern};
+pub use skipped_code::{InvalidSkipPattern, SkipPattern};
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
+pub use unlinked::{UnlinkedData, unlinked};
 pub use values::{
     DebugValue, DisplayFormat, Inside, Scope, ScopeKind, count, data, row_of_data, scopes, string_of_data, subscript,
     values,
 };
 pub use watched::WatchedData;
+pub use writes::{DataWrite, DataWrites};

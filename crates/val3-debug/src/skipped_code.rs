@@ -1,36 +1,61 @@
 //! Code in which steps do not end: applications, libraries and programs that the user does not debug.
 
+use std::fmt;
 use std::str::FromStr;
 
+use globset::{GlobBuilder, GlobMatcher};
 use val3_vm::{Frame, Space};
 
-/// Pattern for code in which a step into a call does not end. `*` stands for any text, `?` for one character.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// Pattern for code in which a step into a call does not end. `*` stands for any text, `?` for one character, `[ab]` for
+/// one of several characters.
+#[derive(Debug, Clone)]
 pub struct SkipPattern {
+    text: String,
     /// Application or library name.
-    application: String,
+    application: GlobMatcher,
     /// Program name; `None` for all programs.
-    program: Option<String>,
+    program: Option<GlobMatcher>,
 }
 
-/// Error for an empty [`SkipPattern`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct EmptySkipPattern;
+impl PartialEq for SkipPattern {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl Eq for SkipPattern {}
+
+/// Reason why a text is no [`SkipPattern`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InvalidSkipPattern(String);
+
+impl fmt::Display for InvalidSkipPattern {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
 
 impl FromStr for SkipPattern {
-    type Err = EmptySkipPattern;
+    type Err = InvalidSkipPattern;
 
     /// Parses `library` or `library:program`.
-    fn from_str(text: &str) -> Result<Self, EmptySkipPattern> {
+    fn from_str(text: &str) -> Result<Self, InvalidSkipPattern> {
         let (application, program) = match text.trim().split_once(':') {
             Some((application, program)) => (application.trim_end(), Some(program.trim_start())),
             None => (text.trim(), None),
         };
         if application.is_empty() || program.is_some_and(str::is_empty) {
-            return Err(EmptySkipPattern);
+            return Err(InvalidSkipPattern("a name is empty".to_owned()));
         }
-        Ok(Self { application: application.to_owned(), program: program.map(str::to_owned) })
+        let (application, program) = (matcher(application)?, program.map(matcher).transpose()?);
+        Ok(Self { text: text.to_owned(), application, program })
     }
+}
+
+/// Compiles the pattern of a name.
+fn matcher(pattern: &str) -> Result<GlobMatcher, InvalidSkipPattern> {
+    let glob = GlobBuilder::new(pattern).build();
+    Ok(glob.map_err(|error| InvalidSkipPattern(error.kind().to_string()))?.compile_matcher())
 }
 
 impl SkipPattern {
@@ -38,27 +63,12 @@ impl SkipPattern {
     pub(crate) fn contains(&self, space: &Space, frame: &Frame) -> bool {
         let Some(image) = space.instance(frame.instance).map(|instance| &instance.image) else { return false };
         let Some(program) = image.programs.get(usize::from(frame.program)) else { return false };
-        matches(&self.application, &image.name)
-            && self.program.as_deref().is_none_or(|pattern| matches(pattern, &program.name))
+        self.matches(&image.name, &program.name)
     }
-}
 
-/// Whether the entire text has the form of the pattern.
-fn matches(pattern: &str, text: &str) -> bool {
-    let mut rest = text.chars();
-    match pattern.chars().next() {
-        None => text.is_empty(),
-        Some('*') => {
-            let after = pattern.get(1..).unwrap_or_default();
-            text.char_indices()
-                .map(|(at, _)| at)
-                .chain([text.len()])
-                .any(|at| text.get(at..).is_some_and(|text| matches(after, text)))
-        }
-        Some(wanted) => {
-            rest.next().is_some_and(|found| wanted == '?' || wanted == found)
-                && matches(pattern.get(wanted.len_utf8()..).unwrap_or_default(), rest.as_str())
-        }
+    fn matches(&self, application: &str, program: &str) -> bool {
+        let is_program = |pattern: &GlobMatcher| pattern.is_match(program);
+        self.application.is_match(application) && self.program.as_ref().is_none_or(is_program)
     }
 }
 
@@ -68,23 +78,29 @@ mod tests {
 
     #[test]
     fn patterns_match_entire_names() {
-        for (pattern, text) in [("Queue*", "QueueFuncs"), ("*", ""), ("*Fun?s", "QueueFuncs"), ("a*b*c", "aXbbYc")] {
-            assert!(matches(pattern, text), "{pattern} {text}");
+        let matches = |pattern: &str, (application, program): (&str, &str)| {
+            pattern.parse::<SkipPattern>().unwrap().matches(application, program)
+        };
+        for (pattern, names) in [
+            ("Queue*", ("QueueFuncs", "push")),
+            ("*Fun?s", ("QueueFuncs", "push")),
+            ("[PQ]ueue", ("Queue", "push")),
+            ("* : log*", ("main", "logAll")),
+            ("a*b*c:log", ("aXbbYc", "log")),
+        ] {
+            assert!(matches(pattern, names), "{pattern} {names:?}");
         }
-        for (pattern, text) in [("Queue", "QueueFuncs"), ("?", ""), ("a*b", "abc"), ("Ab", "ab")] {
-            assert!(!matches(pattern, text), "{pattern} {text}");
+        for (pattern, names) in
+            [("Queue", ("QueueFuncs", "push")), ("main:log", ("main", "logAll")), ("Ab", ("ab", "log"))]
+        {
+            assert!(!matches(pattern, names), "{pattern} {names:?}");
         }
     }
 
     #[test]
-    fn patterns_have_two_forms() {
-        let pattern = |application: &str, program: Option<&str>| {
-            Ok(SkipPattern { application: application.to_owned(), program: program.map(str::to_owned) })
-        };
-        assert_eq!("lib".parse(), pattern("lib", None));
-        assert_eq!("* : log*".parse(), pattern("*", Some("log*")));
-        for text in ["", " ", ":program", "lib:"] {
-            assert_eq!(text.parse::<SkipPattern>(), Err(EmptySkipPattern), "{text}");
+    fn unusable_patterns_are_rejected() {
+        for text in ["", " ", ":program", "lib:", "lib["] {
+            assert!(text.parse::<SkipPattern>().is_err(), "{text}");
         }
     }
 }

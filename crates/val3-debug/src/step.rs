@@ -25,11 +25,18 @@ pub(crate) struct Step {
     pub(crate) kind: StepKind,
     /// Number of stack frames at the start of the step.
     depth: usize,
+    /// Whether the step may end in skipped code, because the user has chosen the program into which it leads.
+    enters_skipped: bool,
 }
 
 impl Step {
     pub(crate) fn new(task: &Task, kind: StepKind) -> Self {
-        Self { task: task.id, kind, depth: task.thread.frames.len() }
+        Self { task: task.id, kind, depth: task.thread.frames.len(), enters_skipped: false }
+    }
+
+    /// Returns the step to a target that the user has chosen.
+    pub(crate) fn into_target(self) -> Self {
+        Self { enters_skipped: true, ..self }
     }
 
     /// Whether the step ends at the task's present location: between two lines, at a stack depth that suits the kind of
@@ -39,6 +46,7 @@ impl Step {
         let depth = task.thread.frames.len();
         // A step that begins in skipped code may end there.
         let is_skipped = depth > self.depth
+            && !self.enters_skipped
             && task
                 .thread
                 .frames

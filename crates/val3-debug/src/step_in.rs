@@ -5,7 +5,7 @@ use val3_lang::ports::TaskNumber;
 
 use crate::debugger::Debugger;
 use crate::errors::called_program;
-use crate::step::StepKind;
+use crate::step::{Step, StepKind};
 
 /// Program that the task's next line calls, or with which a task begins that the line creates.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,6 +19,13 @@ pub struct StepInTarget {
 }
 
 impl Debugger {
+    /// Starts a step of a task into the program that its next line calls, or with which a created task begins, also if
+    /// steps [skip](Self::skip) the program.
+    pub fn step_into(&mut self, task: TaskNumber, target: &StepInTarget) {
+        self.step(task, target.kind);
+        self.step = self.step.map(Step::into_target);
+    }
+
     /// Returns the program that the task's next line calls or starts as a task; `None` if the line does neither.
     #[must_use]
     pub fn step_in_target(&self, task: TaskNumber) -> Option<StepInTarget> {

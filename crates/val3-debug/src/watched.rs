@@ -158,6 +158,27 @@ impl WatchedData {
         })
     }
 
+    /// Returns the links of the data, by element, if they are inputs, outputs or serial lines; otherwise an empty list.
+    pub(crate) fn ports(&self, controller: &mut Controller) -> Vec<(BaseType, LinkPlace)> {
+        let ports = self.look(controller, |memory, _, found| {
+            let link = |kind: &ValueType, place: Place| match kind.base {
+                KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
+                    Some((base, memory.link(place, 0).ok()?))
+                }
+                _ => None,
+            };
+            Some(match found {
+                ValueLocation::One(kind, place) => link(&kind, place).into_iter().collect(),
+                ValueLocation::All(view) => {
+                    let store = memory.store(view.store).ok()?;
+                    let places = (view.start..store.shape.len()).map(|number| store.place(view.store, number));
+                    places.filter_map(|place| link(&store.kind, place)).collect()
+                }
+            })
+        });
+        ports.unwrap_or_default()
+    }
+
     /// Whether a line that the task has executed reads the data.
     pub(crate) fn is_read(&self, controller: &mut Controller, task: TaskNumber, (frame, op): (Frame, u32)) -> bool {
         let Some(extent) = self.extent(controller) else { return false };

@@ -109,7 +109,8 @@ impl FrameEvaluator {
         controller.devices.state.io.force_inputs(forces_inputs);
         let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (grants, format));
         controller.devices.state.io.force_inputs(false);
-        let done = Evaluation::new(events, has_effects);
+        let passed_stops = controller.vm.passed_stops();
+        let done = Evaluation { passed_stops, ..Evaluation::new(events, has_effects) };
         match end {
             FragmentEnd::Value(value) => Ok(Evaluation { value: Some(value), ..done }),
             FragmentEnd::Done => Ok(done),

@@ -5,13 +5,13 @@ use std::sync::Arc;
 use val3_bytecode::{Fragment, Program, Storage};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Memory, Place, Stack, View};
+use val3_lang::memory::{Lanes, Memory, Stack};
 use val3_lang::ports::{TaskNumber, Time};
 
 use crate::calls::program_of;
 use crate::enter::{enter, leave, write};
 use crate::instance::FRAGMENT;
-use crate::operands::{OperandContext, on_frame};
+use crate::operands::{OperandContext, place_of, view_of};
 use crate::task::{Base, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Frame, Grant, Host, InstanceId, TurnEnd, Vm};
@@ -102,9 +102,11 @@ impl Vm {
         // No task runs: an instruction that stops the task of the frame does not end the fragment.
         let grant = Grant::once(grants.next().unwrap_or_default());
         let context = self.turn_context(TaskNumber::default(), grant, (now, 0), stack_size, host);
-        let mut run = FragmentRun { context, instance, base, fragment };
+        let mut run = FragmentRun { context, instance, base, fragment, passed_stops: 0 };
         let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread, grants));
+        let passed_stops = run.passed_stops;
         let end = end.unwrap_or_else(FragmentEnd::Failed).map(|value| look(&mut self.space.memory, host, value));
+        self.passed_stops = passed_stops;
         self.clear(&thread, &base);
         self.exchange_stack(task);
         if let Some(found) = self.space.instance_mut(instance) {
@@ -153,13 +155,15 @@ struct FragmentRun<'v, 'f> {
     /// Start of the fragment's stack frame.
     base: Base,
     fragment: &'f Fragment,
+    /// Passed stop marks.
+    passed_stops: u32,
 }
 
 impl FragmentRun<'_, '_> {
     /// Creates the fragment's frame, with references to the variables of the program in `called`, whose frame begins at
     /// the given base.
     fn enter(&mut self, thread: &mut Thread, called: Option<(Base, &Program)>) -> Result<()> {
-        let Self { context, instance, base, fragment } = self;
+        let Self { context, instance, base, fragment, .. } = self;
         let memory = &mut context.space.memory;
         let frame = Frame { instance: *instance, program: FRAGMENT, back: 0, back_line: 0, base: *base };
         thread.push(frame, &mut memory.stores.room)?;
@@ -194,7 +198,7 @@ impl FragmentRun<'_, '_> {
                     None => return Ok(FragmentEnd::Limit),
                 },
                 // Breakpoints in called programs have no effect.
-                TurnEnd::AtStop(_) => {}
+                TurnEnd::AtStop(_) => self.passed_stops = self.passed_stops.saturating_add(1),
             }
         }
     }
@@ -225,26 +229,6 @@ fn refer(memory: &mut Memory, (other, found): (&Base, Storage), (base, reference
             write(&mut memory.stack.views, base.view + u32::from(number), view)
         }
         Storage::Value(_) | Storage::Part(_) => Err(Fault::INTERPRETER),
-    }
-}
-
-/// Returns the place of a frame variable that is a single value.
-fn place_of(memory: &Memory, base: &Base, storage: Storage) -> Option<Place> {
-    match storage {
-        Storage::Value(lanes) => Some(on_frame(base, lanes)),
-        Storage::Place(number) => memory.stack.places.get(base.place as usize + usize::from(number)).copied(),
-        Storage::Part(_) | Storage::View(_) => None,
-    }
-}
-
-/// Returns the view of a frame variable that is a container.
-fn view_of(memory: &Memory, base: &Base, storage: Storage) -> Option<View> {
-    match storage {
-        Storage::Part(number) => {
-            memory.stack.parts.get(base.part as usize + usize::from(number)).copied().map(View::whole)
-        }
-        Storage::View(number) => memory.stack.views.get(base.view as usize + usize::from(number)).copied(),
-        Storage::Value(_) | Storage::Place(_) => None,
     }
 }
 

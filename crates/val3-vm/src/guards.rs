@@ -1,20 +1,28 @@
 //! Guards of stop marks: conditions that the interpreter evaluates within the turn, so that a task passes a stop mark
 //! without a stop if no condition is true.
 //!
-//! A guard only reads numbers of global data and of the stack frame, and has no side effects. A condition that would
-//! cause a run-time error stops the task, and the caller evaluates it in the general way.
+//! A guard only reads numbers and strings of global data and of the stack frame, also in arrays and fields, and has no
+//! side effects. A condition that would cause a run-time error stops the task, and the caller evaluates it in the
+//! general way.
 
 use std::sync::Arc;
 
-use val3_bytecode::{ArgumentSite, ContainerKind, Fragment, Image, Op, Operand, Program, Register, Storage};
-use val3_lang::memory::Memory;
+use val3_bytecode::{
+    ArgumentSite, ContainerKind, ContainerRef, Fragment, Image, Op, Operand, Program, Register, Storage, TextOperand,
+    TextSource,
+};
+use val3_lang::memory::{Lanes, Memory, Place, StoreId, View};
+use val3_lang::values::Text;
 
 use crate::arithmetic::{remainder, truth};
-use crate::operands::{OperandContext, located, on_frame};
+use crate::operands::{OperandContext, place_of, view_of};
 use crate::{Frame, Instance, InstanceId, Space};
 
 /// Largest number of numbers in the frame of a condition.
 const REGISTERS: usize = 16;
+
+/// Largest number of places, and of views, that a condition looks up.
+const LOOKUPS: usize = 8;
 
 /// Guard of a stop mark. All conditions are false at most arrivals.
 #[derive(Debug, Clone)]
@@ -22,7 +30,7 @@ pub struct StopGuard {
     place: GuardedOp,
     /// Image in memory when the guard was created. The guard has no effect in other images.
     image: Arc<Image>,
-    conditions: Vec<NumberCondition>,
+    conditions: Vec<PureCondition>,
 }
 
 /// Operation with a stop mark.
@@ -36,20 +44,42 @@ pub struct GuardedOp {
     pub op: u32,
 }
 
-/// Condition whose operations compute with numbers only.
+/// Condition whose operations only read values and compute with numbers.
 #[derive(Debug, Clone)]
-struct NumberCondition {
+struct PureCondition {
     program: Arc<Program>,
-    /// Register of the result, after the operation with index `end`.
-    result: Register,
+    /// Location of the result, after the operation with index `end`.
+    result: ConditionResult,
     end: u32,
-    /// Variable of the guarded program for each place register.
+    /// Variables of the guarded program to which the first place registers refer.
     places: Vec<Storage>,
+    /// Variables of the guarded program to which the first view registers refer.
+    views: Vec<Storage>,
+}
+
+/// Location of a condition's result.
+#[derive(Debug, Clone, Copy)]
+enum ConditionResult {
+    Register(Register),
+    Place(Register, Lanes),
+    First(ContainerRef),
+}
+
+/// Registers of a condition in evaluation.
+struct Registers<'a> {
+    condition: &'a PureCondition,
+    memory: &'a Memory,
+    scope: OperandContext<'a>,
+    nums: [f64; REGISTERS],
+    /// Places after the variables.
+    places: [Option<Place>; LOOKUPS],
+    /// Views after the variables.
+    views: [Option<View>; LOOKUPS],
 }
 
 impl StopGuard {
     /// Creates the guard of a stop mark at which tasks stop only if one of the conditions is true. Returns `None` if
-    /// the operation does not exist or a condition requires more than numbers.
+    /// the operation does not exist or a condition requires more.
     pub fn new<'f>(
         space: &Space,
         place: GuardedOp,
@@ -57,7 +87,7 @@ impl StopGuard {
     ) -> Option<Self> {
         let image = Arc::clone(&space.instance(place.instance)?.image);
         let program = image.programs.get(usize::from(place.program))?;
-        let conditions = conditions.into_iter().map(|condition| NumberCondition::new(program, condition));
+        let conditions = conditions.into_iter().map(|condition| PureCondition::new(program, condition));
         let conditions = conditions.collect::<Option<_>>()?;
         Some(Self { place, image, conditions })
     }
@@ -81,78 +111,195 @@ impl Space {
     }
 }
 
-impl NumberCondition {
-    /// Returns the condition for the variables of `program`; `None` if an operation requires more than numbers.
-    fn new(program: &Program, condition: &Fragment) -> Option<Self> {
-        let ArgumentSite::Value(Operand::Frame(lanes), _) = condition.value.as_ref()?.site else { return None };
-        let code = &condition.program;
-        let end = condition.end();
-        let is_supported = code.frame.lanes.num as usize <= REGISTERS
-            && code.code.get(..end as usize)?.iter().all(|step| is_number_operation(step.op));
-        is_supported.then_some(())?;
-        let mut places = Vec::new();
-        for (reference, variable) in code.variables.iter().zip(&program.variables) {
-            if let Storage::Place(number) = reference.storage {
-                (usize::from(number) == places.len()).then_some(())?;
-                places.push(variable.storage);
+impl ConditionResult {
+    fn of(site: &ArgumentSite) -> Option<Self> {
+        match *site {
+            ArgumentSite::Value(Operand::Frame(lanes), _) => Register::try_from(lanes.num).ok().map(Self::Register),
+            ArgumentSite::Value(Operand::Place(place, lanes), _) => Some(Self::Place(place, lanes)),
+            ArgumentSite::Value(Operand::First(container, lanes), _) if lanes == Lanes::default() => {
+                Some(Self::First(container))
             }
+            ArgumentSite::View(container, None) => Some(Self::First(container)),
+            _ => None,
         }
-        Some(Self { program: Arc::clone(code), result: Register::try_from(lanes.num).ok()?, end, places })
+    }
+}
+
+impl PureCondition {
+    /// Returns the condition for the variables of `program`; `None` if an operation is not supported.
+    fn new(program: &Program, condition: &Fragment) -> Option<Self> {
+        let result = ConditionResult::of(&condition.value.as_ref()?.site)?;
+        let (code, end) = (&condition.program, condition.end());
+        let operations = code.code.get(..end as usize)?;
+        let is_small = code.frame.lanes.num as usize <= REGISTERS;
+        (is_small && operations.iter().all(|step| is_supported(step.op))).then_some(())?;
+        let (mut places, mut views) = (Vec::new(), Vec::new());
+        for (reference, variable) in code.variables.iter().zip(&program.variables) {
+            let (list, number) = match reference.storage {
+                Storage::Place(number) => (&mut places, number),
+                Storage::View(number) => (&mut views, number),
+                Storage::Value(_) | Storage::Part(_) => return None,
+            };
+            (usize::from(number) == list.len()).then_some(())?;
+            list.push(variable.storage);
+        }
+        Some(Self { program: Arc::clone(code), result, end, places, views })
     }
 
     /// Returns the value in a stack frame; `None` instead of a run-time error.
     fn value(&self, memory: &Memory, instance: &Instance, frame: &Frame) -> Option<f64> {
-        let mut nums = [0.0; REGISTERS];
-        nums.get_mut(..self.program.nums.len())?.copy_from_slice(&self.program.nums);
-        let scope = OperandContext { instance, program: &self.program, base: frame.base };
+        let mut registers = self.registers(memory, instance, frame)?;
         let mut next = 0;
         while next < self.end as usize {
             let op = self.program.code.get(next)?.op;
             next += 1;
-            if let Some(to) = jump(op, &nums)? {
+            if let Some(to) = registers.jump(op)? {
                 // Expressions have no loops.
                 next = (to as usize).max(next);
-                continue;
+            } else {
+                registers.execute(op)?;
             }
-            let (to, value) = match op {
-                Op::LoadFirst { to, container, lane } => {
-                    (to, *memory.stores.first(scope.view(memory, container).ok()?, lane)?)
-                }
-                Op::LoadElement { to, container, index } => {
-                    let view = scope.view(memory, container).ok()?;
-                    (to, *memory.stores.element(view, register(&nums, index)?)?)
-                }
-                Op::Load { to, place, lane } => (to, self.variable(memory, frame, place, lane)?),
-                _ => match computed(op, &nums)? {
-                    Some(computed) => computed,
-                    None => continue,
-                },
-            };
-            *nums.get_mut(usize::from(to))? = value;
         }
-        register(&nums, self.result)
+        match self.result {
+            ConditionResult::Register(number) => register(&registers.nums, number),
+            ConditionResult::Place(place, lanes) => memory.num(registers.place(place)?.after(lanes), 0).ok(),
+            ConditionResult::First(container) => memory.stores.first(registers.view(container)?, 0).copied(),
+        }
     }
 
-    /// Returns a number of a parameter or local.
-    fn variable(&self, memory: &Memory, frame: &Frame, place: Register, lane: u16) -> Option<f64> {
-        let place = match *self.places.get(usize::from(place))? {
-            Storage::Value(lanes) => on_frame(&frame.base, lanes),
-            Storage::Place(register) => located(memory, &frame.base, register).ok()?,
-            Storage::Part(_) | Storage::View(_) => return None,
+    fn registers<'a>(&'a self, memory: &'a Memory, instance: &'a Instance, frame: &Frame) -> Option<Registers<'a>> {
+        let scope = OperandContext { instance, program: &self.program, base: frame.base };
+        let mut nums = [0.0; REGISTERS];
+        nums.get_mut(..self.program.nums.len())?.copy_from_slice(&self.program.nums);
+        let (places, views) = ([None; LOOKUPS], [None; LOOKUPS]);
+        Some(Registers { condition: self, memory, scope, nums, places, views })
+    }
+}
+
+impl Registers<'_> {
+    /// Executes an operation that does not jump. `None` is a run-time error.
+    fn execute(&mut self, op: Op) -> Option<()> {
+        let stores = &self.memory.stores;
+        let (to, value) = match op {
+            Op::LoadFirst { to, container, lane } => (to, *stores.first(self.view(container)?, lane)?),
+            Op::LoadElement { to, container, index } => {
+                (to, *stores.element(self.view(container)?, register(&self.nums, index)?)?)
+            }
+            Op::Load { to, place, lane } => (to, self.memory.num(self.place(place)?, u32::from(lane)).ok()?),
+            Op::TextEqual { to, a, b } => (to, truth(self.are_equal(a, b)?)),
+            Op::LocateFirst { to, container } => {
+                let place = stores.first_place(self.view(container)?)?;
+                return self.set_place(to, place);
+            }
+            Op::Locate { to, container, index } => {
+                let place = stores.element_place(self.view(container)?, register(&self.nums, index)?)?;
+                return self.set_place(to, place);
+            }
+            Op::FirstField { to, container, field } => {
+                let store = stores.field(self.view(container)?, field)?;
+                return self.set_view(to, store);
+            }
+            Op::ElementField { to, container, index, field } => {
+                let at = register(&self.nums, index)?;
+                let store = stores.element_field(self.view(container)?, at, field)?;
+                return self.set_view(to, store);
+            }
+            Op::Field { to, place, field } => {
+                let store = self.memory.part(self.place(place)?, u32::from(field)).ok()?;
+                return self.set_view(to, store);
+            }
+            _ => match computed(op, &self.nums)? {
+                Some(computed) => computed,
+                None => return Some(()),
+            },
         };
-        memory.num(place, u32::from(lane)).ok()
+        *self.nums.get_mut(usize::from(to))? = value;
+        Some(())
+    }
+
+    /// Returns the target if the operation jumps. The outer `None` is a run-time error.
+    #[allow(clippy::option_option, reason = "the outer option is the error")]
+    fn jump(&self, op: Op) -> Option<Option<u32>> {
+        match op {
+            Op::IfTextEqual { a, b, to } => Some(self.are_equal(a, b)?.then_some(to)),
+            Op::UnlessTextEqual { a, b, to } => Some((!self.are_equal(a, b)?).then_some(to)),
+            op => jump(op, &self.nums),
+        }
+    }
+
+    fn are_equal(&self, a: TextOperand, b: TextOperand) -> Option<bool> {
+        Some(self.text(a)? == self.text(b)?)
+    }
+
+    fn text(&self, operand: TextOperand) -> Option<&Text> {
+        match operand.source() {
+            TextSource::Constant(number) => self.scope.program.texts.get(usize::from(number)),
+            TextSource::First(kind) => self.memory.stores.first_text(self.view_of(kind)?),
+            TextSource::Place(place) => self.memory.text(self.place(place)?).ok(),
+            TextSource::Register(_) => None,
+        }
+    }
+
+    fn place(&self, number: Register) -> Option<Place> {
+        let number = usize::from(number);
+        match self.condition.places.get(number) {
+            Some(variable) => place_of(self.memory, &self.scope.base, *variable),
+            None => *self.places.get(number - self.condition.places.len())?,
+        }
+    }
+
+    fn view(&self, container: ContainerRef) -> Option<View> {
+        self.view_of(container.kind())
+    }
+
+    fn view_of(&self, kind: ContainerKind) -> Option<View> {
+        let ContainerKind::View(number) = kind else { return self.scope.view_of(self.memory, kind).ok() };
+        let number = usize::from(number);
+        match self.condition.views.get(number) {
+            Some(variable) => view_of(self.memory, &self.scope.base, *variable),
+            None => *self.views.get(number - self.condition.views.len())?,
+        }
+    }
+
+    fn set_place(&mut self, number: Register, place: Place) -> Option<()> {
+        let number = usize::from(number).checked_sub(self.condition.places.len())?;
+        *self.places.get_mut(number)? = Some(place);
+        Some(())
+    }
+
+    fn set_view(&mut self, number: Register, store: StoreId) -> Option<()> {
+        let number = usize::from(number).checked_sub(self.condition.views.len())?;
+        *self.views.get_mut(number)? = Some(View::whole(store));
+        Some(())
     }
 }
 
 /// Whether a condition may contain the operation.
-fn is_number_operation(op: Op) -> bool {
+fn is_supported(op: Op) -> bool {
+    let is_known = |container: ContainerRef| is_known(container.kind());
+    let is_read = |text: TextOperand| match text.source() {
+        TextSource::First(kind) => self::is_known(kind),
+        TextSource::Place(_) | TextSource::Constant(_) => true,
+        TextSource::Register(_) => false,
+    };
     match op {
-        Op::LoadFirst { container, .. } | Op::LoadElement { container, .. } => {
-            matches!(container.kind(), ContainerKind::Data(_) | ContainerKind::Import(_))
+        Op::LoadFirst { container, .. }
+        | Op::LoadElement { container, .. }
+        | Op::LocateFirst { container, .. }
+        | Op::Locate { container, .. }
+        | Op::FirstField { container, .. }
+        | Op::ElementField { container, .. } => is_known(container),
+        Op::TextEqual { a, b, .. } | Op::IfTextEqual { a, b, .. } | Op::UnlessTextEqual { a, b, .. } => {
+            is_read(a) && is_read(b)
         }
-        Op::Load { .. } => true,
-        op => jump(op, &[0.0; REGISTERS]).is_some() && is_computation(op),
+        Op::Load { .. } | Op::Field { .. } => true,
+        op => is_computation(op),
     }
+}
+
+/// Whether a condition may read the container. Conditions have no containers of their own.
+fn is_known(kind: ContainerKind) -> bool {
+    !matches!(kind, ContainerKind::Part(_))
 }
 
 fn is_computation(op: Op) -> bool {

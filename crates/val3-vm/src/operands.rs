@@ -1,7 +1,7 @@
 //! Resolution of operands to places and values in memory.
 
 use val3_bytecode::{
-    ArgumentSite, ContainerKind, ContainerRef, Operand, Program, Register, Subscript, TextOperand, TextSource,
+    ArgumentSite, ContainerKind, ContainerRef, Operand, Program, Register, Storage, Subscript, TextOperand, TextSource,
 };
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
@@ -37,6 +37,26 @@ pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Resul
     memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
 }
 
+/// Returns the place of a frame variable that is a single value.
+pub(crate) fn place_of(memory: &Memory, base: &Base, storage: Storage) -> Option<Place> {
+    match storage {
+        Storage::Value(lanes) => Some(on_frame(base, lanes)),
+        Storage::Place(number) => memory.stack.places.get(base.place as usize + usize::from(number)).copied(),
+        Storage::Part(_) | Storage::View(_) => None,
+    }
+}
+
+/// Returns the view of a frame variable that is a container.
+pub(crate) fn view_of(memory: &Memory, base: &Base, storage: Storage) -> Option<View> {
+    match storage {
+        Storage::Part(number) => {
+            memory.stack.parts.get(base.part as usize + usize::from(number)).copied().map(View::whole)
+        }
+        Storage::View(number) => memory.stack.views.get(base.view as usize + usize::from(number)).copied(),
+        Storage::Value(_) | Storage::Place(_) => None,
+    }
+}
+
 impl OperandContext<'_> {
     /// Returns the container, beginning with the first value that can be reached.
     #[inline]
@@ -45,7 +65,7 @@ impl OperandContext<'_> {
     }
 
     #[inline]
-    fn view_of(&self, memory: &Memory, kind: ContainerKind) -> Result<View> {
+    pub(crate) fn view_of(&self, memory: &Memory, kind: ContainerKind) -> Result<View> {
         let Self { instance, base, .. } = self;
         match kind {
             ContainerKind::Data(number) => {

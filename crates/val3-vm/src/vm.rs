@@ -22,6 +22,8 @@ pub struct Vm {
     pub(crate) roster: Roster,
     /// Placeholder for the thread of the running task; `None` while a task runs.
     idle: Option<Box<Thread>>,
+    /// Stop marks that the last fragment has passed.
+    pub(crate) passed_stops: u32,
 }
 
 impl Vm {
@@ -199,12 +201,34 @@ impl Vm {
         self.space.guards = Arc::new(guards);
     }
 
+    /// Returns the number of stop marks that the last [evaluated](Self::evaluate) fragment has passed in called programs
+    /// without a stop.
+    #[must_use]
+    pub fn passed_stops(&self) -> u32 {
+        self.passed_stops
+    }
+
     /// Passes the stop mark at the task's next line, because the caller has already handled this stop.
     pub fn pass_stop(&mut self, id: TaskNumber) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.thread.is_at_stop = true;
         }
         self.forget_removed_stops();
+    }
+
+    /// Stops the task once more where it has stopped. The caller has stopped there for another reason.
+    pub fn meet_stop_again(&mut self, id: TaskNumber) {
+        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
+            (task.thread.is_at_stop, task.thread.is_at_end) = (false, false);
+        }
+    }
+
+    /// Whether a task is after the instructions of the line that it has executed last: before its end, or at a stop
+    /// mark of a keyword that closes a block.
+    #[must_use]
+    pub fn is_after_line(&self, id: TaskNumber) -> bool {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
+        task.is_some_and(|task| task.thread.is_at_end || self.mark(&task.thread) == Some(LineMark::StopWithin))
     }
 
     /// Whether a task has begun a line and not ended it.

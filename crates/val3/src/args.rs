@@ -36,7 +36,7 @@ pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
 pub(crate) use report_file::ReportOutput;
-pub(crate) use run::{RunArgs, START};
+pub(crate) use run::{RunArgs, RunTime, START};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
 

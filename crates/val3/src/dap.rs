@@ -61,7 +61,10 @@ fn attend() -> Result<ExitCode, UserError> {
 
 /// Opens the application in a launch configuration.
 fn open(start: &SessionStart, handshake: &mut Handshake) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
-    let args = launch::arguments(&start.arguments)?;
+    let mut args = launch::arguments(&start.arguments)?;
+    if start.settings.starts_at_end {
+        launch::go_to_end(&mut args)?;
+    }
     let test = launch::test(&start.arguments)?;
     let settings = DebugSettings { session: start.settings.clone(), is_plain_run: start.is_plain_run, test };
     let (mut shown, has_colors) = (String::new(), handshake.shows_colors());

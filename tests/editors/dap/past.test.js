@@ -43,6 +43,16 @@ test("steps back lead into the last line of a program that was called, and out t
   });
 });
 
+test("the history of a variable contains its writes", async () => {
+  await counted(async (session) => {
+    const [{ id: frameId }] = await session.frames();
+    const { writes, more } = await session.ask("val3/history", { name: "nSquare", frameId, count: 2 });
+    assert.deepEqual(writes.map(({ value }) => value), ["144", "121"]);
+    assert.deepEqual([writes[0].source.program, more], ["square", true]);
+    assert.equal(await session.place(), `start:${app.line("start", "sText=")}`);
+  });
+});
+
 test("a run stops before its end if the client wants to, and goes back from there", async () => {
   await debug(app.folder(), { stopOnExit: true }, async (session) => {
     const stop = await session.stopped("pause");

@@ -1,15 +1,11 @@
 //! `dataBreakpointInfo`: whether a value can have a data breakpoint.
 
-use val3_debug::{DisplayFormat, WatchedData};
-use val3_session::Purpose;
-
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::inspection::InspectedItem;
 use crate::protocol::DataBreakpointAccessType;
 use crate::protocol::{DataBreakpointInfoArguments, DataBreakpointInfoResponse};
 use crate::request::DebugRequest;
-use crate::session::DebugSession;
+use crate::session::{DebugSession, NamedData};
 
 /// The request `dataBreakpointInfo`.
 pub(crate) enum DataBreakpointInfo {}
@@ -24,25 +20,12 @@ impl DebugRequest for DataBreakpointInfo {
         run: &mut DebuggedRun<'_>,
         arguments: DataBreakpointInfoArguments,
     ) -> Result<DataBreakpointInfoResponse, RequestFailure> {
-        let name = arguments.name.as_str();
-        let named = match arguments.variables_reference.map(|reference| session.handles.node(reference)) {
-            Some(Some(InspectedItem::Values(inside))) => inside.expression(name),
-            Some(Some(InspectedItem::Properties(_))) => None,
-            Some(None) => return Err(RequestFailure::Stale),
-            None => Some((session.context(arguments.frame_id, run)?, name.to_owned())),
+        let named = NamedData {
+            name: &arguments.name,
+            variables_reference: arguments.variables_reference,
+            frame: arguments.frame_id,
         };
-        let controller = &mut run.debugger.controller;
-        let watched = match named {
-            Some((context, path)) => WatchedData::new(controller, context, &path).or_else(|reason| {
-                // The indexes of an expression are those of this moment.
-                let how = (Purpose::Watch, DisplayFormat::default());
-                let value = run.evaluator.evaluate(controller, context, &path, how).ok();
-                let constant = value.and_then(|evaluation| evaluation.value?.refers_to);
-                constant.map_or(Err(reason), |path| WatchedData::new(controller, context, &path))
-            }),
-            None => Err(format!("`{name}` is computed from other values")),
-        };
-        let watched = watched.or_else(|reason| WatchedData::signal(controller, name).map_err(|_| reason));
+        let watched = session.named_data(&named, run)?;
         Ok(match watched {
             Ok(data) => watchable(session.breakpoints.know_data(data)),
             Err(description) => DataBreakpointInfoResponse { description, ..DataBreakpointInfoResponse::default() },
@@ -106,6 +89,10 @@ mod tests {
         let mut client = TestClient::stopped(COUNTER);
         let body = client.body("dataBreakpointInfo", json!({ "name": "Io\\start" }));
         assert_eq!((&body["dataId"], &body["description"]), (&json!("io:Io\\start"), &json!("io:Io\\start")));
+        let signals = client.scope("I/O");
+        let board = client.body("variables", json!({ "variablesReference": signals }))["variables"][0].clone();
+        let child = json!({ "name": "start", "variablesReference": board["variablesReference"] });
+        assert_eq!(client.body("dataBreakpointInfo", child)["dataId"], "io:Io\\start");
     }
 
     #[test]

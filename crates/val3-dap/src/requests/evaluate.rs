@@ -33,7 +33,10 @@ impl DebugRequest for Evaluate {
         let format = session.format(arguments.format.as_ref());
         let format = DisplayFormat { bare: is_copied, exact: !is_short, ..format };
         let evaluation = session.evaluate_while(context, &arguments.expression, (purpose, format), run)?;
-        let Evaluation { value, output, .. } = evaluation;
+        let Evaluation { value, output, passed_stops, .. } = evaluation;
+        if purpose == Purpose::Execute && passed_stops > 0 {
+            session.note(&passed(passed_stops));
+        }
         let list = value.as_ref().filter(|_| is_copied).and_then(|value| list(value, run, format));
         let value = value.map(|value| DebugValue {
             refers_to: value.refers_to.filter(|other| !is_copied && !names(&arguments.expression, other)),
@@ -51,6 +54,12 @@ impl DebugRequest for Evaluate {
             ..EvaluateResponse::default()
         })
     }
+}
+
+/// Notes that breakpoints have no effect in the debug console.
+fn passed(stops: u32) -> String {
+    let times = if stops == 1 { "a breakpoint".to_owned() } else { format!("breakpoints {stops} times") };
+    format!("the code has passed {times} in called programs, which do not stop in the debug console")
 }
 
 /// Whether an expression is the variable, or an element or a field of it.
@@ -72,7 +81,23 @@ fn list(value: &DebugValue, run: &mut DebuggedRun<'_>, format: DisplayFormat) ->
 mod tests {
     use serde_json::json;
 
-    use crate::test_client::{COUNTER, TestClient};
+    use crate::test_client::{CALLER, COUNTER, TestClient, source};
+
+    #[test]
+    fn a_statement_passes_breakpoints_with_a_note() {
+        let mut client = TestClient::stopped(CALLER);
+        client.body("setBreakpoints", json!({ "source": source("work"), "breakpoints": [{ "line": 5 }] }));
+        let (_, frame) = client.thread_and_frame();
+        let notes = |client: &mut TestClient, code: &str| {
+            let statement = json!({ "expression": code, "frameId": frame, "context": "repl" });
+            let events = client.events("evaluate", statement).into_iter();
+            let outputs = events.filter(|(event, _)| event == "output").map(|(_, body)| body["output"].clone());
+            outputs.collect::<Vec<_>>()
+        };
+        let passed = "the code has passed a breakpoint in called programs, which do not stop in the debug console";
+        assert_eq!(notes(&mut client, "call work()"), [format!("note: {passed}\n")]);
+        assert_eq!(notes(&mut client, "delay(0)"), Vec::<String>::new());
+    }
 
     #[test]
     fn copied_values_have_no_notes_and_all_digits() {

@@ -10,6 +10,7 @@ use crate::protocol::{ExceptionBreakMode, ExceptionDetails};
 use crate::protocol::{ExceptionInfoArguments, ExceptionInfoResponse};
 use crate::request::DebugRequest;
 use crate::session::DebugSession;
+use crate::stop_event;
 
 /// The request `exceptionInfo`.
 pub(crate) enum ExceptionInfo {}
@@ -35,7 +36,8 @@ impl DebugRequest for ExceptionInfo {
                     true => ExceptionBreakMode::Always,
                     false => ExceptionBreakMode::Unhandled,
                 };
-                Ok(ExceptionInfoResponse { break_mode, ..run_time_error(fault.0) })
+                let cause = stop_event::unlinked_data(fault, task, &mut run.debugger.controller);
+                Ok(ExceptionInfoResponse { break_mode, ..run_time_error(fault.0, &cause) })
             }
             _ => Err(RequestFailure::NoError),
         }
@@ -51,12 +53,13 @@ fn failed_assertion(message: String) -> ExceptionInfoResponse {
     }
 }
 
-fn run_time_error(number: u16) -> ExceptionInfoResponse {
+/// `cause`: what the error is about, with a colon before it, or empty.
+fn run_time_error(number: u16, cause: &str) -> ExceptionInfoResponse {
     let error = runtime_errors::find(number);
     let (short, long) = error.map_or(("unknown run-time error", ""), |error| (error.short, error.long));
     ExceptionInfoResponse {
         exception_id: format!("error {number}"),
-        description: Some(format!("{short}\n{long}\n`val3 explain {number}` has its page")),
+        description: Some(format!("{short}{cause}\n{long}\n`val3 explain {number}` has its page")),
         break_mode: ExceptionBreakMode::Always,
         details: Some(ExceptionDetails {
             message: Some(short.to_owned()),
@@ -83,6 +86,40 @@ mod tests {
             client.run();
             let info = client.body("exceptionInfo", json!({ "threadId": MAIN_THREAD }));
             assert_eq!((&info["exceptionId"], &info["breakMode"]), (&json!("error 10"), &json!(mode)), "{filters}");
+        }
+    }
+
+    const SIGNALS: &str = r#"
+=== main/main.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="diIn" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\start" /></Data>
+    <Data name="diFree" access="private" xsi:type="array" type="dio" size="1"/>
+    <Data name="doList" access="private" xsi:type="array" type="dio" size="2"><Value key="0" link="Io\start" /></Data>
+  </Datas>
+</Database>
+"#;
+
+    #[test]
+    fn a_missing_signal_is_named_with_its_variable() {
+        let gone = "`diIn` has the link `Io\\start`, which leads to no signal of this controller";
+        for (code, cause) in [
+            ("wait(diFree)", "`diFree` has no link"),
+            ("doList[1]=diIn", "`doList[1]` has no link"),
+            ("call work(diFree)", "`x_diOther` has no link; `diFree` has no link"),
+            ("wait(diIn)", gone),
+        ] {
+            let work = "program work(dio& x_diOther)\nbegin\n  wait(x_diOther)\nend\n";
+            let mut client = TestClient::stopped(&format!("program start()\nbegin\n  {code}\nend\n\n{work}{SIGNALS}"));
+            if cause == gone {
+                client.body("val3/operate", json!({ "fault": { "link": "Io\\start", "code": -2 } }));
+            }
+            let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!(stop["text"], format!("error 123: input or output not linked: {cause}"));
+            let info = client.body("exceptionInfo", json!({ "threadId": MAIN_THREAD }));
+            let description = info["description"].as_str().unwrap();
+            assert!(description.starts_with(&format!("input or output not linked: {cause}\n")), "{description}");
         }
     }
 

@@ -1,5 +1,6 @@
 //! `setBreakpoints`: replaces the breakpoints of a file.
 
+use crate::breakpoint_hits::BreakpointGroup;
 use crate::breakpoints;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -20,7 +21,9 @@ impl DebugRequest for SetBreakpoints {
         run: &mut DebuggedRun<'_>,
         arguments: SetBreakpointsArguments,
     ) -> Result<SetBreakpointsResponse, RequestFailure> {
-        let breakpoints = session.breakpoints.set(arguments, run, &session.conventions);
+        let group = BreakpointGroup::File(arguments.source.path.clone().unwrap_or_default());
+        let mut breakpoints = session.breakpoints.set(arguments, run, &session.conventions);
+        session.shown_hits.replace(group, &mut breakpoints, run.debugger);
         Ok(SetBreakpointsResponse { breakpoints })
     }
 

@@ -1,5 +1,6 @@
 //! `setDataBreakpoints`: replaces the breakpoints on data.
 
+use crate::breakpoint_hits::BreakpointGroup;
 use crate::breakpoints;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -20,7 +21,8 @@ impl DebugRequest for SetDataBreakpoints {
         run: &mut DebuggedRun<'_>,
         arguments: SetDataBreakpointsArguments,
     ) -> Result<SetDataBreakpointsResponse, RequestFailure> {
-        let breakpoints = session.breakpoints.set_data(&arguments.breakpoints, run);
+        let mut breakpoints = session.breakpoints.set_data(&arguments.breakpoints, run);
+        session.shown_hits.replace(BreakpointGroup::Data, &mut breakpoints, run.debugger);
         Ok(SetDataBreakpointsResponse { breakpoints })
     }
 

@@ -1,5 +1,6 @@
 //! `setFunctionBreakpoints`: replaces the breakpoints at the beginning of programs.
 
+use crate::breakpoint_hits::BreakpointGroup;
 use crate::breakpoints;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -20,7 +21,8 @@ impl DebugRequest for SetFunctionBreakpoints {
         run: &mut DebuggedRun<'_>,
         arguments: SetFunctionBreakpointsArguments,
     ) -> Result<SetFunctionBreakpointsResponse, RequestFailure> {
-        let breakpoints = session.breakpoints.set_programs(arguments.breakpoints, run, &session.conventions);
+        let mut breakpoints = session.breakpoints.set_programs(arguments.breakpoints, run, &session.conventions);
+        session.shown_hits.replace(BreakpointGroup::Programs, &mut breakpoints, run.debugger);
         Ok(SetFunctionBreakpointsResponse { breakpoints })
     }
 

@@ -23,14 +23,13 @@ impl DebugRequest for StepIn {
         arguments: StepInArguments,
     ) -> Result<(), RequestFailure> {
         let task = DebugSession::task(arguments.thread_id, run)?;
-        let kind = match arguments.target_id {
-            None => StepKind::In,
-            Some(id) => {
-                let chosen = run.debugger.step_in_target(task).filter(|_| id == TARGET_ID);
-                chosen.ok_or(RequestFailure::NoStepInTarget(id))?.kind
-            }
-        };
-        session.step(arguments.thread_id, arguments.single_thread, kind, run)
+        let StepInArguments { thread_id, single_thread, target_id, .. } = arguments;
+        let Some(id) = target_id else { return session.step(thread_id, single_thread, StepKind::In, run) };
+        let target = run.debugger.step_in_target(task).filter(|_| id == TARGET_ID);
+        let target = target.ok_or(RequestFailure::NoStepInTarget(id))?;
+        session.step(thread_id, single_thread, target.kind, run)?;
+        run.debugger.step_into(task, &target);
+        Ok(())
     }
 }
 
@@ -72,6 +71,15 @@ mod tests {
             client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
             assert_eq!(client.place(), (place.0.to_owned(), place.1), "{pattern}");
         }
+    }
+
+    #[test]
+    fn a_chosen_target_is_not_skipped() {
+        let mut client = TestClient::launching(CALLER, json!({ "stopOnEntry": true, "skip": ["main:w*"] }));
+        client.body("configurationDone", json!({}));
+        client.run();
+        client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD, "targetId": 1 }));
+        assert_eq!(client.place(), ("main:work()".to_owned(), FIRST_LINE));
     }
 
     #[test]

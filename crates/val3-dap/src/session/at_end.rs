@@ -1,8 +1,9 @@
 //! Ends of a run before which it stops, so that the user can inspect it, change what its tasks wait for, or go back.
 
+use val3_debug::Stop;
 use val3_machine::controller::RunStatus;
 
-use super::DebugSession;
+use super::{DebugSession, SessionState};
 use crate::debugged_run::DebuggedRun;
 use crate::stop_event;
 
@@ -12,18 +13,63 @@ impl DebugSession {
     /// Tasks that wait can continue after a change from outside, so a run in which no task can continue stops each
     /// time.
     pub fn stop_at_end(&mut self, status: RunStatus, run: &mut DebuggedRun<'_>) -> bool {
-        if self.start.is_plain_run || !self.client.is_connected() || status != RunStatus::Stuck {
+        if self.start.is_plain_run || !self.client.is_connected() {
             return false;
         }
         let controller = &run.debugger.controller;
+        let has_waiting_tasks = status == RunStatus::Stuck && !controller.has_only_failed_tasks();
+        if self.is_running_to_end() && !has_waiting_tasks {
+            self.end_run_to_end(run);
+            self.report_stop(stop_event::ended(&run.debugger.controller), run);
+            return true;
+        }
+        if status != RunStatus::Stuck {
+            return false;
+        }
         if controller.has_only_failed_tasks() || !run.debugger.paused_tasks().is_empty() {
             return false;
         }
         let tasks: String = stop_event::waits(controller).map(|task| format!("  {task}\n")).collect();
         self.client.say(&format!("no task can continue:\n{tasks}"));
         run.debugger.abandon_step();
+        self.end_run_to_end(run);
         self.report_stop(stop_event::stuck(&run.debugger.controller), run);
         true
+    }
+
+    /// Stops a run that has reached the end of the recording that it repeats. Returns `false` if the run ends, because
+    /// the client has continued it from there, or wants no stop at the end.
+    pub fn stop_at_recorded_end(&mut self, run: &mut DebuggedRun<'_>) -> bool {
+        let settings = &self.start.settings;
+        let is_wanted = settings.stops_on_exit || settings.starts_at_end;
+        if self.start.is_plain_run || !self.client.is_connected() || !is_wanted || self.is_at_recorded_end {
+            return false;
+        }
+        run.debugger.abandon_step();
+        self.end_run_to_end(run);
+        self.report_stop(stop_event::recorded_end(&run.debugger.controller), run);
+        self.is_at_recorded_end = true;
+        true
+    }
+
+    /// Whether the run goes to its end without stops.
+    #[must_use]
+    pub fn is_running_to_end(&self) -> bool {
+        self.runs_to_end && !self.start.is_plain_run && self.phase == SessionState::Running
+    }
+
+    /// Whether the run does not stop here, because it goes to its end.
+    pub(super) fn passes(&self, stop: &Stop, run: &DebuggedRun<'_>) -> bool {
+        let is_end = |task| run.debugger.controller.vm.is_at_end(task);
+        let is_at_end = matches!(stop, Stop::Exit { .. } | Stop::Pause { .. }) || stop.task_alone().is_some_and(is_end);
+        self.is_running_to_end() && !is_at_end
+    }
+
+    /// The run stops: from now on it stops everywhere else too.
+    pub(super) fn end_run_to_end(&mut self, run: &mut DebuggedRun<'_>) {
+        if std::mem::take(&mut self.runs_to_end) {
+            self.start.settings.apply_modes(run.debugger);
+        }
     }
 }
 
@@ -121,6 +167,69 @@ mod tests {
         assert_eq!((&again["reason"], client.place().1), (&json!("breakpoint"), 6));
         client.body("continue", json!({ "threadId": MAIN_THREAD }));
         assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new());
+    }
+
+    const ROUNDS: &str = "num nCount\nnum nDone\n\nprogram start()\nbegin\n  for nCount=1 to 3\n    delay(1)\n  endFor\n  \
+                          nDone=1\nend\n";
+
+    #[test]
+    fn a_run_that_starts_at_its_end_passes_breakpoints_on_the_way() {
+        let mut client = TestClient::launching(ROUNDS, json!({ "startAtEnd": true, "stopOnEntry": true }));
+        client.body(
+            "setBreakpoints",
+            json!({ "source": crate::test_client::source("start"), "breakpoints": [{ "line": 6 }, { "line": 8 }] }),
+        );
+        client.body("configurationDone", json!({}));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!(stops.len(), 1);
+        assert_eq!(stops[0]["description"], "Paused before the end of the application");
+        assert_eq!((client.value("nDone"), client.place().1), (json!("1"), 9));
+        let back = client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((&back["reason"], client.place().1), (&json!("breakpoint"), 8));
+        let back = client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((&back["reason"], client.value("nCount")), (&json!("breakpoint"), json!("3")));
+        client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        let again = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(again["description"], "Paused before the end of the application");
+    }
+
+    #[test]
+    fn a_breakpoint_on_the_last_end_is_the_end() {
+        let mut client = TestClient::launching(ROUNDS, json!({ "startAtEnd": true }));
+        client.body(
+            "setBreakpoints",
+            json!({ "source": crate::test_client::source("start"), "breakpoints": [{ "line": 9 }] }),
+        );
+        client.body("configurationDone", json!({}));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!((stops.len(), &stops[0]["reason"], client.place().1), (1, &json!("breakpoint"), 9));
+    }
+
+    #[test]
+    fn a_run_that_starts_at_its_end_stops_where_no_task_can_continue() {
+        let mut client = TestClient::launched(WAITING, json!({ "startAtEnd": true }));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!(stops[0]["description"], "Paused because no task can continue");
+        let failing = "num nCount\n\nprogram start()\nbegin\n  nCount=1\n  nCount=1/(nCount-1)\nend\n";
+        let mut client = TestClient::launched(failing, json!({ "startAtEnd": true }));
+        let stops = bodies(&client.run(), "stopped");
+        assert_eq!((stops.len(), &stops[0]["description"]), (1, &json!("Paused at the end of the run")));
+        assert_eq!(client.value("nCount"), "1");
+        client.stop_after("stepBack", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(client.place().1, 6);
+    }
+
+    #[test]
+    fn a_pause_ends_the_way_to_the_end() {
+        let mut client = TestClient::launched(ROUNDS, json!({ "startAtEnd": true }));
+        let pause = client.stop_after("pause", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((&pause["reason"], client.value("nDone")), (&json!("pause"), json!("0")));
+        client.body(
+            "setBreakpoints",
+            json!({ "source": crate::test_client::source("start"), "breakpoints": [{ "line": 8 }] }),
+        );
+        let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(stop["reason"], "breakpoint");
     }
 
     #[test]

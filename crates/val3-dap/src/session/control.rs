@@ -133,10 +133,15 @@ impl DebugSession {
     /// Reports before a change that it discards recorded events, if the run has gone back.
     pub(crate) fn report_new_future(&mut self, run: &DebuggedRun<'_>) {
         if run.debugger.is_in_past() {
-            let output = "note: the run continues from here with a change: a new future begins\n".to_owned();
-            let category = Some(OutputEventCategory::Console);
-            self.following.push(StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+            self.note("the run continues from here with a change: a new future begins");
         }
+    }
+
+    /// Shows a note in the debug console, after the response to the present request.
+    pub(crate) fn note(&mut self, text: &str) {
+        let category = Some(OutputEventCategory::Console);
+        let output = format!("note: {text}\n");
+        self.following.push(StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
     }
 
     /// Invalidates all handles: the run continues with the next cycle.
@@ -149,6 +154,7 @@ impl DebugSession {
     /// Reports that the run is at another moment or line without having run there. There is no `invalidated`, because
     /// clients request all values after a stop, and VS Code would also request values of the previous stop.
     pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
+        self.is_at_recorded_end = false;
         self.handles.clear();
         self.following.push(StandardEvent::Stopped(event));
     }

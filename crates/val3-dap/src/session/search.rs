@@ -2,11 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use val3_debug::Goal;
+use val3_debug::{DataWrites, Goal, WatchedData};
 
 use super::DebugSession;
 use crate::client::Client;
 use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
 use crate::protocol::{ProgressEndEvent, ProgressStartEvent, ProgressUpdateEvent, StandardEvent};
 use crate::stop_event;
 
@@ -20,7 +21,7 @@ impl DebugSession {
     /// Searches the history backwards, and restores the moment that it finds. The client has the response already,
     /// because a search may take longer than clients wait.
     pub(crate) fn go_back(&mut self, goal: Goal, run: &mut DebuggedRun<'_>) {
-        let mut search = ReverseSearch::new(self.request, self.conventions.knows_progress);
+        let mut search = ReverseSearch::new("Going back in the run", self);
         let client = &mut self.client;
         let stop = run.debugger.search_back(goal, &mut |part| search.pass(part, client));
         search.end(client);
@@ -29,12 +30,33 @@ impl DebugSession {
             Some(stop) => stop_event::stopped(&stop, controller),
             None => stop_event::cancelled(controller),
         };
+        self.report_hits(run);
         self.stopped_elsewhere(event);
+    }
+
+    /// Searches the history for the last writes of data, at most `count`. The run stays at its moment.
+    ///
+    /// # Errors
+    /// The run is not recorded, or the client cancels the request.
+    pub(crate) fn search_writes(
+        &mut self,
+        data: &WatchedData,
+        count: usize,
+        run: &mut DebuggedRun<'_>,
+    ) -> Result<DataWrites, RequestFailure> {
+        run.debugger.reach().ok_or(RequestFailure::NotRecorded)?;
+        let mut search = ReverseSearch::new("Searching the history of the value", self);
+        let client = &mut self.client;
+        let writes = run.debugger.writes(data, count, &mut |part| search.pass(part, client));
+        search.end(client);
+        writes.ok_or(RequestFailure::Cancelled)
     }
 }
 
 /// A search for a client.
 struct ReverseSearch {
+    /// Title of the progress.
+    title: &'static str,
     request: i64,
     /// Progress id.
     id: String,
@@ -45,8 +67,9 @@ struct ReverseSearch {
 }
 
 impl ReverseSearch {
-    fn new(request: i64, shows_progress: bool) -> Self {
-        Self { request, id: format!("search {request}"), shows_progress, cycles: 0, seen: None }
+    fn new(title: &'static str, session: &DebugSession) -> Self {
+        let (request, shows_progress) = (session.request, session.conventions.knows_progress);
+        Self { title, request, id: format!("search {request}"), shows_progress, cycles: 0, seen: None }
     }
 
     /// A cycle was replayed.
@@ -65,7 +88,7 @@ impl ReverseSearch {
         match self.seen {
             None => client.event(&StandardEvent::ProgressStart(ProgressStartEvent {
                 progress_id: self.id.clone(),
-                title: "Going back in the run".to_owned(),
+                title: self.title.to_owned(),
                 cancellable: Some(true),
                 percentage: Some(percentage),
                 request_id: i32::try_from(self.request).ok(),

@@ -15,7 +15,7 @@ use crate::debugger::{CALLS, debugger, first_row, run, set, shown, task_of};
 use crate::past::WAITS;
 
 /// Sets data breakpoints on these paths in the frame of the first task.
-fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
+pub(crate) fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
     watch_access(debugger, paths, DataAccess::Write);
 }
 
@@ -59,7 +59,7 @@ fn check(listing: &str, paths: &[(&str, Option<&str>)], expected: Expect) {
     expected.assert_eq(&all(&mut debugger));
 }
 
-const DATA: &str = r#"
+pub(crate) const DATA: &str = r#"
 num nCount
 num nGrid[2,2]
 string sName
@@ -131,6 +131,27 @@ fn values_are_compared_bit_by_bit() {
             end
         "#]],
     );
+}
+
+/// The last line before `end` or a closing keyword with a breakpoint has two stops.
+#[test]
+fn a_change_before_another_stop_is_not_lost() {
+    let listing =
+        "num nCount\nprogram start()\nnum l_n\nbegin\n  for l_n=1 to 2\n    nCount=l_n\n  endFor\n  nCount=9\nend\n";
+    let mut debugger = Debugger::new(Running::debugged_on(Running::devices(), listing).controller);
+    debugger.stop_at_exit(true);
+    watch(&mut debugger, &[("nCount", None)]);
+    set(&mut debugger, "start", &[(3, None)]);
+    expect![[r#"
+        main~ start:2: [20] 0 -> 1
+        [0] main~: start:3
+        main~ start:2: [20] 1 -> 2
+        [0] main~: start:3
+        main~ start:4: [20] 2 -> 9
+        exit main~: start:5
+        end
+    "#]]
+    .assert_eq(&all(&mut debugger));
 }
 
 #[test]
@@ -230,7 +251,7 @@ fn a_run_back_stops_at_the_last_change() {
 }
 
 /// Time, values and threads.
-fn state(controller: &Controller) -> String {
+pub(crate) fn state(controller: &Controller) -> String {
     let vm = &controller.vm;
     let threads: Vec<_> = vm.tasks().iter().map(|task| &task.thread).collect();
     let memory = format!("{:?}", vm.space.memory.stores);
@@ -260,7 +281,7 @@ fn a_watched_run_has_the_same_events() {
 }
 
 /// An application with an input and two outputs, one of which is watched.
-fn with_signals(listing: &str, path: &str, access: DataAccess) -> Debugger {
+pub(crate) fn with_signals(listing: &str, path: &str, access: DataAccess) -> Debugger {
     let mut devices = Running::devices();
     for path in ["Io\\start", "Io\\lamp", "Io\\other"] {
         devices.state.io.declare(Signal {

@@ -10,3 +10,4 @@ mod past;
 mod programs;
 mod step_in;
 mod values;
+mod writes;

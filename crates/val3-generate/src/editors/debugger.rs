@@ -43,6 +43,19 @@ fn snippets() -> Value {
             ),
         ),
         snippet(
+            "VAL 3: Debug a recorded run from its end",
+            "Opens the events that `val3 run --events FILE` has recorded at their end, from where one can go back",
+            launch(
+                "Recording of ${1:application}",
+                folder,
+                json!({
+                    "time": "virtual",
+                    "replay": "^\"\\${workspaceFolder}/${2:run.jsonl}\"",
+                    "startAtEnd": true,
+                }),
+            ),
+        ),
+        snippet(
             "VAL 3: Attach to a run",
             "Debugs what `val3 run --debug-port PORT` has begun",
             json!({ "type": "val3", "request": "attach", "name": "Attach to a run", "port": "^${1:4711}" }),

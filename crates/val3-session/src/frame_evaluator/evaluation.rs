@@ -21,12 +21,14 @@ pub struct Evaluation {
     /// Whether statements were executed, so that data, outputs and tasks may differ from the recorded future of the
     /// run.
     pub changes_run: bool,
+    /// Number of breakpoints that the code has passed in called programs, where they have no effect.
+    pub passed_stops: u32,
 }
 
 impl Evaluation {
     /// An evaluation with these events.
     pub(super) fn new(events: Vec<Event>, changes_run: bool) -> Self {
-        Self { value: None, output: output(&events), events, changes_run }
+        Self { value: None, output: output(&events), events, changes_run, passed_stops: 0 }
     }
 }
 

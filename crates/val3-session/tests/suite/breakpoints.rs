@@ -84,15 +84,15 @@ fn calls(mut debugger: Debugger) -> usize {
     calls
 }
 
-/// Conditions that only compute with numbers are evaluated within the turn, so a line at which they are false costs a
-/// few operations. All other conditions end the turn at each arrival.
+/// Conditions without instructions other than mathematical functions are evaluated within the turn, so a line at which
+/// they are false costs a few operations. All other conditions end the turn at each arrival.
 #[test]
 fn conditions_of_numbers_do_not_interrupt_the_run() {
     let plain = calls(Debugger::new(Running::start(COUNTING).controller));
     for condition in ["x_nAt==11", "nSum>55 or l_nTwice*2!=0", "abs(x_nAt%4)>3 and !(nSum<0)", "false"] {
         assert_eq!(calls(debugger([condition, "", ""])), plain, "{condition}");
     }
-    assert_eq!(calls(debugger(["sNames[1]==\"left\"", "", ""])), plain + 10);
+    assert_eq!(calls(debugger(["size(sNames)==3", "", ""])), plain + 10);
 }
 
 #[test]
@@ -110,6 +110,96 @@ fn both_forms_of_a_condition_stop_at_the_same_lines() {
         };
         assert_eq!(back(condition), back(&general), "{condition}");
     }
+}
+
+/// Reads of every kind of value. Line 2 of `add` is after the writes.
+const VALUES: &str = r#"
+type Slot "Disk://Slot/Slot.pjx"
+num nSum
+bool bOdd
+string sNames[2]
+Slot tOne
+Slot tMany[3]
+program start()
+num l_n
+begin
+  for l_n=1 to 10
+    sNames[1]=toString(".0",l_n)
+    tOne.nOwn=l_n
+    tMany[2].sName=sNames[1]
+    bOdd=l_n%2==1
+    call add(l_n)
+  endFor
+end
+program add(num x_nAt)
+num l_nList[3]
+string l_sOwn
+bool l_bBig
+num l_nTwice
+begin
+  l_nList[1]=x_nAt
+  nSum=nSum+x_nAt
+  l_sOwn=sNames[1]
+  l_bBig=x_nAt>7
+  call look(l_nList,l_sOwn,l_bBig)
+end
+program look(num& x_nList[], string& x_sOwn, bool& x_bBig)
+num l_nCopy[2]
+begin
+  l_nCopy[1]=x_nList[1]
+  l_nCopy[0]=1
+end
+--- Slot
+public num nOwn
+public string sName
+"#;
+
+/// Conditions that read strings, flags, local arrays and fields are evaluated within the turn, and stop where the general
+/// form stops.
+#[test]
+fn conditions_read_values_of_all_kinds_within_the_turn() {
+    let at = |condition: &str| {
+        let mut debugger = Debugger::new(Running::start(VALUES).controller);
+        let mut evaluator = FrameEvaluator::new(application(VALUES));
+        let (_, main) = debugger.controller.vm.space.loaded().next().unwrap();
+        let program = &main.image.programs[usize::from(main.image.program("look").unwrap())];
+        let (file, row) = (main.image.files[program.file as usize].clone(), program.lines[1].row);
+        let condition = evaluator.condition(&debugger.controller.vm, &file, condition).unwrap();
+        let breakpoint = Breakpoint { condition: Some(condition), ..Breakpoint::new(BreakpointId(1), row) };
+        debugger.set_breakpoints(&file, vec![breakpoint]);
+        debugger
+    };
+    let plain = calls(Debugger::new(Running::start(VALUES).controller));
+    for (condition, stops) in [
+        ("sNames[1]==\"3\"", 1),
+        ("sNames[1]!=\"3\"", 9),
+        ("x_sOwn==\"4\" or \"5\"==x_sOwn", 2),
+        ("bOdd", 5),
+        ("!bOdd", 5),
+        ("x_bBig", 3),
+        ("x_nList[1]>8", 2),
+        ("l_nCopy[1]==x_nList[1]", 10),
+        ("tOne.nOwn==6", 1),
+        ("tMany[2].sName==\"7\" and tMany[1].nOwn==0", 1),
+    ] {
+        let never = format!("nSum<0 and ({condition})");
+        assert_eq!(calls(at(&never)), plain, "{condition}");
+        let mut debugger = at(condition);
+        assert_eq!(std::iter::from_fn(|| run(&mut debugger)).count(), stops, "{condition}");
+        let mut general = at(&format!("size(sNames)==2 and ({condition})"));
+        assert_eq!(std::iter::from_fn(|| run(&mut general)).count(), stops, "{condition}");
+    }
+    for condition in ["bOdd and !bOdd", "sNames[1]==\"\"", "x_nList[1]<0", "tOne.nOwn==0", "tMany[2].sName==\"x\""] {
+        assert_eq!(calls(at(condition)), plain, "{condition}");
+    }
+}
+
+/// An index out of range stops the task with the run-time error, as in the general form.
+#[test]
+fn a_condition_with_an_invalid_index_is_reported() {
+    let mut debugger = debugger(["sNames[x_nAt]==\"x\"", "", ""]);
+    let Some(Stop::Breakpoints { faults, .. }) = run(&mut debugger) else { panic!("no stop") };
+    assert_eq!((sum(&debugger), faults[0].message.as_str()), (3.0, "error 20: index too large"));
 }
 
 #[test]

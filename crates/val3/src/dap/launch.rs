@@ -3,7 +3,7 @@
 use clap::{Args as _, Command, FromArgMatches as _};
 use serde_json::{Map, Value};
 
-use crate::args::RunArgs;
+use crate::args::{RunArgs, RunTime};
 
 /// Configuration key of the application.
 pub(super) const APPLICATION: &str = "program";
@@ -12,7 +12,7 @@ const START_PROGRAM: &str = "startProgram";
 /// Configuration key of the test.
 pub(super) const TEST: &str = "test";
 /// Configuration keys that exclude a test.
-const UNFIT_FOR_TESTS: [&str; 3] = [START_PROGRAM, "script", "keys"];
+const UNFIT_FOR_TESTS: [&str; 4] = [START_PROGRAM, "script", "keys", "startAtEnd"];
 /// Options of `val3 run` that a debugged run does not support, with the reason.
 const UNFIT: [(&str, &str); 8] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
@@ -65,6 +65,18 @@ pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, S
     match args.events.as_ref().is_some_and(|path| path == "-") {
         true => Err("`events` is a file: the standard output belongs to the debugger".to_owned()),
         false => Ok(args),
+    }
+}
+
+/// Sets the options of a run that goes to its end: the time is virtual.
+///
+/// # Errors
+/// The run repeats no recording.
+pub(super) fn go_to_end(args: &mut RunArgs) -> Result<(), String> {
+    args.time = Some(RunTime::Virtual);
+    match args.replay {
+        Some(_) => Ok(()),
+        None => Err("`startAtEnd` needs `replay`, the recording of a run".to_owned()),
     }
 }
 
@@ -155,12 +167,20 @@ mod tests {
     }
 
     #[test]
+    fn a_run_to_the_end_repeats_a_recording_in_virtual_time() {
+        let mut args = of(json!({ "replay": "run.jsonl", "time": "real" })).unwrap();
+        assert_eq!(go_to_end(&mut args), Ok(()));
+        assert!(!args.follows_wall());
+        assert!(go_to_end(&mut of(json!({})).unwrap()).unwrap_err().contains("`replay`"));
+    }
+
+    #[test]
     fn a_test_has_its_own_program_and_script() {
         let named = |configuration: Value| test(configuration.as_object().unwrap());
         assert_eq!(named(json!({ "program": "appTest" })), Ok(None));
         assert_eq!(named(json!({ "test": "testSum" })), Ok(Some("testSum".to_owned())));
         assert!(named(json!({ "test": 1 })).unwrap_err().contains("name of a test"));
-        for key in ["startProgram", "script", "keys"] {
+        for key in ["startProgram", "script", "keys", "startAtEnd"] {
             assert!(named(json!({ "test": "testSum", key: "x" })).unwrap_err().contains(key));
         }
     }

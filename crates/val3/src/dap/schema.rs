@@ -36,6 +36,9 @@ fn launch() -> Map<String, Value> {
     properties.insert(APPLICATION.to_owned(), json!({ "type": "string", "description": application }));
     let test = "The test of the application to debug, with setup, teardown and its script, such as testTotal";
     properties.insert(TEST.to_owned(), json!({ "type": "string", "description": test }));
+    let end =
+        "Go to the end of the recording that `replay` names without stops, and stop there, from where one can go back";
+    properties.insert("startAtEnd".to_owned(), json!({ "type": "boolean", "default": false, "description": end }));
     properties
 }
 

@@ -126,6 +126,9 @@ impl<'a> Course<'a> {
                 Transition::Over => break Ok(End::Controller(RunStatus::Finished)),
             }
             if matches!(status, RunStatus::Finished | RunStatus::Stopped | RunStatus::Unsupported) {
+                if self.stop_at_end(status, guide) {
+                    continue;
+                }
                 break Ok(End::Controller(status));
             }
             if let Some(end) = self.broken_off(signals)? {
@@ -146,6 +149,9 @@ impl<'a> Course<'a> {
                 guide.wait(time);
             }
             if let Some(end) = self.end_of_time() {
+                if guide.session().is_some_and(|session| session.stop_at_recorded_end(&mut self.target())) {
+                    continue;
+                }
                 break Ok(end);
             }
         }
@@ -207,6 +213,9 @@ impl<'a> Course<'a> {
     /// Runs to the end of a cycle; `None` if the debugger has stopped the run or if the cycle is not complete.
     fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<RunStatus>, UserError> {
         let start = self.debugger.controller.now();
+        if guide.session().is_some_and(|session| !session.is_running_to_end()) {
+            self.observers.end_comparison();
+        }
         // Stepping back removes the limit.
         self.debugger.controller.set_limit(self.tempo.pace.until);
         let progress = self.debugger.advance();
@@ -230,6 +239,10 @@ impl<'a> Course<'a> {
             self.announcements.take_texts().iter().for_each(|text| session.say(text));
             session.report(&events, &mut self.target());
             session.see(start, &self.target());
+            if let Some(difference) = self.observers.take_difference() {
+                session.say(&format!("{difference}\n"));
+                self.debugger.pause(None);
+            }
         }
         match progress {
             AdvanceResult::Stopped(stop) => {

@@ -23,6 +23,8 @@ pub(super) struct Observers {
     live: Option<Live>,
     /// Recording with which the run is compared.
     recording: Option<RunRecording>,
+    /// First difference from the recording, for a client that shows it; `None` without a client.
+    for_client: Option<Vec<UserError>>,
 }
 
 impl Observers {
@@ -31,20 +33,22 @@ impl Observers {
         let record = Record::open(args.events.as_deref())?;
         let console = Console::new(color, !record.takes_stdout())?;
         let live = args.interactive.then(Live::open).transpose()?;
-        Ok(Self { record, console, live, recording })
+        Ok(Self { record, console, live, recording, for_client: None })
     }
 
     /// Opens the observers of a run whose client shows the output.
     pub(super) fn silent(args: &RunArgs) -> Result<Self, UserError> {
+        let recording = args.replay.as_deref().map(RunRecording::open).transpose()?;
         let record = Record::open(args.events.as_deref())?;
-        Ok(Self { record, console: Console::silent()?, live: None, recording: None })
+        Ok(Self { record, console: Console::silent()?, live: None, recording, for_client: Some(Vec::new()) })
     }
 
     /// Sends events to all observers.
     pub(super) fn notify(&mut self, events: &[Event]) -> Result<(), UserError> {
         events.iter().try_for_each(|event| {
             self.record.write(event)?;
-            report(self.recording.as_mut().and_then(|recording| recording.compare(event)));
+            let divergence = self.recording.as_mut().and_then(|recording| recording.compare(event));
+            self.report(divergence);
             let Some(live) = &mut self.live else { return self.console.show(event) };
             self.console.follow(event);
             live.record_event(event);
@@ -62,8 +66,30 @@ impl Observers {
             return Ok(());
         }
         self.notify(events)?;
-        report(self.recording.as_mut().and_then(RunRecording::finish));
+        let divergence = self.recording.as_mut().and_then(RunRecording::finish);
+        self.report(divergence);
         Ok(())
+    }
+
+    /// Shows the first difference from the recording, or keeps it for the client.
+    fn report(&mut self, divergence: Option<Divergence>) {
+        let Some(error) = divergence.map(UserError::from) else { return };
+        match &mut self.for_client {
+            Some(errors) => errors.push(error),
+            None => to_stderr(|out| writeln!(out, "{error}")),
+        }
+    }
+
+    /// Removes and returns the difference from the recording that the client has not received.
+    pub(super) fn take_difference(&mut self) -> Option<UserError> {
+        self.for_client.as_mut()?.pop()
+    }
+
+    /// Ends the comparison with the recording, because a client debugs the run from now on.
+    pub(super) fn end_comparison(&mut self) {
+        if let Some(recording) = &mut self.recording {
+            recording.end_comparison();
+        }
     }
 
     /// Flushes the outputs, so that all events so far are visible.
@@ -124,12 +150,5 @@ impl Observers {
         self.console.show_encounters();
         self.record.flush()?;
         Ok(self.console)
-    }
-}
-
-/// Shows the first difference from a recording.
-fn report(divergence: Option<Divergence>) {
-    if let Some(divergence) = divergence {
-        to_stderr(|out| writeln!(out, "{}", UserError::from(divergence)));
     }
 }

@@ -26,6 +26,8 @@ pub(super) struct RunRecording {
     /// End reason of the recorded run; `None` if the recording is incomplete.
     reason: Option<EndReason>,
     has_diverged: bool,
+    /// Whether the events of the run are compared.
+    is_compared: bool,
 }
 
 /// First difference between a run and its recording.
@@ -73,7 +75,15 @@ impl RunRecording {
         let last = lines.last().ok_or("the file has no events")?;
         let last: RecordingEnd = serde_json::from_str(last).map_err(|error| json_fault(&error, lines.len()))?;
         let reason = last.reason.filter(|_| last.kind == "end");
-        Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
+        Ok(Self {
+            path: path.to_owned(),
+            lines,
+            compared: 0,
+            end: nanoseconds(last.t),
+            reason,
+            has_diverged: false,
+            is_compared: true,
+        })
     }
 
     /// Time limit of the run: the recorded end, unless the recorded run has ended by itself.
@@ -97,6 +107,11 @@ impl RunRecording {
         self.has_diverged
     }
 
+    /// Ends the comparison without a difference: from now on a debugger changes the run.
+    pub(super) fn end_comparison(&mut self) {
+        self.is_compared = false;
+    }
+
     /// Compares the next event of the run. Returns the first difference, once.
     pub(super) fn compare(&mut self, event: &Event) -> Option<Divergence> {
         let at = self.compared;
@@ -104,7 +119,7 @@ impl RunRecording {
         let recorded = self.lines.get(at);
         let is_cut_off = recorded.is_none() && self.reason.is_none();
         let found = serde_json::to_string(event).ok();
-        if self.has_diverged || is_cut_off || is_equal(recorded, found.as_ref()) {
+        if !self.is_compared || self.has_diverged || is_cut_off || is_equal(recorded, found.as_ref()) {
             return None;
         }
         let recorded = recorded.cloned();
@@ -113,7 +128,7 @@ impl RunRecording {
 
     /// Ends the comparison. Returns the difference if recorded events are missing and the run did not differ before.
     pub(super) fn finish(&mut self) -> Option<Divergence> {
-        let next = self.lines.get(self.compared).filter(|_| !self.has_diverged)?.clone();
+        let next = self.lines.get(self.compared).filter(|_| self.is_compared && !self.has_diverged)?.clone();
         self.diverge(self.compared, Some(next), None)
     }
 
@@ -169,6 +184,14 @@ mod tests {
         let mut recording = RunRecording::parse("run.json".into(), PRINTS).unwrap();
         recording.compare(&print(1.0, "a"));
         assert_eq!(recording.finish().unwrap().line, 2);
+    }
+
+    #[test]
+    fn an_ended_comparison_finds_no_difference() {
+        let mut recording = RunRecording::parse("run.json".into(), PRINTS).unwrap();
+        recording.end_comparison();
+        assert_eq!((recording.compare(&print(1.0, "x")), recording.finish()), (None, None));
+        assert!(!recording.has_diverged() && recording.limit() == Some(2_500_000_000));
     }
 
     #[test]

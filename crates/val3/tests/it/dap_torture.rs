@@ -73,7 +73,7 @@ const COMMANDS: [&str; 44] = [
     "nonsense",
 ];
 
-const CUSTOM_COMMANDS: [&str; 11] = [
+const CUSTOM_COMMANDS: [&str; 12] = [
     "val3/motionMode",
     "val3/motionStep",
     "val3/motionQueue",
@@ -85,6 +85,7 @@ const CUSTOM_COMMANDS: [&str; 11] = [
     "val3/userPage",
     "val3/subscribe",
     "val3/past",
+    "val3/history",
 ];
 
 /// Argument names.

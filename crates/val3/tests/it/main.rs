@@ -17,6 +17,7 @@ mod damage;
 mod dap;
 mod dap_client;
 mod dap_overlay;
+mod dap_replay;
 mod dap_test;
 mod dap_torture;
 mod diff;

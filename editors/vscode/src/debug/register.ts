@@ -7,6 +7,7 @@ import type { Walkthrough } from "../walkthrough";
 import { Adapter } from "./adapter";
 import { registerStepsBack } from "./backwards";
 import { Configurations, TYPE } from "./configurations";
+import { registerHistory } from "./history";
 import { registerLenses } from "./lenses";
 import { OtherBreakpoints } from "./otherBreakpoints";
 import { registerMotion } from "./robot/motion";
@@ -44,6 +45,7 @@ export function registerDebugging(
     ...registerSignals(run),
     ...registerMotion(run, views, icons, report),
     ...registerStepsBack(run),
+    registerHistory(run),
     ...registerLenses(),
     vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),
   ];

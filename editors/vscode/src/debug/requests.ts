@@ -42,6 +42,11 @@ export interface CodeLine {
 
 /** Arguments and bodies of the requests `val3/…`, by command. */
 export interface DebugRequests {
+  /** Request `val3/history`. */
+  "val3/history": {
+    arguments: HistoryArguments;
+    body: HistoryBody;
+  };
   /** Request `val3/io`. */
   "val3/io": {
     arguments: NoArguments;
@@ -121,6 +126,28 @@ export interface DebugRequests {
 
 /** Body without properties. */
 export type Empty = Record<string, unknown>;
+
+export interface HistoryArguments {
+  /** Largest number of writes; 100 by default. */
+  count?: number | null;
+  /** Stack frame in which the name is evaluated. */
+  frameId?: number | null;
+  /** Name of the variable, element, field or signal, as for `dataBreakpointInfo`. */
+  name: string;
+  /** Handle of the value or scope that contains it. */
+  variablesReference?: number | null;
+}
+
+export interface HistoryBody {
+  /** Value before the first write; `null` if there are earlier writes. */
+  initial: string | null;
+  /** Whether there are earlier writes. */
+  more: boolean;
+  /** Full name of the value, as in `dataId`. */
+  name: string;
+  /** Writes that have changed the value, the newest first. */
+  writes: readonly Write[];
+}
 
 export interface IoBody {
   /** All inputs and outputs. */
@@ -325,4 +352,28 @@ export interface ViewArguments {
   /** Name of the command. */
   command: string;
   [key: string]: unknown;
+}
+
+/** Write that has changed a value. */
+export interface Write {
+  /** Line that wrote. */
+  source: WriteLine | null;
+  /** Time since the start of the run, in seconds. */
+  t: number;
+  /** Task name; `null` for a change from outside, for example by an input or the debugger. */
+  task: string | null;
+  /** Value after the write. */
+  value: string;
+}
+
+/** Line that wrote a value. */
+export interface WriteLine {
+  /** Application or library name. */
+  application: string;
+  /** Path of the file. */
+  file: string;
+  /** Line of the file, from 1. */
+  line: number;
+  /** Program name. */
+  program: string;
 }

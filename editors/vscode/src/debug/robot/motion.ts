@@ -28,7 +28,7 @@ export function registerMotion(
     vscode.commands.registerCommand("val3.motionStep", () => run.change("val3/motionStep", {})),
     vscode.commands.registerCommand("val3.motionStepwise", () => setMode("step")),
     vscode.commands.registerCommand("val3.motionContinuous", () => setMode("continuous")),
-    vscode.commands.registerCommand("val3.openLine", (source: Source) => openLine(source, views)),
+    vscode.commands.registerCommand("val3.openLine", (source: Line) => openLine(source, views)),
   ];
 }
 
@@ -77,6 +77,9 @@ class MovingLine implements vscode.Disposable {
   }
 }
 
+/** Line of a file, from 1. */
+type Line = Pick<Source, "file" | "line">;
+
 /** Line of a document, from 0. */
 interface Place {
   uri: vscode.Uri;
@@ -84,7 +87,7 @@ interface Place {
 }
 
 /** Returns the line in its file, preceded by the line in visible code views. */
-function placesOf({ file, line }: Source, views: Views): [...Place[], Place] {
+function placesOf({ file, line }: Line, views: Views): [...Place[], Place] {
   const inView = ({ code, mapping }: View): Place[] => {
     const found = lineInCode(line, mapping);
     return found === undefined ? [] : [{ uri: vscode.Uri.parse(code, true), line: found - 1 }];
@@ -92,7 +95,7 @@ function placesOf({ file, line }: Source, views: Views): [...Place[], Place] {
   return [...views.shown(file).flatMap(inView), { uri: vscode.Uri.file(file), line: line - 1 }];
 }
 
-async function openLine(source: Source, views: Views): Promise<void> {
+async function openLine(source: Line, views: Views): Promise<void> {
   const [{ uri, line }] = placesOf(source, views);
   const at = new vscode.Position(line, 0);
   await vscode.window.showTextDocument(uri, { selection: new vscode.Range(at, at) });

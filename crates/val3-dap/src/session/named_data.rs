@@ -1,0 +1,57 @@
+//! Data that a client names in a request.
+
+use val3_debug::{DisplayFormat, WatchedData};
+use val3_session::Purpose;
+
+use super::DebugSession;
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::inspection::InspectedItem;
+
+/// Name of data: of a value inside another one, or an expression in a stack frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NamedData<'a> {
+    /// Name of the value, expression, or path of a signal.
+    pub(crate) name: &'a str,
+    /// Handle of the value that contains it.
+    pub(crate) variables_reference: Option<i32>,
+    /// Handle of the stack frame.
+    pub(crate) frame: Option<i32>,
+}
+
+impl DebugSession {
+    /// Returns the data with a name: a variable, element, field or signal. The indexes of an expression have their
+    /// present values. The inner error is the reason why there are no such data, for users.
+    ///
+    /// # Errors
+    /// A handle is stale, or no application is loaded.
+    pub(crate) fn named_data(
+        &self,
+        named: &NamedData<'_>,
+        run: &mut DebuggedRun<'_>,
+    ) -> Result<Result<WatchedData, String>, RequestFailure> {
+        let name = named.name;
+        let mut signal = name;
+        let place = match named.variables_reference.map(|reference| self.handles.node(reference)) {
+            Some(Some(InspectedItem::Values(inside))) => inside.expression(name),
+            Some(Some(InspectedItem::Properties(properties))) => {
+                let property = properties.iter().find(|property| property.name == name);
+                signal = property.and_then(|property| property.signal.as_deref()).unwrap_or(name);
+                None
+            }
+            Some(None) => return Err(RequestFailure::Stale),
+            None => Some((self.context(named.frame, run)?, name.to_owned())),
+        };
+        let controller = &mut run.debugger.controller;
+        let data = match place {
+            Some((context, path)) => WatchedData::new(controller, context, &path).or_else(|reason| {
+                let how = (Purpose::Watch, DisplayFormat::default());
+                let value = run.evaluator.evaluate(controller, context, &path, how).ok();
+                let constant = value.and_then(|evaluation| evaluation.value?.refers_to);
+                constant.map_or(Err(reason), |path| WatchedData::new(controller, context, &path))
+            }),
+            None => Err(format!("`{name}` is computed from other values")),
+        };
+        Ok(data.or_else(|reason| WatchedData::signal(controller, signal).map_err(|_| reason)))
+    }
+}

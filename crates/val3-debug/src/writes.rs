@@ -1,0 +1,176 @@
+//! Writes of watched data in the recorded history.
+//!
+//! The history is replayed snapshot by snapshot, the newest part first, and the value is compared bit by bit after each
+//! line. A line that writes the present value is no write here, as for data breakpoints.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use val3_lang::ports::{TaskNumber, Time};
+use val3_machine::controller::RunStatus;
+use val3_vm::{CycleWatch, Vm};
+
+use crate::backwards::{Watcher, fraction};
+use crate::data_breakpoints::NextLines;
+use crate::debugger::Debugger;
+use crate::frames::{TaskFrame, task_frame};
+use crate::history::Moment;
+use crate::watched::{Digest, WatchedData};
+
+/// A write that has changed watched data.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DataWrite {
+    /// Controller clock after the write, in ns.
+    pub time: Time,
+    /// Name of the task whose line wrote; `None` for a change from outside, for example by an input or the debugger.
+    pub task: Option<String>,
+    /// The line that wrote.
+    pub line: Option<TaskFrame>,
+    /// New value, or a text for data that are no longer in memory.
+    pub value: String,
+}
+
+/// Recorded writes of watched data.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct DataWrites {
+    /// Writes, the newest first.
+    pub writes: Vec<DataWrite>,
+    /// Value before the first write: at the beginning of the history, or of a local variable's program. `None` if there
+    /// are writes before [`writes`](Self::writes).
+    pub initial: Option<String>,
+}
+
+/// Writes within a part of the history, in chronological order.
+struct PartWrites {
+    /// The last writes, at most as many as requested and one more.
+    writes: VecDeque<DataWrite>,
+    limit: usize,
+    /// Value before the first write.
+    initial: String,
+    /// Present value; `None` if it is not in memory.
+    seen: Option<Digest>,
+    /// Whether a local variable's program has begun within this part.
+    has_begun: bool,
+    next: NextLines,
+    /// Task names, also of tasks that end within this part.
+    names: BTreeMap<TaskNumber, String>,
+}
+
+impl Debugger {
+    /// Returns the last writes of the data before the present moment, at most `count`. The run stays at its moment.
+    /// Returns `None` if the run is not recorded, or if the watcher cancels the search.
+    pub fn writes(&mut self, data: &WatchedData, count: usize, watcher: Watcher<'_>) -> Option<DataWrites> {
+        self.history.as_ref()?;
+        let present = self.controller.snapshot();
+        let hits = self.breakpoints.hits.clone();
+        let watches = std::mem::take(&mut self.data);
+        let found = self.search_writes(data, count, watcher);
+        self.controller.restore(&present);
+        (self.breakpoints.hits, self.data) = (hits, watches);
+        self.restore_marks();
+        self.settle_data();
+        found
+    }
+
+    fn search_writes(&mut self, data: &WatchedData, count: usize, watcher: Watcher<'_>) -> Option<DataWrites> {
+        let present = Moment::of(&self.controller);
+        let past = present.time - self.first_moment().map_or(0, |first| first.time);
+        let mut later = (data.digest(&mut self.controller), data.text(&mut self.controller));
+        let mut all = DataWrites { initial: Some(later.1.clone()), ..DataWrites::default() };
+        let mut end = present;
+        while all.writes.len() <= count
+            && let Some(start) = self.restore_earlier(end)
+        {
+            let first = (data.digest(&mut self.controller), data.text(&mut self.controller));
+            let mut part = PartWrites::new(first.clone(), count + 1);
+            part.keep_tasks(&self.controller.vm);
+            while let Some(task) = self.replay_line(end) {
+                part.follow(self, data, task);
+                let searched = (present.time - end.time) + (self.controller.now() - start.time);
+                if watcher(fraction(searched, past)).is_break() {
+                    return None;
+                }
+            }
+            // A change by the debugger at the end of the part is in no replay.
+            if part.seen != later.0 {
+                part.add(DataWrite { time: end.time, task: None, line: None, value: later.1 }, later.0, data);
+            }
+            all.writes.extend(part.writes.into_iter().rev());
+            all.initial = Some(part.initial);
+            if part.has_begun {
+                break;
+            }
+            (end, later) = (start, first);
+        }
+        if all.writes.len() > count {
+            all.writes.truncate(count);
+            all.initial = None;
+        }
+        Some(all)
+    }
+
+    /// Replays a line of a task, or the time until something happens, towards `end`. Returns the task; `None` at `end`.
+    fn replay_line(&mut self, end: Moment) -> Option<Option<TaskNumber>> {
+        if !self.controller.is_within_cycle() && self.controller.now() < end.time {
+            // The cycle begins separately, because its new inputs are no writes of the first line.
+            let limit = self.controller.now();
+            self.controller.set_limit(Some(limit));
+            self.controller.step();
+            self.controller.set_limit(None);
+            drop(self.controller.devices.take_events());
+            if self.controller.is_within_cycle() {
+                return Some(None);
+            }
+        }
+        Some(match self.replay(CycleWatch::Lines, end)?.status {
+            RunStatus::Seen(task) => Some(task),
+            RunStatus::AtStop(task) if self.controller.vm.is_after_line(task) => Some(task),
+            _ => None,
+        })
+    }
+}
+
+impl PartWrites {
+    fn new((seen, initial): (Option<Digest>, String), limit: usize) -> Self {
+        let (next, names) = (NextLines::default(), BTreeMap::new());
+        Self { writes: VecDeque::new(), limit, initial, seen, has_begun: false, next, names }
+    }
+
+    /// Stores the next line of each task, and the name.
+    fn keep_tasks(&mut self, vm: &Vm) {
+        self.next.keep(vm);
+        for task in vm.tasks() {
+            self.names.entry(task.id).or_insert_with(|| task.name.clone());
+        }
+    }
+
+    /// Adds the write of the last line, if the data have changed. `task`: the task of the line.
+    fn follow(&mut self, debugger: &mut Debugger, data: &WatchedData, task: Option<TaskNumber>) {
+        let line = task.and_then(|task| self.next.take(task));
+        self.keep_tasks(&debugger.controller.vm);
+        let controller = &mut debugger.controller;
+        let now = data.digest(controller);
+        if now == self.seen {
+            return;
+        }
+        let value = data.text(controller);
+        let line = line.and_then(|(frame, op)| task_frame(&controller.vm, &frame, op));
+        let task = task.and_then(|task| self.names.get(&task).cloned());
+        self.add(DataWrite { time: controller.now(), task, line, value }, now, data);
+    }
+
+    fn add(&mut self, write: DataWrite, now: Option<Digest>, data: &WatchedData) {
+        let was_there = self.seen.is_some();
+        self.seen = now;
+        if !was_there && data.is_local() {
+            // The variable of an earlier call was in the same place.
+            self.writes.clear();
+            self.has_begun = true;
+            self.initial = write.value;
+            return;
+        }
+        self.writes.push_back(write);
+        if self.writes.len() > self.limit {
+            self.writes.pop_front();
+        }
+    }
+}
