@@ -1,15 +1,8 @@
 //! Parsing of a `val3.toml`.
 
-use std::collections::BTreeMap;
-use std::ops::Range;
-
 use camino::{Utf8Path, Utf8PathBuf};
-use serde::Deserialize;
-use toml::de::{DeTable, DeValue, Deserializer};
 
-use crate::error::line_of;
-use crate::schema::schema;
-use crate::validate::{SettingError, first_error};
+use crate::table_file::{KeyPlaces, TableFile};
 use crate::{Config, ConfigError, Patterns};
 
 /// Name of a configuration file.
@@ -24,8 +17,8 @@ pub struct ConfigFile {
     pub text: String,
     /// Settings in the file.
     pub config: Config,
-    /// Byte ranges in the text, by key (`rules.V0301`).
-    key_ranges: BTreeMap<String, Range<usize>>,
+    /// Places of the keys.
+    places: KeyPlaces,
 }
 
 impl ConfigFile {
@@ -35,16 +28,8 @@ impl ConfigFile {
     /// Reports the first error if the text is no valid TOML, has an unknown key, or has a value that its key does not
     /// accept.
     pub fn parse(path: &Utf8Path, text: &str) -> Result<Self, ConfigError> {
-        let error = |error: SettingError| error.in_file(path, text);
-        let no_toml = |cause: toml::de::Error| error(toml_error(&cause, "this is not TOML: "));
-        let table = DeTable::parse(text).map_err(no_toml)?;
-        if let Some(first) = first_error(table.get_ref(), &schema()) {
-            return Err(error(first));
-        }
-        let mut key_ranges = BTreeMap::new();
-        collect_key_ranges(table.get_ref(), "", &mut key_ranges);
-        let config = Config::deserialize(Deserializer::from(table)).map_err(|cause| error(toml_error(&cause, "")))?;
-        let file = Self { path: path.to_owned(), text: text.to_owned(), config, key_ranges };
+        let TableFile { path, text, content: config, places } = TableFile::parse(path, text)?;
+        let file = Self { path, text, config, places };
         match file.config.run.default.fault() {
             Some((key, reason)) => {
                 let key = format!("run.default.{key}");
@@ -61,12 +46,12 @@ impl ConfigFile {
 
     /// Returns the line of a key (`rules.V0301`), from 1; `None` if the file does not set it.
     pub fn line(&self, key: &str) -> Option<usize> {
-        self.key_ranges.get(key).map(|range| line_of(&self.text, range.start))
+        self.places.line(key, &self.text)
     }
 
     /// Creates an error in the value of `key` that only the user of the setting can detect.
     pub fn fault(&self, key: &str, message: String, help: String) -> ConfigError {
-        let range = self.key_ranges.get(key).cloned().unwrap_or_default();
+        let range = self.places.range(key);
         ConfigError { path: self.path.clone(), text: self.text.clone(), range, message, help }
     }
 
@@ -82,23 +67,6 @@ impl ConfigFile {
 
     fn lists(&self, patterns: &Patterns, path: &Utf8Path) -> bool {
         path.strip_prefix(self.folder()).is_ok_and(|inside| patterns.contains(inside))
-    }
-}
-
-/// Converts an error of the TOML parser. Its message follows `before`.
-fn toml_error(cause: &toml::de::Error, before: &str) -> SettingError {
-    let message = format!("{before}{}", cause.message().trim());
-    SettingError { range: cause.span().unwrap_or_default(), message, help: String::new() }
-}
-
-fn collect_key_ranges(table: &DeTable<'_>, path: &str, ranges: &mut BTreeMap<String, Range<usize>>) {
-    for (key, value) in table {
-        let name = key.get_ref();
-        let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
-        if let DeValue::Table(table) = value.get_ref() {
-            collect_key_ranges(table, &path, ranges);
-        }
-        ranges.insert(path, key.span());
     }
 }
 

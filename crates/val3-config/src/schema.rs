@@ -1,24 +1,31 @@
-//! JSON schema of `val3.toml`, for editors and for the messages about wrong settings.
+//! JSON schemas of TOML files, for editors and for the messages about wrong settings.
 
+use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
 use crate::Config;
 
-/// Returns the schema as text, with a final newline. Editors read it from `editors/schema/val3.schema.json`.
+/// Returns the schema of `val3.toml` as text, with a final newline. Editors read it from
+/// `editors/schema/val3.schema.json`.
 pub fn json_schema() -> String {
-    let mut schema = schema();
+    json_schema_of::<Config>("val3.toml")
+}
+
+/// Returns the schema of a TOML file as text, with the title and a final newline.
+pub fn json_schema_of<T: JsonSchema>(title: &str) -> String {
+    let mut schema = schema_of::<T>();
     if let Some(object) = schema.as_object_mut() {
-        object.insert("title".to_owned(), "val3.toml".into());
+        object.insert("title".to_owned(), title.into());
     }
     format!("{schema:#}\n")
 }
 
-/// Returns the schema of the entire file, with all parts inlined.
-pub(crate) fn schema() -> Value {
+/// Returns the schema of an entire file, with all parts inlined.
+pub(crate) fn schema_of<T: JsonSchema>() -> Value {
     // TOML editors support draft 7.
     let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
-    settings.into_generator().into_root_schema_for::<Config>().to_value()
+    settings.into_generator().into_root_schema_for::<T>().to_value()
 }
 
 /// Returns the schema of the value under `key`.
@@ -34,9 +41,10 @@ pub(crate) fn keys(schema: &Value) -> impl Iterator<Item = &str> {
 
 /// Whether the schema accepts this type (`string`, `integer`, `number`, `boolean`, `array`, `object`).
 pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
+    let includes = |one: &Value| one == ty || (one == "number" && ty == "integer");
     match schema.get("type") {
-        Some(Value::String(only)) => only == ty || (only == "number" && ty == "integer"),
-        Some(Value::Array(several)) => several.iter().any(|one| one == ty),
+        Some(Value::Array(several)) => several.iter().any(includes),
+        Some(only) => includes(only),
         _ => ty == "string",
     }
 }
@@ -63,7 +71,7 @@ mod tests {
 
     #[test]
     fn every_setting_is_described() {
-        let schema = schema();
+        let schema = schema_of::<Config>();
         let table = |key| property(&schema, key).unwrap();
         let tables =
             [&schema, table("lint"), table("format"), table("run"), property(table("run"), "profiles").unwrap()];
@@ -74,7 +82,7 @@ mod tests {
 
     #[test]
     fn levels_are_words() {
-        let schema = schema();
+        let schema = schema_of::<Config>();
         let level = property(property(&schema, "rules").unwrap(), "V0101").unwrap();
         assert_eq!(choices(level), ["off", "on", "info", "warning", "error", "default"]);
     }

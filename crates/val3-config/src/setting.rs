@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::schema::{property, schema};
+use crate::schema::{property, schema_of};
 use crate::{Config, ConfigFile};
 
 /// A setting with its value.
@@ -21,7 +21,7 @@ pub fn settings(file: Option<&ConfigFile>) -> Vec<Setting> {
     let default = ConfigFile::default();
     let file = file.unwrap_or(&default);
     let mut found = Vec::new();
-    let (schema, value) = (schema(), value_of(&file.config));
+    let (schema, value) = (schema_of::<crate::Config>(), value_of(&file.config));
     collect(file, &schema, &value, "", &mut found);
     found
 }

@@ -58,7 +58,7 @@ fn validate_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, erro
             values.iter().for_each(|value| validate_value(value, items, &format!("{path}[]"), errors));
         }
         DeValue::String(word) => errors.extend(unknown_word(word, value.span(), schema, path)),
-        DeValue::Integer(number) if number.as_str().starts_with('-') && !is_any_value(schema) => {
+        DeValue::Integer(number) if number.as_str().starts_with('-') && is_whole(schema) => {
             let message = format!("{} cannot be negative", quoted(path));
             errors.push(SettingError { range: value.span(), message, help: String::new() });
         }
@@ -66,9 +66,9 @@ fn validate_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, erro
     }
 }
 
-/// Whether the setting is a value for programs, which can have several types and be negative.
-fn is_any_value(schema: &Value) -> bool {
-    schema.get("type").is_some_and(Value::is_array)
+/// Whether the setting is a whole number: a count or a percentage, never negative.
+fn is_whole(schema: &Value) -> bool {
+    schema.get("type").is_some_and(|ty| ty == "integer")
 }
 
 /// Formats the name of a setting for a message; `exclude[]` means the entries of a list.

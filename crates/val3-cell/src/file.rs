@@ -1,0 +1,222 @@
+//! The keys of `cell.toml`:
+//!
+//! ```toml
+//! clearance = 20
+//! allow = [["gripper", "rack*", "the pads touch the rack"]]
+//!
+//! [[object]]
+//! name = "fence"
+//! box = [2000, 40, 2200]
+//! at = [0, 1100, 600]
+//!
+//! [[object]]
+//! name = "gripper"
+//! in = "flange"
+//! shapes = [{ box = [120, 120, 60], at = [0, 0, 30] }, { cylinder = { radius = 20, length = 80 }, at = [0, 0, 100] }]
+//! ```
+
+use std::borrow::Cow;
+
+use camino::Utf8PathBuf;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+
+/// The things around the arm. Lengths are in mm, angles in degrees.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct CellFile {
+    /// The distance in mm below which two things that do not touch are a near miss; 0 by default: only contacts are
+    /// reported.
+    pub clearance: f64,
+    /// Pairs that may touch, each with the reason: `["gripper", "rack*", "the pads touch the rack"]`. In names, `*`
+    /// stands for any letters. `arm` means all links.
+    pub allow: Vec<AllowedPair>,
+    /// Things that never move by themselves: they stand, or the arm carries them.
+    #[serde(rename = "object")]
+    pub objects: Vec<ObjectEntry>,
+}
+
+/// Two names, and the reason why these things may touch.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "Vec<String>")]
+pub struct AllowedPair {
+    /// Names, in which `*` stands for any letters.
+    pub names: [String; 2],
+    /// The reason; may be empty.
+    pub reason: String,
+}
+
+impl TryFrom<Vec<String>> for AllowedPair {
+    type Error = &'static str;
+
+    fn try_from(texts: Vec<String>) -> Result<Self, Self::Error> {
+        let (names, reason) = match <[String; 3]>::try_from(texts) {
+            Ok([first, second, reason]) => ([first, second], reason),
+            Err(texts) => (<[String; 2]>::try_from(texts).map_err(|_| "write two names, and the reason")?, String::new()),
+        };
+        Ok(Self { names, reason })
+    }
+}
+
+impl JsonSchema for AllowedPair {
+    fn schema_name() -> Cow<'static, str> {
+        "AllowedPair".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 3 })
+    }
+}
+
+/// A thing that never moves by itself.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ObjectEntry {
+    /// The name in messages: letters, digits, `_` and blanks.
+    pub name: String,
+    /// What carries it: `world` (default); `base`, the mounting face of the arm; `flange`; `link1` and so on; a frame or
+    /// a tool of the application; another object.
+    #[serde(rename = "in")]
+    #[schemars(with = "String")]
+    pub carrier: Option<String>,
+    /// The pose of the shapes in that frame: x, y, z in mm and rx, ry, rz in degrees as in a trsf; three numbers are
+    /// enough.
+    pub at: Vec<f64>,
+    /// The shapes of a thing that has several.
+    pub shapes: Vec<ShapeEntry>,
+    /// The distance below which something is too near to this thing, in place of the general one.
+    #[schemars(with = "f64")]
+    pub clearance: Option<f64>,
+    /// The colour in pictures: `#d9a400`.
+    #[schemars(with = "String")]
+    pub colour: Option<String>,
+    /// The shape of a thing that has one.
+    #[serde(flatten)]
+    pub shape: ShapeKeys,
+}
+
+/// One of several shapes.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ShapeEntry {
+    /// The pose in the frame of the thing, as the pose of a thing.
+    pub at: Vec<f64>,
+    /// The shape.
+    #[serde(flatten)]
+    pub shape: ShapeKeys,
+}
+
+/// The keys for a shape, of which one is used.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ShapeKeys {
+    /// A box: length, width and height around its centre, or its corners: `{ min = [0, 0, 0], max = [100, 50, 20] }`.
+    #[serde(rename = "box")]
+    #[schemars(with = "BoxKey")]
+    pub cuboid: Option<BoxKey>,
+    /// A cylinder around the z axis with its centre in the origin.
+    #[schemars(with = "CylinderKey")]
+    pub cylinder: Option<CylinderKey>,
+    /// A sphere around the origin.
+    #[schemars(with = "SphereKey")]
+    pub sphere: Option<SphereKey>,
+    /// The points within a radius of a line: a cylinder with round ends.
+    #[schemars(with = "CapsuleKey")]
+    pub capsule: Option<CapsuleKey>,
+    /// An STL file (mm, z up), relative to the folder of this file. A thing that stands keeps its surface, so that
+    /// something can be inside of it; of a thing that the arm carries, the convex hull is used.
+    #[schemars(with = "String")]
+    pub mesh: Option<Utf8PathBuf>,
+    /// The unit of lengths in the mesh; `mm` by default.
+    #[schemars(with = "MeshUnit")]
+    pub unit: Option<MeshUnit>,
+    /// Whether the convex hull of the mesh is used (`true`), or its surface (`false`).
+    #[schemars(with = "bool")]
+    pub hull: Option<bool>,
+}
+
+/// A box.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "a box is [length, width, height], or { min = [x, y, z], max = [x, y, z] }")]
+pub enum BoxKey {
+    /// Length, width and height.
+    Size([f64; 3]),
+    /// Two corners.
+    Corners(Corners),
+}
+
+/// Two corners of a box.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Corners {
+    /// The smallest coordinates.
+    pub min: [f64; 3],
+    /// The greatest coordinates.
+    pub max: [f64; 3],
+}
+
+impl JsonSchema for BoxKey {
+    fn schema_name() -> Cow<'static, str> {
+        "BoxKey".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let corner = json_schema!({ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 });
+        json_schema!({
+            "type": ["array", "object"],
+            "items": { "type": "number" },
+            "properties": { "min": corner, "max": corner },
+            "additionalProperties": false,
+        })
+    }
+}
+
+/// A cylinder.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylinderKey {
+    /// The radius.
+    pub radius: f64,
+    /// The length along the z axis.
+    pub length: f64,
+}
+
+/// A sphere.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereKey {
+    /// The radius.
+    pub radius: f64,
+}
+
+/// A capsule.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CapsuleKey {
+    /// One end of the line.
+    pub from: [f64; 3],
+    /// The other end of the line.
+    pub to: [f64; 3],
+    /// The radius.
+    pub radius: f64,
+}
+
+/// A unit of lengths in a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MeshUnit {
+    /// Millimetres.
+    Mm,
+    /// Metres.
+    M,
+}
+
+impl MeshUnit {
+    /// Returns the unit in mm.
+    pub(crate) const fn length(self) -> f64 {
+        match self {
+            Self::Mm => 1.0,
+            Self::M => 1000.0,
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Things around an arm: their file `cell.toml`, their places, and how near they come to the arm and to what it carries.
+//!
+//! Lengths are in mm, angles in degrees, times in seconds. The crate knows arms, but neither VAL 3 nor files: the caller
+//! reads meshes, and states where the frames and tools of a program are.
+//!
+//! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each
+//! other, and [`Minima`] records the smallest distances.
+
+mod build;
+mod carriers;
+mod error;
+mod file;
+mod measure;
+mod mesh;
+mod minima;
+mod pairs;
+mod poses;
+mod reach;
+mod scene;
+mod solids;
+mod step;
+#[cfg(test)]
+mod testing;
+mod track;
+mod watch;
+
+pub use self::build::{ArmBase, Cell, DataKind, Surroundings, Thing};
+pub use self::carriers::Carrier;
+pub use self::error::CellError;
+pub use self::file::{AllowedPair, CellFile, ObjectEntry, ShapeEntry, ShapeKeys};
+pub use self::measure::Measured;
+pub use self::mesh::{Mesh, MeshError};
+pub use self::minima::{Minima, Minimum};
+pub use self::scene::Scene;
+pub use self::solids::{Solid, SolidForm};
+pub use self::step::Sight;
+pub use self::watch::{Encounter, EncounterState, Watch};

@@ -1,0 +1,181 @@
+//! Reading of STL files: triangles, as text or binary.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use val3_geometry::Vector3;
+
+/// Greatest accepted number of triangles.
+const MOST_TRIANGLES: usize = 200_000;
+
+/// Bytes before the number of triangles in a binary file.
+const HEAD: usize = 80;
+
+/// Bytes of a triangle in a binary file: normal, three corners, attribute.
+const TRIANGLE: usize = 50;
+
+/// A surface of triangles.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mesh {
+    /// Corners, each once.
+    pub points: Vec<Vector3<f64>>,
+    /// Numbers of three corners.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Why a file is no mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeshError {
+    /// It is neither form of STL.
+    Form,
+    /// The text form ends within a triangle, or has a corner that is not three numbers, at this line (from 1).
+    Line(usize),
+    /// It has no triangle.
+    Empty,
+    /// It has more triangles than are accepted.
+    TooMany(usize),
+}
+
+impl fmt::Display for MeshError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Form => write!(f, "it is not an STL file, or it is cut off"),
+            Self::Line(line) => write!(f, "its line {line} is not a corner of a triangle: `vertex x y z`"),
+            Self::Empty => write!(f, "it has no triangle"),
+            Self::TooMany(count) => write!(f, "it has {count} triangles, and at most {MOST_TRIANGLES} are accepted"),
+        }
+    }
+}
+
+impl std::error::Error for MeshError {}
+
+impl Mesh {
+    /// Reads an STL file.
+    ///
+    /// # Errors
+    /// The bytes are not one, or too many triangles.
+    pub fn read(bytes: &[u8]) -> Result<Self, MeshError> {
+        let corners = match binary(bytes) {
+            Some(corners) => corners?,
+            None => text(bytes)?,
+        };
+        let mut mesh = Self::default();
+        let mut numbers = HashMap::new();
+        for triangle in corners.as_chunks::<3>().0 {
+            let number = |corner: &Vector3<f64>| {
+                *numbers.entry([corner.x.to_bits(), corner.y.to_bits(), corner.z.to_bits()]).or_insert_with(|| {
+                    mesh.points.push(*corner);
+                    u32::try_from(mesh.points.len() - 1).unwrap_or(u32::MAX)
+                })
+            };
+            let triangle = triangle.each_ref().map(number);
+            mesh.triangles.push(triangle);
+        }
+        if mesh.triangles.is_empty() { Err(MeshError::Empty) } else { Ok(mesh) }
+    }
+
+    /// Returns the mesh with lengths multiplied by a factor.
+    pub(crate) fn scaled(mut self, factor: f64) -> Self {
+        self.points.iter_mut().for_each(|point| *point *= factor);
+        self
+    }
+
+    /// Length of the diagonal of the box around all corners.
+    pub(crate) fn extent(&self) -> f64 {
+        let Some(start) = self.points.first() else { return 0.0 };
+        let (min, max) = self.points.iter().fold((*start, *start), |(min, max), point| (min.inf(point), max.sup(point)));
+        (max - min).norm()
+    }
+}
+
+/// Returns the corners of a binary file, three for each triangle; `None` if the size does not fit its number of
+/// triangles.
+fn binary(bytes: &[u8]) -> Option<Result<Vec<Vector3<f64>>, MeshError>> {
+    let (count, body) = bytes.get(HEAD..)?.split_first_chunk::<4>()?;
+    let count = usize::try_from(u32::from_le_bytes(*count)).ok()?;
+    if count.checked_mul(TRIANGLE)? != body.len() {
+        return None;
+    }
+    if count > MOST_TRIANGLES {
+        return Some(Err(MeshError::TooMany(count)));
+    }
+    let number = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
+    let corners = body.as_chunks::<TRIANGLE>().0.iter().flat_map(|triangle| {
+        let numbers: Vec<f64> = triangle.as_chunks::<4>().0.iter().skip(3).map(number).collect();
+        let corners = numbers.as_chunks::<3>().0;
+        corners.iter().map(|corner| Vector3::from(*corner)).collect::<Vec<_>>()
+    });
+    Some(Ok(corners.collect()))
+}
+
+/// Returns the corners of a file in text form.
+fn text(bytes: &[u8]) -> Result<Vec<Vector3<f64>>, MeshError> {
+    let text = str::from_utf8(bytes).map_err(|_| MeshError::Form)?;
+    if !text.trim_start().starts_with("solid") {
+        return Err(MeshError::Form);
+    }
+    let mut corners = Vec::new();
+    let mut last = 0;
+    for (index, line) in text.lines().enumerate() {
+        let Some(numbers) = line.trim().strip_prefix("vertex") else { continue };
+        last = index + 1;
+        let numbers: Vec<f64> = numbers.split_whitespace().filter_map(|number| number.parse().ok()).collect();
+        let corner = <[f64; 3]>::try_from(numbers).map_err(|_| MeshError::Line(last))?;
+        corners.push(Vector3::from(corner));
+    }
+    match corners.len() {
+        count if count % 3 != 0 => Err(MeshError::Line(last)),
+        count if count / 3 > MOST_TRIANGLES => Err(MeshError::TooMany(count / 3)),
+        _ if text.trim_end().rsplit('\n').next().is_some_and(|end| end.trim_start().starts_with("endsolid")) => Ok(corners),
+        _ => Err(MeshError::Form),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "solid fin\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 5 0\n\
+                        endloop\nendfacet\nendsolid fin\n";
+
+    /// A binary file with triangles of these corners.
+    fn binary_file(corners: &[[f32; 3]]) -> Vec<u8> {
+        let mut bytes = vec![b' '; HEAD];
+        bytes.extend(u32::try_from(corners.len() / 3).unwrap().to_le_bytes());
+        for triangle in corners.chunks(3) {
+            bytes.extend([0; 12]);
+            bytes.extend(triangle.iter().flatten().flat_map(|number| number.to_le_bytes()));
+            bytes.extend([0; 2]);
+        }
+        bytes
+    }
+
+    #[test]
+    fn both_forms_of_a_file_are_the_same_mesh() {
+        let of_text = Mesh::read(TEXT.as_bytes()).unwrap();
+        let of_bytes = Mesh::read(&binary_file(&[[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 5.0, 0.0]])).unwrap();
+        assert_eq!(of_text, of_bytes);
+        assert_eq!((of_text.points.len(), of_text.triangles), (3, vec![[0, 1, 2]]));
+    }
+
+    #[test]
+    fn corners_are_shared() {
+        let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let mesh = Mesh::read(&binary_file(&square)).unwrap();
+        assert_eq!((mesh.points.len(), mesh.triangles), (4, vec![[0, 1, 2], [1, 3, 2]]));
+    }
+
+    #[test]
+    fn damaged_files_are_refused() {
+        let error = |bytes: &[u8]| Mesh::read(bytes).unwrap_err();
+        let whole = binary_file(&[[0.0; 3]; 3]);
+        assert_eq!(error(whole.get(..100).unwrap()), MeshError::Form);
+        assert_eq!(error(b""), MeshError::Form);
+        assert_eq!(error(&binary_file(&[])), MeshError::Empty);
+        assert_eq!(error(b"solid a\nendsolid a\n"), MeshError::Empty);
+        assert_eq!(error(TEXT.replace("10 0 0", "10 0").as_bytes()), MeshError::Line(5));
+        assert_eq!(error(TEXT.replace("vertex 0 5 0\n", "").as_bytes()), MeshError::Line(5));
+        let cut = TEXT.find("endloop").unwrap();
+        assert_eq!(error(TEXT.get(..cut).unwrap().as_bytes()), MeshError::Form);
+    }
+}

@@ -1,0 +1,85 @@
+//! The smallest distances of a run: of each pair, and of each place of a program.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::measure::Measured;
+use crate::scene::Scene;
+use crate::step::{Past, Sight, Step};
+use crate::track::{EXACT, Track, Wanted};
+
+/// Distances in mm above which nothing is recorded.
+const FAR: f64 = 500.0;
+
+/// A smallest distance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Minimum {
+    /// Names of both things.
+    pub names: [String; 2],
+    /// The distance.
+    pub measured: Measured,
+    /// Its time, in seconds.
+    pub time: f64,
+}
+
+/// Records the smallest distances of all pairs, and over all pairs for each key: the line that has requested a move.
+/// Distances above 500 mm are left out.
+#[derive(Debug, Clone)]
+pub struct Minima<K> {
+    scene: Arc<Scene>,
+    past: Option<Past>,
+    tracks: Vec<Track>,
+    pairs: Vec<Option<Minimum>>,
+    keys: BTreeMap<K, Minimum>,
+}
+
+impl<K: Ord + Clone> Minima<K> {
+    /// Records from the first sight on.
+    #[must_use]
+    pub fn new(scene: Arc<Scene>) -> Self {
+        let count = scene.pairs.len();
+        Self { scene, past: None, tracks: vec![Track::default(); count], pairs: vec![None; count], keys: BTreeMap::new() }
+    }
+
+    /// Looks at the end of a cycle in which the arm has moved for `key`.
+    pub fn see(&mut self, sight: Sight<'_>, key: Option<&K>) {
+        if !Arc::ptr_eq(&self.scene.arm, sight.arm) {
+            self.scene = Arc::new(self.scene.with_arm(Arc::clone(sight.arm)));
+            self.tracks.fill(Track::default());
+        }
+        if self.past.as_ref().is_some_and(|past| past.has_jumped(&sight)) {
+            self.tracks.fill(Track::default());
+        }
+        let step = Step::new(&self.scene, self.past.as_ref(), &sight);
+        for ((pair, track), least) in self.scene.pairs.iter().zip(&mut self.tracks).zip(&mut self.pairs) {
+            let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance);
+            let known = key.and_then(|key| self.keys.get(key));
+            let of_key = if key.is_some() { known.map_or(FAR, |least| least.measured.distance) } else { of_pair };
+            let threshold = of_pair.max(of_key);
+            let Some(found) = track.follow(&step, pair, Wanted { threshold, margin: EXACT, limit: threshold }) else { continue };
+            let names = [pair.first, pair.second].map(|body| self.scene.name(body).to_owned());
+            let minimum = Minimum { names, measured: found.measured, time: step.time(found.fraction) };
+            if let Some(key) = key.filter(|_| found.measured.distance < of_key) {
+                self.keys.insert(key.clone(), minimum.clone());
+            }
+            if found.measured.distance < of_pair {
+                *least = Some(minimum);
+            }
+        }
+        self.past = Some(Past::of(sight));
+    }
+
+    /// The smallest distance of each pair that came within 500 mm, smallest first.
+    #[must_use]
+    pub fn of_pairs(&self) -> Vec<&Minimum> {
+        let mut minima: Vec<&Minimum> = self.pairs.iter().flatten().collect();
+        minima.sort_by(|a, b| a.measured.distance.total_cmp(&b.measured.distance));
+        minima
+    }
+
+    /// The smallest distance for a key, if it is within 500 mm.
+    #[must_use]
+    pub fn of(&self, key: &K) -> Option<&Minimum> {
+        self.keys.get(key)
+    }
+}

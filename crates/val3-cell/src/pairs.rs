@@ -1,0 +1,119 @@
+//! The pairs of bodies whose distances matter.
+
+use globset::{GlobBuilder, GlobMatcher};
+
+use crate::build::{Cell, Thing};
+use crate::carriers::Carrier;
+use crate::error::CellError;
+use crate::file::AllowedPair;
+use crate::scene::body_names;
+
+/// Fewest steps in the chain of the arm between two bodies of it that can touch each other: nearer ones always touch, or
+/// never.
+const APART: usize = 3;
+
+/// The same for what the flange carries: the capsules of the wrist and of the forearm reach beyond the flange.
+const CARRIED_APART: usize = 4;
+
+/// Pairs of links that are far enough apart in the chain, and cannot touch each other on any arm.
+const NEVER: [(usize, usize); 2] = [(2, 5), (2, 6)];
+
+/// Two bodies, by their numbers in the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pair {
+    pub(crate) first: usize,
+    pub(crate) second: usize,
+    /// Distance below which they are too near to each other.
+    pub(crate) clearance: f64,
+    /// Whether both belong to the arm or are carried by it. The shapes of links are larger than the links, so that an
+    /// overlap is no proof of a contact.
+    pub(crate) is_arm: bool,
+}
+
+/// Pairs that may touch.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Allowed(Vec<[GlobMatcher; 2]>);
+
+impl Allowed {
+    pub(crate) fn build(entries: &[AllowedPair], things: &[Thing], axes: usize) -> Result<Self, CellError> {
+        let names: Vec<String> = body_names(things, axes).collect();
+        let pairs = entries.iter().enumerate().map(|(index, AllowedPair { names: pair, .. })| {
+            let matcher = |name: &String| {
+                let key = format!("allow[{index}]");
+                let matcher = pattern(name).ok_or_else(|| CellError::new(&key, format!("`{name}` is no name"), ""))?;
+                if names.iter().any(|body| is_named(&matcher, body)) {
+                    return Ok(matcher);
+                }
+                let help = format!("it has {}", names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "));
+                Err(CellError::new(key, format!("the cell has nothing with the name `{name}`"), help))
+            };
+            let [first, second] = pair;
+            Ok([matcher(first)?, matcher(second)?])
+        });
+        pairs.collect::<Result<_, _>>().map(Self)
+    }
+
+    fn contains(&self, first: &str, second: &str) -> bool {
+        self.0.iter().any(|[one, other]| {
+            let are = |first: &str, second: &str| is_named(one, first) && is_named(other, second);
+            are(first, second) || are(second, first)
+        })
+    }
+}
+
+/// Returns the matcher for a name, in which only `*` has a meaning.
+fn pattern(name: &str) -> Option<GlobMatcher> {
+    let literal = |letter: char| if letter == '*' { letter.to_string() } else { globset::escape(&letter.to_string()) };
+    let text: String = name.chars().map(literal).collect();
+    Some(GlobBuilder::new(&text).build().ok()?.compile_matcher())
+}
+
+fn is_named(matcher: &GlobMatcher, body: &str) -> bool {
+    matcher.is_match(body) || (matcher.is_match("arm") && (body == "base" || body.starts_with("link")))
+}
+
+/// Returns the pairs of a cell around an arm with this number of axes. Bodies are the base, the links and the things.
+pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
+    let things = axes + 1;
+    let count = things + cell.things.len();
+    let names: Vec<String> = body_names(&cell.things, axes).collect();
+    let every = (0..count).flat_map(|first| (first + 1..count).map(move |second| (first, second)));
+    let pairs = every.filter_map(|(first, second)| {
+        let (a, b) = (PairBody::of(cell, axes, first)?, PairBody::of(cell, axes, second)?);
+        let is_arm = a.chain.is_some() && b.chain.is_some();
+        let matters = match (a.chain, b.chain) {
+            (Some(a), Some(b)) => {
+                let apart = if a.max(b) > axes { CARRIED_APART } else { APART };
+                a.abs_diff(b) >= apart && !NEVER.contains(&(first, second))
+            }
+            (Some(chain), None) | (None, Some(chain)) => chain > 0,
+            (None, None) => false,
+        };
+        let is_allowed = cell.allowed.contains(names.get(first)?, names.get(second)?);
+        let own = a.clearance.into_iter().chain(b.clearance).reduce(f64::max);
+        let clearance = if is_arm { 0.0 } else { own.unwrap_or(cell.clearance) };
+        (matters && !is_allowed).then_some(Pair { first, second, clearance, is_arm })
+    });
+    pairs.collect()
+}
+
+/// What decides about the pairs of a body.
+struct PairBody {
+    /// Place in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what the
+    /// flange carries; `None` for what stands.
+    chain: Option<usize>,
+    clearance: Option<f64>,
+}
+
+impl PairBody {
+    fn of(cell: &Cell, axes: usize, body: usize) -> Option<Self> {
+        let Some(thing) = body.checked_sub(axes + 1) else { return Some(Self { chain: Some(body), clearance: None }) };
+        let Thing { carrier, clearance, .. } = cell.things.get(thing)?;
+        let chain = match carrier {
+            Carrier::World | Carrier::Frame(_) => None,
+            Carrier::Link(link) => Some(*link),
+            Carrier::Flange | Carrier::Tool(_) => Some(axes + 1),
+        };
+        Some(Self { chain, clearance: *clearance })
+    }
+}

@@ -1,0 +1,140 @@
+//! Shapes from the keys of a cell's file.
+
+use camino::Utf8Path;
+use val3_collision::{Shape, ShapeError};
+use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
+
+use crate::build::Surroundings;
+use crate::error::CellError;
+use crate::file::{BoxKey, Corners, MeshUnit, ShapeKeys};
+use crate::mesh::Mesh;
+use crate::poses::pose;
+
+/// Extent in mm of a mesh below which its unit is probably metres.
+const TINY: f64 = 5.0;
+
+/// Extent in mm of a mesh above which its unit is probably not metres.
+const HUGE: f64 = 50_000.0;
+
+/// A shape of a thing.
+#[derive(Debug, Clone)]
+pub struct Solid {
+    /// The shape.
+    pub shape: Shape,
+    /// Its pose in the frame of the thing.
+    pub pose: IsometryMatrix3<f64>,
+    /// The shape as it was described, for pictures.
+    pub form: SolidForm,
+}
+
+/// A description of a shape.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SolidForm {
+    /// Length, width and height of a box around the origin.
+    Box([f64; 3]),
+    /// A cylinder around the z axis.
+    Cylinder {
+        /// Radius.
+        radius: f64,
+        /// Length, half of it below the origin.
+        length: f64,
+    },
+    /// A capsule, or a sphere if both ends are the same point.
+    Capsule {
+        /// One end of the line.
+        from: [f64; 3],
+        /// The other end of the line.
+        to: [f64; 3],
+        /// Radius.
+        radius: f64,
+    },
+    /// Triangles.
+    Mesh(Mesh),
+}
+
+/// What a shape needs besides its keys.
+pub(crate) struct SolidMaker<'s> {
+    pub(crate) surroundings: &'s mut dyn Surroundings,
+    /// Whether the arm carries the thing: a mesh is then its convex hull.
+    pub(crate) is_carried: bool,
+}
+
+/// Builds the shape of these keys at a pose; `None` without a shape.
+pub(crate) fn solid(
+    keys: &ShapeKeys,
+    at: &[f64],
+    key: &str,
+    maker: &mut SolidMaker<'_>,
+) -> Result<Option<Solid>, CellError> {
+    let ShapeKeys { cuboid, cylinder, sphere, capsule, mesh, unit, hull } = keys;
+    let place = pose(at, &format!("{key}.at"))?;
+    let named = [
+        ("box", cuboid.is_some()),
+        ("cylinder", cylinder.is_some()),
+        ("sphere", sphere.is_some()),
+        ("capsule", capsule.is_some()),
+        ("mesh", mesh.is_some()),
+    ];
+    let mut given = named.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name);
+    let Some(name) = given.next() else { return Ok(None) };
+    if let Some(second) = given.next() {
+        let message = format!("`{name}` and `{second}` are two shapes");
+        return Err(CellError::new(format!("{key}.{second}"), message, "list them: `shapes = [{ … }, { … }]`"));
+    }
+    let key = format!("{key}.{name}");
+    if mesh.is_none() && (unit.is_some() || hull.is_some()) {
+        return Err(CellError::new(key, "`unit` and `hull` belong to a mesh", "remove them"));
+    }
+    let (form, offset) = if let Some(cuboid) = cuboid {
+        let (size, centre) = sides(cuboid);
+        (SolidForm::Box(size), centre)
+    } else if let Some(cylinder) = cylinder {
+        (SolidForm::Cylinder { radius: cylinder.radius, length: cylinder.length }, [0.0; 3])
+    } else if let Some(sphere) = sphere {
+        (SolidForm::Capsule { from: [0.0; 3], to: [0.0; 3], radius: sphere.radius }, [0.0; 3])
+    } else if let Some(capsule) = capsule {
+        (SolidForm::Capsule { from: capsule.from, to: capsule.to, radius: capsule.radius }, [0.0; 3])
+    } else if let Some(path) = mesh {
+        (SolidForm::Mesh(mesh_in_mm(path, unit.unwrap_or(MeshUnit::Mm), &key, maker.surroundings)?), [0.0; 3])
+    } else {
+        return Ok(None);
+    };
+    let shape = shape_of(&form, hull.unwrap_or(maker.is_carried)).map_err(|error| CellError::new(&key, format!("it is no shape: {error}"), ""))?;
+    let pose = place * Trsf::new(offset, [0.0; 3]).isometry();
+    Ok(Some(Solid { shape, pose, form }))
+}
+
+/// Size and centre of a box.
+fn sides(cuboid: &BoxKey) -> ([f64; 3], [f64; 3]) {
+    match cuboid {
+        BoxKey::Size(size) => (*size, [0.0; 3]),
+        BoxKey::Corners(Corners { min, max }) => {
+            let (min, max) = (Vector3::from(*min), Vector3::from(*max));
+            ((max - min).into(), ((min + max) / 2.0).into())
+        }
+    }
+}
+
+/// Reads a mesh, and refuses a size that hints at another unit.
+fn mesh_in_mm(path: &Utf8Path, unit: MeshUnit, key: &str, surroundings: &mut dyn Surroundings) -> Result<Mesh, CellError> {
+    let mesh = surroundings.mesh(path).map_err(|message| CellError::new(key, message, "name an existing STL file of at most 32 MB"))?;
+    let mesh = mesh.scaled(unit.length());
+    let extent = mesh.extent();
+    let help = match unit {
+        MeshUnit::Mm if extent < TINY => "is it in metres? add `unit = \"m\"`",
+        MeshUnit::M if extent > HUGE => "is it in mm? remove `unit = \"m\"`",
+        _ if extent > HUGE => "it would be larger than any cell: export it in mm",
+        _ => return Ok(mesh),
+    };
+    Err(CellError::new(key, format!("`{path}` is {extent:.2} mm long"), help))
+}
+
+fn shape_of(form: &SolidForm, hull: bool) -> Result<Shape, ShapeError> {
+    match form {
+        SolidForm::Box(size) => Shape::cuboid(&Vector3::from(*size)),
+        SolidForm::Cylinder { radius, length } => Shape::cylinder(*radius, *length),
+        SolidForm::Capsule { from, to, radius } => Shape::capsule(Vector3::from(*from), Vector3::from(*to), *radius),
+        SolidForm::Mesh(mesh) if hull => Shape::hull(&mesh.points),
+        SolidForm::Mesh(mesh) => Shape::surface(&mesh.points, &mesh.triangles),
+    }
+}

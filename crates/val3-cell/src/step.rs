@@ -1,0 +1,165 @@
+//! One cycle of the arm: the positions of all bodies from its beginning to its end.
+
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Joints};
+
+use crate::measure::{Placed, Reading, measure};
+use crate::pairs::Pair;
+use crate::scene::{Body, BodyCarrier, Position, Scene};
+
+/// Coordinate in mm beyond which a thing is nowhere.
+const FARTHEST: f64 = 1e9;
+
+/// What is seen at the end of a cycle.
+#[derive(Debug, Clone)]
+pub struct Sight<'a> {
+    /// The arm's model.
+    pub arm: &'a Arc<Arm>,
+    /// Joint position, in degrees or mm.
+    pub joints: Joints,
+    /// Number that changes when the arm is placed elsewhere without a motion.
+    pub placement: u64,
+    /// Poses of the frames in `world` and of the tools in `flange`, in the order of [`Scene::data`]; `None` without a
+    /// place.
+    pub places: Vec<Option<IsometryMatrix3<f64>>>,
+    /// Time, in seconds.
+    pub time: f64,
+}
+
+/// The last sight, which a step begins at.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Past {
+    joints: Joints,
+    placement: u64,
+    places: Vec<Option<IsometryMatrix3<f64>>>,
+    time: f64,
+}
+
+impl Past {
+    pub(crate) fn of(sight: Sight<'_>) -> Self {
+        let Sight { joints, placement, places, time, .. } = sight;
+        Self { joints, placement, places, time }
+    }
+
+    /// Whether the arm is elsewhere without a motion.
+    pub(crate) fn has_jumped(&self, sight: &Sight<'_>) -> bool {
+        self.placement != sight.placement
+    }
+
+    /// Whether nothing has moved since.
+    pub(crate) fn is_same(&self, sight: &Sight<'_>) -> bool {
+        self.joints == sight.joints && self.placement == sight.placement && self.places == sight.places
+    }
+}
+
+/// The positions of all bodies from one sight to the next, with the joints moving linearly.
+pub(crate) struct Step<'s> {
+    scene: &'s Scene,
+    from: Joints,
+    to: Joints,
+    start: f64,
+    end: f64,
+    places: &'s [Option<IsometryMatrix3<f64>>],
+    /// Frames and tools that are elsewhere than before.
+    has_moved: Vec<bool>,
+    moved: Joints,
+    ends: [OnceCell<Position>; 2],
+}
+
+impl<'s> Step<'s> {
+    pub(crate) fn new(scene: &'s Scene, past: Option<&Past>, sight: &'s Sight<'_>) -> Self {
+        let before = past.filter(|past| past.placement == sight.placement);
+        let from = before.map_or(sight.joints, |past| past.joints);
+        let moved = |number: usize| past.is_none_or(|past| past.places.get(number) != sight.places.get(number));
+        Self {
+            scene,
+            from,
+            to: sight.joints,
+            start: past.map_or(sight.time, |past| past.time),
+            end: sight.time,
+            places: &sight.places,
+            has_moved: (0..sight.places.len()).map(moved).collect(),
+            moved: std::array::from_fn(|axis| difference(&sight.joints, &from, axis)),
+            ends: Default::default(),
+        }
+    }
+
+    /// Greatest way of both bodies of a pair together, in mm; `None` if a carrier of them is elsewhere than before.
+    pub(crate) fn travel(&self, pair: &Pair) -> Option<f64> {
+        Some(self.way(self.body(pair.first)?)? + self.way(self.body(pair.second)?)?)
+    }
+
+    fn way(&self, body: &Body) -> Option<f64> {
+        let radius = |pose: &IsometryMatrix3<f64>| {
+            let reaches = body.shapes.iter().map(|(shape, own)| (pose * own).translation.vector.norm() + shape.reach());
+            reaches.fold(0.0, f64::max)
+        };
+        let here = IsometryMatrix3::identity();
+        let (reach, axes) = (&self.scene.reach, self.scene.arm.axes());
+        match body.carrier {
+            BodyCarrier::World => Some(0.0),
+            BodyCarrier::Frame(number) => self.has_moved.get(number).is_some_and(|moved| !moved).then_some(0.0),
+            BodyCarrier::Link(link) => Some(reach.way(link, radius(&here), &self.moved)),
+            BodyCarrier::Flange => Some(reach.way(axes, self.scene.flange_offset() + radius(&here), &self.moved)),
+            BodyCarrier::Tool(number) if self.has_moved.get(number).is_some_and(|moved| !moved) => {
+                let tool = self.places.get(number).copied().flatten()?;
+                Some(reach.way(axes, self.scene.flange_offset() + radius(&tool), &self.moved))
+            }
+            BodyCarrier::Tool(_) => None,
+        }
+    }
+
+    fn body(&self, number: usize) -> Option<&'s Body> {
+        self.scene.bodies.get(number)
+    }
+
+    /// Measures a pair at a fraction of the step, 0 to 1.
+    pub(crate) fn measure(&self, pair: &Pair, fraction: f64, limit: f64) -> Reading {
+        let position = if fraction <= 0.0 {
+            self.end_position(&self.ends[0], &self.from)
+        } else if fraction >= 1.0 {
+            self.end_position(&self.ends[1], &self.to)
+        } else {
+            &self.scene.position(&self.joints(fraction))
+        };
+        let placed = |number: usize| {
+            let body = self.body(number)?;
+            let pose = position.carrier(body.carrier, self.places)?;
+            is_usable(&pose).then_some(Placed { shapes: &body.shapes, pose })
+        };
+        match (placed(pair.first), placed(pair.second)) {
+            (Some(first), Some(second)) => measure(&first, &second, limit),
+            // Without a place, a thing is nowhere.
+            _ => Reading::Beyond(f64::INFINITY),
+        }
+    }
+
+    fn end_position<'p>(&self, end: &'p OnceCell<Position>, joints: &Joints) -> &'p Position {
+        end.get_or_init(|| self.scene.position(joints))
+    }
+
+    /// Joint position at a fraction of the step.
+    pub(crate) fn joints(&self, fraction: f64) -> Joints {
+        std::array::from_fn(|axis| {
+            self.from.get(axis).copied().unwrap_or_default() + fraction * difference(&self.to, &self.from, axis)
+        })
+    }
+
+    /// Time at a fraction of the step, in seconds.
+    pub(crate) fn time(&self, fraction: f64) -> f64 {
+        self.start + fraction * (self.end - self.start)
+    }
+}
+
+/// Whether distances from a pose can be computed. A frame of a program can have any numbers.
+fn is_usable(pose: &IsometryMatrix3<f64>) -> bool {
+    pose.rotation.matrix().iter().all(|number| number.is_finite())
+        && pose.translation.vector.iter().all(|length| length.abs() < FARTHEST)
+}
+
+fn difference(to: &Joints, from: &Joints, axis: usize) -> f64 {
+    to.get(axis).copied().unwrap_or_default() - from.get(axis).copied().unwrap_or_default()
+}

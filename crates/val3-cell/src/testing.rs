@@ -1,0 +1,60 @@
+//! Cells and arms of tests.
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use val3_kinematics::{Arm, Joints};
+
+use crate::build::{ArmBase, Cell, DataKind, Surroundings};
+use crate::error::CellError;
+use crate::file::CellFile;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use crate::step::Sight;
+
+/// An application with the frames `fTable`, `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
+/// other sizes.
+pub(crate) struct Application;
+
+/// A triangle with corners at (0, 0, 0), (10, 0, 0), (0, 5, 0).
+const FIN: &str = "solid fin\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 5 0\n\
+                   endloop\nendfacet\nendsolid fin\n";
+
+impl Surroundings for Application {
+    fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String> {
+        let fin = |factor| Mesh::read(FIN.as_bytes()).map(|mesh| mesh.scaled(factor)).map_err(|error| error.to_string());
+        match path.as_str() {
+            "fin.stl" => fin(1.0),
+            "tiny.stl" => fin(0.1),
+            "huge.stl" => fin(100.0),
+            _ => Err(format!("cannot read `{path}`: it does not exist")),
+        }
+    }
+
+    fn carrier(&self, name: &str) -> Result<DataKind, Option<String>> {
+        match name {
+            "fTable" | "fPart" => Ok(DataKind::Frame),
+            "tGripper" => Ok(DataKind::Tool),
+            "ftable" => Err(Some("fTable".to_owned())),
+            _ => Err(None),
+        }
+    }
+}
+
+pub(crate) fn arm(name: &str) -> Arc<Arm> {
+    Arc::new(Arm::by_name(name).unwrap())
+}
+
+pub(crate) fn build(text: &str, arm: &Arm) -> Result<Cell, CellError> {
+    let file: CellFile = toml::from_str(text).unwrap();
+    Cell::build(&file, ArmBase { axes: arm.axes(), height: arm.height() }, &mut Application)
+}
+
+pub(crate) fn scene(text: &str, arm: &Arc<Arm>) -> Scene {
+    Scene::new(Arc::new(build(text, arm).unwrap()), Arc::clone(arm))
+}
+
+/// A sight without frames and tools.
+pub(crate) fn sight(arm: &Arc<Arm>, joints: Joints, time: f64) -> Sight<'_> {
+    Sight { arm, joints, placement: 0, places: Vec::new(), time }
+}
