@@ -2,7 +2,7 @@
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use val3_geometry::IsometryMatrix3;
-use val3_kinematics::{Arm, Joints};
+use val3_kinematics::{Arm, Joints, LinkCapsule};
 use val3_machine::shapes::LinkShape;
 
 use crate::coordinates;
@@ -10,7 +10,8 @@ use crate::wire::{self, ArmChain, Link};
 
 /// Returns the name, whether it is the default, the note about times, the axes with their limits, all axis frames'
 /// poses, each relative to the previous frame, the pose of the flange relative to the last frame, and the shapes of the
-/// links. An axis rotates about the z axis of its frame, or moves along it.
+/// links. An axis rotates about the z axis of its frame, or moves along it. The frames after this movement are those of
+/// [`Arm::parts`], in which the capsules are.
 pub(crate) fn description(arm: &Arm, is_default: bool, shapes: &[Option<LinkShape>]) -> ArmChain {
     let poses = arm.links(&Joints::default());
     let mut before = IsometryMatrix3::identity();
@@ -36,8 +37,14 @@ pub(crate) fn description(arm: &Arm, is_default: bool, shapes: &[Option<LinkShap
         axes: axes.collect(),
         links: offsets.into_iter().map(|offset| Link { offset, axis: [0, 0, 1] }).collect(),
         flange,
+        height: arm.height(),
+        capsules: arm.shapes().iter().map(|part| part.iter().map(capsule).collect()).collect(),
         shapes: shapes.iter().map(|shape| shape.as_ref().map(described)).collect(),
     }
+}
+
+fn capsule(LinkCapsule { from, to, radius }: &LinkCapsule) -> wire::Capsule {
+    wire::Capsule { from: (*from).into(), to: (*to).into(), radius: *radius }
 }
 
 fn described(LinkShape { format, bytes }: &LinkShape) -> wire::LinkShape {
@@ -47,8 +54,57 @@ fn described(LinkShape { format, bytes }: &LinkShape) -> wire::LinkShape {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use expect_test::expect_file;
     use proptest::prelude::*;
-    use val3_geometry::{Rotation3, Trsf};
+    use serde_json::json;
+    use val3_geometry::{Rotation3, Trsf, Vector3};
+
+    /// Joint positions of the sample postures, as shares of each axis' range.
+    const SHARES: [[f64; 6]; 2] = [[0.3, 0.7, 0.6, 0.2, 0.65, 0.9], [0.85, 0.35, 0.25, 0.7, 0.2, 0.1]];
+
+    /// Rounds a coordinate to 0.000001 mm.
+    fn rounded(value: f64) -> f64 {
+        (value * 1e6).round() / 1e6 + 0.0
+    }
+
+    /// Returns the ends of all capsules of an arm in world, by part.
+    fn capsule_ends(arm: &Arm, joints: &Joints) -> Vec<Vec<[[f64; 3]; 2]>> {
+        let placed = |frame: &IsometryMatrix3<f64>, point: &Vector3<f64>| {
+            let point = frame.rotation * point + frame.translation.vector;
+            [point.x, point.y, point.z].map(rounded)
+        };
+        let parts = arm.parts(joints);
+        let of_part = |(frame, capsules): (&IsometryMatrix3<f64>, &Vec<LinkCapsule>)| {
+            capsules.iter().map(|LinkCapsule { from, to, .. }| [placed(frame, from), placed(frame, to)]).collect()
+        };
+        parts.iter().zip(arm.shapes()).map(of_part).collect()
+    }
+
+    /// The page's test `armShape` draws these arms, and finds the capsules at these positions.
+    #[test]
+    fn the_page_tests_contain_the_capsules_in_world() {
+        let arms = ["TX2-60L", "TS2-60"].map(|name| {
+            let arm = Arm::by_name(name).unwrap();
+            let of_shares = |shares: &[f64; 6]| -> Joints {
+                let within =
+                    |(share, axis): (&f64, &val3_kinematics::AxisLimits)| axis.min + share * (axis.max - axis.min);
+                let mut joints = Joints::default();
+                joints
+                    .iter_mut()
+                    .zip(shares.iter().zip(arm.limits()).map(within))
+                    .for_each(|(joint, value)| *joint = value);
+                joints
+            };
+            let postures = std::iter::once(Joints::default()).chain(SHARES.iter().map(of_shares));
+            let postures = postures.map(|joints| {
+                json!({ "joints": joints.get(..arm.axes()).unwrap(), "ends": capsule_ends(&arm, &joints) }).to_string()
+            });
+            let chain = json!(description(&arm, false, &[]));
+            format!("{{ \"arm\": {chain}, \"postures\": [\n{}\n] }}", postures.collect::<Vec<_>>().join(",\n"))
+        });
+        expect_file!["../../../editors/view/test/scene/armCapsules.json"]
+            .assert_eq(&format!("[{}]\n", arms.join(",\n")));
+    }
 
     /// Computes the flange as a page does.
     fn flange(description: &ArmChain, joints: &Joints) -> IsometryMatrix3<f64> {

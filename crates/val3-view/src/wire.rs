@@ -15,7 +15,9 @@ pub use commands::{
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
-pub use scene::{ArmChain, Axis, CellPoint, JointValue, LineInfo, Link, LinkShape, Pose, Role, Scene, SignalInfo};
+pub use scene::{
+    ArmChain, Axis, Capsule, CellPoint, JointValue, LineInfo, Link, LinkShape, Pose, Role, Scene, SignalInfo,
+};
 pub use state::{SignalState, StateMessage, TaskState};
 
 use schemars::JsonSchema;

@@ -1,12 +1,16 @@
 // Computes link poses of an arm from its joints.
 
 import { add, aroundAxis, composed, type Frame, frameOf, multiplied, turned, type Vector } from "./panels/pendant/pose";
+import type { Scene } from "./protocol";
 
 export interface Chain {
   axes: readonly { isLinear: boolean; min: number; max: number }[];
   links: readonly { offset: readonly number[]; axis: readonly number[] }[];
   flange: readonly number[];
 }
+
+/** Arm with its mounting face. */
+export type StandingArm = Chain & Pick<Scene["arm"], "height" | "capsules">;
 
 export interface ArmFrames {
   /** Frames of the links after their joints' movement. */
@@ -34,12 +38,20 @@ function moved(at: Frame, axis: Vector, value: number, isLinear: boolean): Frame
 const PEDESTAL = 0.4;
 
 /**
- * Returns the height of the floor in `world`. The origin of `world` is in the second axis of most arms, whose data
- * contain no height of the base.
+ * Returns the height of the floor below the base of an arm. The origin of `world` is in the second axis of most arms:
+ * the mounting face is `height` below it, or, where the height is unknown, the lowest point of the base's capsules.
  */
-export function floorHeight(arm: Chain): number {
+export function floorHeight(arm: StandingArm): number {
+  const { height = 0, capsules = [] } = arm;
   const [, , z = 0] = arm.links[0]?.offset ?? [];
-  return z > 1 ? 0 : -PEDESTAL * armLength(arm);
+  if (z > 1) {
+    return 0;
+  }
+  if (height > 0) {
+    return -height;
+  }
+  const ends = capsules[0]?.map(({ from, to, radius }) => Math.min(from[2] ?? 0, to[2] ?? 0) - radius);
+  return ends === undefined ? -PEDESTAL * armLength(arm) : Math.min(...ends);
 }
 
 /** Returns the length of the stretched arm without its pedestal, which scales the drawing. */

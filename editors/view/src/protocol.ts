@@ -6,8 +6,10 @@ export type { Answer as AnswerMessage, LinkShape, Role, Source, Tool } from "./w
 
 export type Pose = readonly number[];
 
-/** Runs of earlier versions have no shapes of links. */
-export type Scene = Omit<wire.Scene, "arm"> & { kind: "scene"; arm: Omit<wire.ArmChain, "shapes"> & Partial<Pick<wire.ArmChain, "shapes">> };
+/** Keys of an arm that runs of earlier versions do not have. */
+type LaterKeys = "shapes" | "capsules" | "height";
+
+export type Scene = Omit<wire.Scene, "arm"> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
 
 /** Message as an object: samples arrive as bytes. */
 export type Message = Exclude<wire.Message, { kind: "samples" | "scene" }> | Scene;

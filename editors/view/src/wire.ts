@@ -13,15 +13,22 @@ export interface Answer {
 export interface ArmChain {
   /** Axes from the base. */
   axes: readonly Axis[];
+  /**
+   * Capsules around the base and around each link, with which distances are computed; empty if the arm's description
+   * has none.
+   */
+  capsules: readonly (readonly Capsule[])[];
   /** Pose of the flange relative to the last frame. */
   flange: readonly number[];
+  /** Height of the origin of `world` above the mounting face, in mm; 0 if unknown. */
+  height: number;
   /** Whether neither a setting nor the cell names the arm, so that it is the default arm of its kind. */
   isDefault: boolean;
   /** Frames of the axes. */
   links: readonly Link[];
   /** Model name. */
   name: string;
-  /** Shapes of the links; `null` if a link has no shape. */
+  /** Shapes of the links in files; `null` if a link has no file. */
   shapes: readonly (LinkShape | null)[];
   /** Note about the accuracy of times. */
   timesNote: string | null;
@@ -71,6 +78,19 @@ export interface BlendEnds {
   leave?: BlendDistance | null;
   /** End of the blend. */
   reach?: BlendDistance | null;
+}
+
+/**
+ * The points within a radius of a line: a cylinder with rounded ends. Coordinates are in mm in the frame of the link
+ * after the movement of its joint, and in the arm's base for the base.
+ */
+export interface Capsule {
+  /** One end of the line. */
+  from: readonly number[];
+  /** Radius in mm, greater than 0. */
+  radius: number;
+  /** The other end; the same position for a sphere. */
+  to: readonly number[];
 }
 
 /** Frame, tool or point. */

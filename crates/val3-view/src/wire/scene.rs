@@ -71,7 +71,12 @@ pub struct ArmChain {
     /// Pose of the flange relative to the last frame.
     #[schemars(with = "Pose")]
     pub flange: Option<Pose>,
-    /// Shapes of the links; `null` if a link has no shape.
+    /// Height of the origin of `world` above the mounting face, in mm; 0 if unknown.
+    pub height: f64,
+    /// Capsules around the base and around each link, with which distances are computed; empty if the arm's description
+    /// has none.
+    pub capsules: Vec<Vec<Capsule>>,
+    /// Shapes of the links in files; `null` if a link has no file.
     pub shapes: Vec<Option<LinkShape>>,
 }
 
@@ -97,6 +102,18 @@ pub struct Link {
     /// Direction about or along which the axis moves.
     #[schemars(with = "[f64; 3]")]
     pub axis: [u8; 3],
+}
+
+/// The points within a radius of a line: a cylinder with rounded ends. Coordinates are in mm in the frame of the link
+/// after the movement of its joint, and in the arm's base for the base.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct Capsule {
+    /// One end of the line.
+    pub from: [f64; 3],
+    /// The other end; the same position for a sphere.
+    pub to: [f64; 3],
+    /// Radius in mm, greater than 0.
+    pub radius: f64,
 }
 
 /// Shape of a link as a file.

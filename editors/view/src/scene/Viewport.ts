@@ -5,10 +5,11 @@ import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Vector3, WebGLRende
 import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
-import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
+import { add, composed, type Frame, frameOf, IDENTITY, type Vector } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
+import { armLines } from "./armLines";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type Label, Labels } from "./Labels";
@@ -62,6 +63,7 @@ export class Viewport {
     this.renderer = new WebGLRenderer({ canvas, antialias: !isPlain, alpha: true });
     this.renderer.shadowMap.enabled = !isPlain;
     this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.localClippingEnabled = true;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
     this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object);
@@ -88,7 +90,7 @@ export class Viewport {
     this.room.removeFromParent();
     this.floor = floorHeight(cell.arm) + frameOf(cell.base).position[2];
     this.room = stage(this.look, this.length, this.floor, isDark);
-    this.arm = new ArmShape(cell.arm, frameOf(cell.base), cell.arm.shapes ?? [], this.look, (fault) => {
+    this.arm = new ArmShape(cell.arm, cell.base, this.look, (fault) => {
       if (fault !== undefined) {
         this.faults.value = [...this.faults.peek(), fault];
       }
@@ -119,7 +121,7 @@ export class Viewport {
     const before = this.tcp.position;
     this.tcp = composed(placed.flange, frameOf(sample?.tool ?? []));
     this.arm?.place(placed);
-    this.obstacles = along([base, ...placed.links, placed.flange].map(({ position }) => position));
+    this.obstacles = armLines(cell.arm, base, placed).flatMap(along);
     if (this.isFollowing) {
       this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
     }
@@ -282,10 +284,7 @@ export class Viewport {
   }
 }
 
-/** Returns positions on the lines between others. */
-function along(positions: readonly (readonly number[])[]): number[][] {
-  return positions.slice(1).flatMap((end, index) => [0.2, 0.4, 0.6, 0.8, 1].map((share) => end.map((value, axis) => {
-    const start = positions[index]?.[axis] ?? value;
-    return start + (value - start) * share;
-  })));
+/** Returns positions on a line, with its ends. */
+function along([start, end]: readonly [Vector, Vector]): Vector[] {
+  return [0, 0.25, 0.5, 0.75, 1].map((share) => add(start, [end[0] - start[0], end[1] - start[1], end[2] - start[2]], share));
 }

@@ -1,35 +1,47 @@
-// Shape of an arm from its chain of links: one mesh per link.
+// Shape of an arm: one part for the base and for each link. A part is drawn as its file, otherwise as the capsules with
+// which distances are computed. An arm without capsules is drawn along its chain.
 
-import { type BufferGeometry, CylinderGeometry, Group, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vector2, Vector3 } from "three";
+import { type BufferGeometry, Group, Mesh, MeshStandardMaterial, Plane, Vector3 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
-import { type ArmFrames, armLength, type Chain, floorHeight } from "../kinematics";
-import { type Frame, frameOf } from "../panels/pendant/pose";
-import type { LinkShape } from "../protocol";
+import { type ArmFrames, floorHeight } from "../kinematics";
+import { frameOf } from "../panels/pendant/pose";
+import type { LinkShape, Scene } from "../protocol";
+import { ChainSolids } from "./chainSolids";
 import { readShape } from "./linkShape";
 import type { Look } from "./palette";
-import { coloured, matrixOf, rod } from "./three";
+import { capsule } from "./solids";
+import { matrixOf } from "./three";
+
+type DrawnArm = Pick<Scene["arm"], "axes" | "links" | "flange" | "height" | "capsules" | "shapes">;
 
 export class ArmShape {
   readonly group = new Group();
   private readonly material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.48, metalness: 0.08 });
+  private readonly base: Group;
   private readonly links: Group[];
-  private readonly flange: Mesh;
+  private readonly flange: Group;
 
   /** `changed` is called when a shape has been read. */
-  constructor(private readonly arm: Chain, base: Frame, shapes: readonly (LinkShape | null)[], private readonly look: Look, private readonly changed: (fault?: string) => void) {
-    const radii = radiiOf(arm);
-    const pedestal = this.part("The base", shapes[0], () => this.mesh(this.pedestal(radii[0] ?? 50)));
-    pedestal.applyMatrix4(matrixOf(base));
-    this.links = arm.links.map((_, index) => this.part(`Link ${index + 1}`, shapes[index + 1], () => this.mesh(this.link(radii, index))));
-    const last = (radii.at(-1) ?? 30) * 0.9;
-    this.flange = this.mesh([
-      coloured(new CylinderGeometry(last, last, last * 0.35, 40).rotateX(Math.PI / 2).translate(0, 0, -last * 0.18), look.joint),
-    ]);
-    this.flange.visible = !shapes[arm.links.length];
-    this.group.add(pedestal, ...this.links, this.flange);
-    for (const part of [...this.links, this.flange]) {
+  constructor(arm: DrawnArm, base: readonly number[], private readonly look: Look, private readonly changed: (fault?: string) => void) {
+    const { capsules = [], shapes = [] } = arm;
+    const last = arm.links.length;
+    const chain = new ChainSolids(arm, look);
+    const solids = (part: number): BufferGeometry[] => {
+      const isEnd = part === 0 || part === last;
+      const drawn = capsules[part]?.flatMap((shape) => (isEnd ? capsule(shape, look.joint) : capsule(shape, look.body, look.accent)));
+      return drawn ?? (part === 0 ? chain.pedestal() : chain.link(part - 1));
+    };
+    this.base = this.part("The base", shapes[0], () => this.mesh(solids(0), this.standing(arm, base)));
+    this.links = arm.links.map((_, index) => this.part(`Link ${index + 1}`, shapes[index + 1], () => this.mesh(solids(index + 1))));
+    this.flange = new Group();
+    if (capsules.length === 0 && !shapes[last]) {
+      this.flange.add(this.mesh(chain.flange()));
+    }
+    this.group.add(this.base, ...this.links, this.flange);
+    for (const part of this.group.children) {
       part.matrixAutoUpdate = false;
     }
+    this.base.matrix.copy(matrixOf(frameOf(base)));
   }
 
   place({ links, flange }: ArmFrames): void {
@@ -44,6 +56,14 @@ export class ArmShape {
         (part.geometry as BufferGeometry).dispose();
       }
     });
+  }
+
+  /** Returns the material of the base. The base's capsule ends below the mounting face, where no distance is computed. */
+  private standing(arm: DrawnArm, base: readonly number[]): MeshStandardMaterial {
+    const material = this.material.clone();
+    const floor = floorHeight(arm) + frameOf(base).position[2];
+    material.clippingPlanes = [new Plane(new Vector3(0, 0, 1), -floor)];
+    return material;
   }
 
   /** Creates a part with the shape in its file, or as a solid without a file. */
@@ -63,54 +83,11 @@ export class ArmShape {
     return group;
   }
 
-  private mesh(parts: BufferGeometry[]): Mesh {
-    const mesh = new Mesh(mergeGeometries(parts), this.material);
+  private mesh(parts: BufferGeometry[], material = this.material): Mesh {
+    const mesh = new Mesh(mergeGeometries(parts), material);
     parts.forEach((part) => part.dispose());
     mesh.castShadow = true;
     mesh.receiveShadow = true;
     return mesh;
   }
-
-  private pedestal(radius: number): BufferGeometry[] {
-    const { arm } = this;
-    const floor = floorHeight(arm);
-    const height = Math.max(frameOf(arm.links[0]?.offset ?? []).position[2] - floor, radius);
-    const outline = [[0, 0], [1.75, 0], [1.75, 0.16], [1.3, 0.24], [1.15, 0.6]].map(([x = 0, y = 0]) => new Vector2(x * radius, y * radius));
-    outline.push(new Vector2(radius * 1.08, Math.max(height - radius * 0.55, radius * 0.7)), new Vector2(0, Math.max(height - radius * 0.55, radius * 0.7)));
-    return [coloured(new LatheGeometry(outline, 48).rotateX(Math.PI / 2).translate(0, 0, floor), this.look.joint)];
-  }
-
-  /** Returns the joint of a link, and its body up to the next joint. */
-  private link(radii: readonly number[], index: number): BufferGeometry[] {
-    const { arm } = this;
-    const radius = radii[index] ?? 30;
-    const axis = new Vector3(...(arm.links[index]?.axis ?? [0, 0, 1]));
-    const [x, y, z] = frameOf(arm.links[index + 1]?.offset ?? arm.flange).position;
-    const next = new Vector3(x, y, z);
-    const isAlong = next.length() < 1 || next.clone().cross(axis).length() < next.length() * 0.2;
-    const half = axis.clone().multiplyScalar(radius * (isAlong ? 0.55 : 1.12));
-    const ring = half.clone().multiplyScalar(isAlong ? 0.3 : 0.82);
-    const cap = half.clone().multiplyScalar(1.04);
-    const parts = [
-      coloured(rod(half.clone().negate(), half, radius, radius), this.look.body),
-      coloured(rod(ring.clone().negate(), ring.clone().multiplyScalar(isAlong ? 1 : -0.8), radius * 1.03, radius * 1.03), this.look.accent),
-    ];
-    if (!isAlong) {
-      parts.push(coloured(rod(cap.clone().negate(), cap, radius * 0.78, radius * 0.78), this.look.joint));
-    }
-    if (next.length() > radius * 0.5) {
-      const end = (radii[index + 1] ?? radius * 0.8) * 0.92;
-      parts.push(
-        coloured(rod(new Vector3(), next, radius * 0.86, end), this.look.body),
-        coloured(new SphereGeometry(end, 32, 20).translate(x, y, z), this.look.body),
-      );
-    }
-    return parts;
-  }
-}
-
-function radiiOf(arm: Chain): number[] {
-  const length = armLength(arm);
-  const count = arm.links.length;
-  return arm.links.map((_, index) => length * (0.088 - (0.054 * index) / Math.max(count - 1, 1)));
 }

@@ -1,0 +1,21 @@
+// Lines through the parts of an arm, which names do not cover.
+
+import type { ArmFrames } from "../kinematics";
+import { add, type Frame, turned, type Vector } from "../panels/pendant/pose";
+import type { Scene } from "../protocol";
+
+/** Returns the axes of the arm's capsules in world, or without capsules the lines from joint to joint. */
+export function armLines(arm: Pick<Scene["arm"], "capsules">, base: Frame, { links, flange }: ArmFrames): (readonly [Vector, Vector])[] {
+  const frames = [base, ...links];
+  if (arm.capsules === undefined || arm.capsules.length === 0) {
+    return [...links, flange].map((end, index) => [frames[index]?.position ?? end.position, end.position]);
+  }
+  return arm.capsules.flatMap((capsules, part) => capsules.map(({ from, to }) => {
+    const frame = frames[part] ?? base;
+    return [placed(frame, from), placed(frame, to)] as const;
+  }));
+}
+
+function placed({ position, rotation }: Frame, [x = 0, y = 0, z = 0]: readonly number[]): Vector {
+  return add(position, turned(rotation, [x, y, z]));
+}
