@@ -153,6 +153,7 @@ fn tests_know_controllers_and_no_threads() {
     let below = [
         "val3-analysis",
         "val3-bytecode",
+        "val3-cell",
         "val3-coverage",
         "val3-debug",
         "val3-geometry",
@@ -215,8 +216,15 @@ fn vm_and_motion_do_not_know_each_other() {
 }
 
 #[test]
+fn the_cell_knows_arms_and_distances() {
+    let below = ["val3-collision", "val3-geometry", "val3-kinematics"];
+    check_only("val3-cell", &below, &["salsa", "rowan", "clap", "tokio", "parry3d-f64"]);
+}
+
+#[test]
 fn the_machine_depends_on_the_vm_and_the_arm() {
     let below = [
+        "val3-cell",
         "val3-syntax",
         "val3-lang",
         "val3-data",
@@ -242,6 +250,7 @@ fn the_debugger_knows_the_controller_and_no_protocol() {
 fn the_view_knows_the_controller_and_no_protocol() {
     let below = [
         "val3-bytecode",
+        "val3-cell",
         "val3-debug",
         "val3-geometry",
         "val3-kinematics",

@@ -142,19 +142,19 @@ pub struct ShapeKeys {
 #[serde(untagged, expecting = "a box is [length, width, height], or { min = [x, y, z], max = [x, y, z] }")]
 pub enum BoxKey {
     /// Length, width and height.
-    Size([f64; 3]),
+    Size(Vec<f64>),
     /// Two corners.
     Corners(Corners),
 }
 
 /// Two corners of a box.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(default)]
 pub struct Corners {
     /// The smallest coordinates.
-    pub min: [f64; 3],
+    pub min: Vec<f64>,
     /// The greatest coordinates.
-    pub max: [f64; 3],
+    pub max: Vec<f64>,
 }
 
 impl JsonSchema for BoxKey {
@@ -174,8 +174,8 @@ impl JsonSchema for BoxKey {
 }
 
 /// A cylinder.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct CylinderKey {
     /// The radius.
     pub radius: f64,
@@ -184,21 +184,21 @@ pub struct CylinderKey {
 }
 
 /// A sphere.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct SphereKey {
     /// The radius.
     pub radius: f64,
 }
 
 /// A capsule.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct CapsuleKey {
     /// One end of the line.
-    pub from: [f64; 3],
+    pub from: Vec<f64>,
     /// The other end of the line.
-    pub to: [f64; 3],
+    pub to: Vec<f64>,
     /// The radius.
     pub radius: f64,
 }

@@ -1,6 +1,6 @@
 //! Reading of STL files: triangles, as text or binary.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::fmt;
 
 use val3_geometry::Vector3;
@@ -60,7 +60,7 @@ impl Mesh {
             None => text(bytes)?,
         };
         let mut mesh = Self::default();
-        let mut numbers = HashMap::new();
+        let mut numbers = BTreeMap::new();
         for triangle in corners.as_chunks::<3>().0 {
             let number = |corner: &Vector3<f64>| {
                 *numbers.entry([corner.x.to_bits(), corner.y.to_bits(), corner.z.to_bits()]).or_insert_with(|| {

@@ -31,6 +31,14 @@ pub(crate) fn pose(at: &[f64], key: &str) -> Result<IsometryMatrix3<f64>, CellEr
     Ok(Trsf::new(lengths, angles).isometry())
 }
 
+/// Converts the coordinates of a point, or three lengths.
+pub(crate) fn triple(numbers: &[f64], key: &str) -> Result<[f64; 3], CellError> {
+    numbers.try_into().map_err(|_| {
+        let message = format!("three numbers are needed here, and there are {}", numbers.len());
+        CellError::new(key, message, "write `[x, y, z]`")
+    })
+}
+
 pub(crate) fn check_colour(colour: &str, key: &str) -> Result<String, CellError> {
     let is_code =
         colour.strip_prefix('#').is_some_and(|code| code.len() == 6 && code.bytes().all(|c| c.is_ascii_hexdigit()));

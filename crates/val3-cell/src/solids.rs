@@ -8,7 +8,7 @@ use crate::build::Surroundings;
 use crate::error::CellError;
 use crate::file::{BoxKey, Corners, MeshUnit, ShapeKeys};
 use crate::mesh::Mesh;
-use crate::poses::pose;
+use crate::poses::{pose, triple};
 
 /// Extent in mm of a mesh below which its unit is probably metres.
 const TINY: f64 = 5.0;
@@ -86,14 +86,21 @@ pub(crate) fn solid(
         return Err(CellError::new(key, "`unit` and `hull` belong to a mesh", "remove them"));
     }
     let (form, offset) = if let Some(cuboid) = cuboid {
-        let (size, centre) = sides(cuboid);
+        let (size, centre) = sides(cuboid, &key)?;
         (SolidForm::Box(size), centre)
     } else if let Some(cylinder) = cylinder {
         (SolidForm::Cylinder { radius: cylinder.radius, length: cylinder.length }, [0.0; 3])
     } else if let Some(sphere) = sphere {
         (SolidForm::Capsule { from: [0.0; 3], to: [0.0; 3], radius: sphere.radius }, [0.0; 3])
     } else if let Some(capsule) = capsule {
-        (SolidForm::Capsule { from: capsule.from, to: capsule.to, radius: capsule.radius }, [0.0; 3])
+        (
+            SolidForm::Capsule {
+                from: triple(&capsule.from, &format!("{key}.from"))?,
+                to: triple(&capsule.to, &format!("{key}.to"))?,
+                radius: capsule.radius,
+            },
+            [0.0; 3],
+        )
     } else if let Some(path) = mesh {
         (SolidForm::Mesh(mesh_in_mm(path, unit.unwrap_or(MeshUnit::Mm), &key, maker.surroundings)?), [0.0; 3])
     } else {
@@ -106,12 +113,13 @@ pub(crate) fn solid(
 }
 
 /// Size and centre of a box.
-fn sides(cuboid: &BoxKey) -> ([f64; 3], [f64; 3]) {
+fn sides(cuboid: &BoxKey, key: &str) -> Result<([f64; 3], [f64; 3]), CellError> {
     match cuboid {
-        BoxKey::Size(size) => (*size, [0.0; 3]),
+        BoxKey::Size(size) => Ok((triple(size, key)?, [0.0; 3])),
         BoxKey::Corners(Corners { min, max }) => {
-            let (min, max) = (Vector3::from(*min), Vector3::from(*max));
-            ((max - min).into(), ((min + max) / 2.0).into())
+            let corner = |corner: &[f64], name: &str| Ok(Vector3::from(triple(corner, &format!("{key}.{name}"))?));
+            let (min, max) = (corner(min, "min")?, corner(max, "max")?);
+            Ok(((max - min).into(), ((min + max) / 2.0).into()))
         }
     }
 }

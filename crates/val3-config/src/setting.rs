@@ -125,6 +125,7 @@ mod tests {
                 lint.prefixes.trsf = "tr"
                 roots.USB0 = "usb" (line 2)
                 rules.V03 = "off" (line 4)
+                run.cell =
                 run.line-cost =
                 run.monitor-speed =
                 run.network = false

@@ -69,6 +69,7 @@ impl ConfigFile {
         config.roots.iter().for_each(|(root, path)| add(format!("roots.{root}"), path));
         config.add_ons.iter().for_each(|path| add("add-ons".to_owned(), path));
         config.baseline.iter().for_each(|path| add("baseline".to_owned(), path));
+        config.run.cell.iter().filter(|path| *path != "none").for_each(|path| add("run.cell".to_owned(), path));
         config.run.shapes.iter().for_each(|(link, path)| add(format!("run.shapes.{link}"), path));
         for (name, stand_in) in &config.run.add_ons {
             if let AddOnStandIn::Program(program) = stand_in {
@@ -122,6 +123,7 @@ add-ons = ["tables/a.cfx"]
 baseline = "known.json"
 [run]
 shapes = { base = "base.stl" }
+cell = "line.toml"
 add-ons = { '$velJoint' = { program = "standIns/velJoint.pgx" }, '$isReady' = true }
 [run.default]
 application = "usr/usrapp/main"

@@ -214,7 +214,7 @@ pub(crate) fn refused(file: &ConfigFile, key: &str, message: String, help: &str)
     refusal(&file.fault(key, message, help.to_owned()))
 }
 
-pub(crate) fn refusal(error: &ConfigError) -> SessionError {
+fn refusal(error: &ConfigError) -> SessionError {
     SessionError::Setting { message: error.to_string(), help: String::new() }
 }
 

@@ -4,6 +4,7 @@ use std::convert::Infallible;
 use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::load::LoadError;
 use val3_cell::{ArmBase, Cell, CellFile, DataKind, Mesh, Surroundings};
 use val3_config::{ConfigError, ConfigFile, TableFile};
 use val3_files::FileClass;
@@ -11,7 +12,7 @@ use val3_lang::suggest::nearest;
 use val3_machine::controller::Controller;
 
 use crate::error::SessionError;
-use crate::settings::{refusal, refused};
+use crate::settings::refused;
 
 /// Name of the file that is used without a setting, beside `val3.toml` or in the folder of the application.
 const FILE_NAME: &str = "cell.toml";
@@ -53,7 +54,8 @@ pub(crate) fn place(
 ) -> Result<(), SessionError> {
     let Some((path, text)) = chosen(choice, file, application)? else { return Ok(()) };
     let cell = TableFile::<CellFile>::parse(&path, &text).and_then(|file| build(controller, &file));
-    controller.surround(cell.map_err(|error| refusal(&error))?);
+    let cell = cell.map_err(|error| SessionError::Load(LoadError::Configuration(vec![error])))?;
+    controller.surround(cell);
     Ok(())
 }
 
@@ -96,6 +98,13 @@ fn build(controller: &Controller, file: &TableFile<CellFile>) -> Result<Cell, Co
     cell.map_err(|error| file.fault(&error.key, error.message, error.help))
 }
 
+/// Whether links lead from a path below a folder to a file elsewhere.
+fn leads_out(folder: &Utf8Path, path: &Utf8Path) -> bool {
+    let folder = if folder.as_str().is_empty() { Utf8Path::new(".") } else { folder };
+    let real = folder.canonicalize().ok().zip(folder.join(path).canonicalize().ok());
+    real.is_some_and(|(folder, path)| !path.starts_with(folder))
+}
+
 /// The application in memory, and the folder of its cell's file.
 struct OpenApplication<'a> {
     controller: &'a Controller,
@@ -104,8 +113,8 @@ struct OpenApplication<'a> {
 
 impl Surroundings for OpenApplication<'_> {
     fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String> {
-        let is_inside = path.is_relative() && !path.components().any(|part| part.as_str() == "..");
-        if !is_inside {
+        let is_below = path.is_relative() && !path.components().any(|part| part.as_str() == "..");
+        if !is_below || leads_out(self.folder, path) {
             return Err(format!("`{path}` is not in the folder of this file"));
         }
         let bytes = val3_files::read(&self.folder.join(path), FileClass::Shape);

@@ -297,6 +297,9 @@ pub(crate) struct SchemaArgs {
     /// Print the schemas of the requests `launch` and `attach` of `val3 dap` instead, by the name of the request
     #[arg(long)]
     pub(crate) debugger: bool,
+    /// Print the schema of cell.toml instead, the things around the arm
+    #[arg(long, conflicts_with = "debugger")]
+    pub(crate) cell: bool,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,

@@ -1,5 +1,7 @@
 //! `val3 schema`: JSON schemas for editors.
 
+use val3_cell::CellFile;
+
 use crate::args::SchemaArgs;
 use crate::color::Color;
 use crate::dap;
@@ -8,6 +10,10 @@ use crate::user_error::UserError;
 
 /// Runs the command.
 pub(crate) fn run(args: &SchemaArgs) -> Result<(), UserError> {
-    let schema = if args.debugger { dap::schema::json_schemas() } else { val3_config::json_schema() };
+    let schema = match args {
+        SchemaArgs { debugger: true, .. } => dap::schema::json_schemas(),
+        SchemaArgs { cell: true, .. } => val3_config::json_schema_of::<CellFile>("cell.toml"),
+        SchemaArgs { .. } => val3_config::json_schema(),
+    };
     to_stdout_as(OutputContent::Json, Color::Never, |out| write!(out, "{schema}"))
 }

@@ -33,7 +33,10 @@ const GREATEST: f64 = 500.0;
 
 /// Smallest accepted distances.
 #[derive(Debug, Clone, Deserialize)]
-#[serde(untagged, expecting = "a clearance is a number of mm, or a list of `{ above = MM, of = [\"NAME\", \"NAME\"] }`")]
+#[serde(
+    untagged,
+    expecting = "a clearance is a number of mm, or a list of `{ above = MM, of = [\"NAME\", \"NAME\"] }`"
+)]
 pub(super) enum Clearance {
     /// Of all pairs, in mm.
     All(f64),
@@ -105,7 +108,11 @@ pub(super) struct ClearanceState {
 }
 
 impl ClearanceState {
-    pub(super) fn see(&mut self, CycleState { start, events, controller }: CycleState<'_>, expectations: &Expectations) {
+    pub(super) fn see(
+        &mut self,
+        CycleState { start, events, controller }: CycleState<'_>,
+        expectations: &Expectations,
+    ) {
         for (names, failure) in events.iter().filter_map(contact) {
             if self.contacts.iter().all(|(known, _)| *known != names) {
                 self.contacts.push((names, failure));
@@ -158,7 +165,8 @@ fn too_near(Minimum { names: [a, b], measured, time }: &Minimum, above: f64) -> 
 fn contact(event: &Event) -> Option<([String; 2], Failure)> {
     let EventKind::Clearance { state: "contact", a, b, at, start, of, .. } = &event.kind else { return None };
     let when = if *start { " at the start".to_owned() } else { format!(" at {at:.3} s") };
-    let places = of.iter().map(|of| FailureLocation { program: of.program.clone(), file: of.file.clone(), line: of.line });
+    let places =
+        of.iter().map(|of| FailureLocation { program: of.program.clone(), file: of.file.clone(), line: of.line });
     let failure = Failure { message: format!("`{a}` touches `{b}`{when}"), places: places.collect() };
     Some(([a.clone(), b.clone()], failure))
 }

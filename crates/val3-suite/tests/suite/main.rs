@@ -9,6 +9,7 @@
 
 mod assertions;
 mod bench;
+mod clearance;
 mod counting;
 mod expectations;
 mod final_state;

@@ -66,6 +66,7 @@ mod replacing;
 mod ros;
 mod run;
 mod run_arms;
+mod run_cell;
 mod run_default;
 mod run_manual;
 mod run_motion;

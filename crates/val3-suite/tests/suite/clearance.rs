@@ -1,0 +1,125 @@
+//! Expectations about the distances of things around the arm.
+
+use expect_test::{Expect, expect};
+use val3_suite::Scenario;
+
+use crate::bench::Bench;
+
+/// A move of 100 mm along the axis y in a straight line, with a rod at the flange and a wall 40 mm behind its end.
+const CODE: &str = "\
+joint jReady
+point pEnd
+mdesc mLine
+program start()
+begin
+  link(pEnd,world)
+  mLine.blend=off
+  mLine.vel=100
+  enablePower()
+  wait(isPowered())
+  jReady={0,0,90,0,90,0}
+  movej(jReady,flange,mLine)
+  waitEndMove()
+  pEnd=here(flange,world)
+  pEnd.trsf.y=pEnd.trsf.y+100
+  movel(pEnd,flange,mLine)
+  waitEndMove()
+end
+=== main/cell.toml
+[[object]]
+name = \"rod\"
+in = \"flange\"
+capsule = { from = [0, 0, 0], to = [0, 0, 60], radius = 10 }
+
+[[object]]
+name = \"wall\"
+box = { min = [300, WALL, -1000], max = [2000, 999, 320] }
+";
+
+/// Executes a scenario with the wall at this y coordinate.
+#[track_caller]
+fn check(wall: f64, expectations: &str, expected: Expect) {
+    let mut bench = Bench::open(&CODE.replace("WALL", &wall.to_string()), "main");
+    let result = bench.scenario(expectations);
+    expected.assert_eq(&bench.shown(&result));
+}
+
+#[track_caller]
+fn faults(code: &str, expectations: &str, expected: Expect) {
+    let bench = Bench::open(code, "main");
+    let scenario = Scenario::parse("test.toml", expectations).unwrap();
+    expected.assert_eq(&bench.faults(&scenario).join("\n"));
+}
+
+#[test]
+fn distances_have_limits() {
+    check(
+        200.0,
+        "[expect]\nclearance = 30\n",
+        expect![[r#"
+        failed, 1.688 s
+        `link6` is 8.5 mm from `wall` at 1.684 s; at least 30 mm were expected
+          at expect.clearance (cell.toml:2)"#]],
+    );
+    check(
+        200.0,
+        "[expect]\nclearance = 45\n",
+        expect![[r#"
+        failed, 1.688 s
+        `link6` is 8.5 mm from `wall` at 1.684 s; at least 45 mm were expected
+          at expect.clearance (cell.toml:2)"#]],
+    );
+    check(
+        200.0,
+        "[[expect.clearance]]\nabove = 45\nof = [\"wall\", \"rod\"]\n",
+        expect![[r#"
+        failed, 1.688 s
+        `rod` is 40.0 mm from `wall` at 1.684 s; at least 45 mm were expected
+          at expect.clearance (cell.toml:1)"#]],
+    );
+    check(200.0, "[[expect.clearance]]\nabove = 45\nof = [\"wall\", \"link1\"]\n", expect!["ok, 1.688 s"]);
+}
+
+#[test]
+fn a_contact_is_a_failure_unless_it_is_expected() {
+    check(
+        150.0,
+        "[expect]\nprint = []\n",
+        expect![[r#"
+        failed, 1.688 s
+        `link6` touches `wall` at 1.596 s
+          at start (main/start.pgx:15)
+        `link5` touches `wall` at 1.620 s
+          at start (main/start.pgx:15)
+        `rod` touches `wall` at 1.640 s
+          at start (main/start.pgx:15)"#]],
+    );
+    check(150.0, "[expect]\ncontact = true\n", expect!["ok, 1.688 s"]);
+    check(
+        200.0,
+        "[expect]\ncontact = true\n",
+        expect![[r#"
+        failed, 1.688 s
+        a contact was expected, and nothing has touched anything else
+          at expect.contact (cell.toml:2)"#]],
+    );
+}
+
+#[test]
+fn expectations_name_things_of_the_cell() {
+    let code = CODE.replace("WALL", "200");
+    faults(
+        &code,
+        "[[expect.clearance]]\nabove = 45\nof = [\"wal\", \"rod\"]\n",
+        expect!["line 1: the cell has nothing with the name `wal`: did you mean `wall`?"],
+    );
+    faults(&code, "[expect]\nclearance = 900\n", expect!["line 2: 900 mm is no clearance: write 0 to 500 mm"]);
+    let (empty, _) = code.split_once("===").unwrap();
+    faults(
+        empty,
+        "[expect]\nclearance = 20\ncontact = true\n",
+        expect![[r#"
+        line 3: there is nothing around the arm: the application has no cell.toml
+        line 2: there is nothing around the arm: the application has no cell.toml"#]],
+    );
+}
