@@ -4,6 +4,7 @@
 //! each cycle to a [`Feed`], and transmits the messages.
 
 mod arm;
+mod cell;
 mod commands;
 mod configuration;
 mod feed;

@@ -7,7 +7,7 @@ use val3_motion::MotionPhase;
 use crate::positions::{self, PositionComputer};
 use crate::samples::limit_names;
 use crate::wire::{Role, Scene};
-use crate::{arm, signals};
+use crate::{arm, cell, signals};
 
 /// Version of the messages.
 const VERSION: u32 = 1;
@@ -30,12 +30,14 @@ pub fn scene(controller: &Controller, role: Role) -> Scene {
     let mut positions = PositionComputer::new(&data, &controller.vm.space.memory);
     let mut of_type = |base| positions.of_type(base);
     let names = positions::names_by_signal(&data, controller);
+    let watch = controller.devices.state.watch.as_ref();
     Scene {
         version: VERSION,
         role,
         application: controller.name().to_owned(),
         arm: arm::description(controller.arm().model(), !controller.arm().is_chosen(), &controller.devices.shapes),
         base: [0; 6],
+        objects: watch.map(|watch| cell::objects(watch.scene().cell())).unwrap_or_default(),
         frames: of_type(BaseType::Frame),
         tools: of_type(BaseType::Tool),
         points: of_type(BaseType::Point),

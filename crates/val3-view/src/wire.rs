@@ -2,12 +2,14 @@
 //!
 //! The schema is `editors/schema/view-messages.schema.json`; the declarations of the page are generated from it.
 
+mod cell;
 mod commands;
 mod motion;
 mod page;
 mod scene;
 mod state;
 
+pub use cell::{CellObject, ObjectCarrier, ObjectShape};
 pub use commands::{
     Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice,
     PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, TaughtTool, Teach, TeachFrame,

@@ -9,7 +9,8 @@ export type Pose = readonly number[];
 /** Keys of an arm that runs of earlier versions do not have. */
 type LaterKeys = "shapes" | "capsules" | "height";
 
-export type Scene = Omit<wire.Scene, "arm"> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
+/** Runs of earlier versions have no things around the arm. */
+export type Scene = Omit<wire.Scene, "arm" | "objects"> & Partial<Pick<wire.Scene, "objects">> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
 
 /** Message as an object: samples arrive as bytes. */
 export type Message = Exclude<wire.Message, { kind: "samples" | "scene" }> | Scene;

@@ -93,6 +93,18 @@ export interface Capsule {
   to: readonly number[];
 }
 
+/** Thing around the arm. */
+export interface CellObject {
+  /** Carrier of the thing. */
+  carrier: ObjectCarrier;
+  /** Colour as `#rrggbb`; `null` for the default. */
+  colour: string | null;
+  /** Name in events. */
+  name: string;
+  /** Shapes in the frame of the carrier. */
+  shapes: readonly ObjectShape[];
+}
+
 /** Frame, tool or point. */
 export interface CellPoint {
   /** Configuration of a point in words. */
@@ -282,6 +294,66 @@ export interface MotionMessage {
   t: number;
 }
 
+/** Frame in which a thing rests. */
+export type ObjectCarrier =
+  | { kind: "world" }
+  | {
+  kind: "frame";
+  /** Name as in a program: `fPallet`, `fPallets[1]`. */
+  name: string;
+}
+  | { kind: "flange" }
+  | {
+  kind: "tool";
+  /** Name as in a program. */
+  name: string;
+}
+  | {
+  kind: "link";
+  /** Number from 1; 0 is the base. */
+  link: number;
+};
+
+/** Shape of a thing, with the pose of its frame in the frame of the carrier. Lengths are in mm. */
+export type ObjectShape =
+  | {
+  kind: "box";
+  /** Pose of the shape. */
+  pose: readonly number[];
+  /** Lengths along x, y and z. */
+  size: readonly number[];
+}
+  | {
+  kind: "cylinder";
+  /** Length along z. */
+  length: number;
+  /** Pose of the shape. */
+  pose: readonly number[];
+  /** Radius. */
+  radius: number;
+}
+  | {
+  /** One end of the line. */
+  from: readonly number[];
+  kind: "capsule";
+  /** Pose of the shape. */
+  pose: readonly number[];
+  /** Radius. */
+  radius: number;
+  /** The other end; the same position for a sphere. */
+  to: readonly number[];
+}
+  | {
+  /**
+   * Coordinates of the corners in base64: three `f32` in little endian for each corner, three corners for each
+   * triangle.
+   */
+  corners: string;
+  kind: "mesh";
+  /** Pose of the shape. */
+  pose: readonly number[];
+};
+
 /** Arguments of `operate`. */
 export interface Operate {
   /** Keys of a script. */
@@ -448,6 +520,8 @@ export interface Scene {
   limits: readonly string[];
   /** Serial lines and sockets. */
   lines: readonly LineInfo[];
+  /** Things around the arm. */
+  objects: readonly CellObject[];
   /** Names of the phases of motion by their numbers in samples. */
   phases: readonly string[];
   /** Points with their initial values. */

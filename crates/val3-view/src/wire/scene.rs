@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::CellObject;
+
 /// x, y, z in mm, rx, ry, rz in degrees.
 pub type Pose = [f64; 6];
 
@@ -36,6 +38,8 @@ pub struct Scene {
     /// Pose of the arm's base in world.
     #[schemars(with = "Pose")]
     pub base: [u8; 6],
+    /// Things around the arm.
+    pub objects: Vec<CellObject>,
     /// Frames with their initial values.
     pub frames: Vec<CellPoint>,
     /// Tools with their initial values.

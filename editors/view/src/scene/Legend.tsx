@@ -2,14 +2,17 @@
 
 import type { JSX } from "preact";
 import { isDark } from "../look";
+import { nearnessAt } from "../panels/clearance/encounters";
 import { pointText } from "../panels/points/edits";
 import type { Store } from "../store";
 import { hiddenLayers } from "./layers";
 import { spheresOf } from "./MotionMarks";
+import { NEARNESS } from "./nearness";
 import { CORNERS, css, DARK, LIGHT, phaseColour } from "./palette";
 import type { Viewport } from "./Viewport";
 
 const CORNER_NAMES = { leave: "leave distance", reach: "reach distance", both: "leave and reach distance" } as const;
+const NEARNESS_NAMES = { near: "too near", contact: "touching" } as const;
 
 export function Legend({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element | null {
   const { path, queue } = store.panels.cell.motion.value;
@@ -21,11 +24,13 @@ export function Legend({ store, view }: { store: Store; view: Viewport | undefin
   const corners = hidden.has("ahead") ? [] : [...new Set(spheresOf(queue).map(({ kind }) => kind))];
   const { points, unreachable } = store.panels.cell;
   const hasFar = !hidden.has("points") && points.value.some((point) => unreachable.value.has(pointText(point)));
-  return phases.length + corners.length === 0 && !hasFar ? null : (
+  const nearness = new Set(nearnessAt(store.panels.cell.history.encounters.list, store.time.value).values());
+  return phases.length + corners.length + nearness.size === 0 && !hasFar ? null : (
     <ul class="legend" aria-label="Colours of the path">
       {phases.map((phase) => <li key={phase}><i style={{ background: css(phaseColour(phase)) }} />{phase}</li>)}
       {hasAhead ? <li><i class="dashed" />ahead</li> : null}
       {hasFar ? <li><i class="ball" style={{ background: css((isDark.value ? DARK : LIGHT).unreachable) }} />out of reach</li> : null}
+      {[...nearness].map((kind) => <li key={kind}><i class="ball" style={{ background: css(NEARNESS[kind]) }} />{NEARNESS_NAMES[kind]}</li>)}
       {corners.map((kind) => <li key={kind}><i class="ball" style={{ background: css(CORNERS[kind]) }} />{CORNER_NAMES[kind]}</li>)}
     </ul>
   );

@@ -5,6 +5,7 @@ import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Vector3, WebGLRende
 import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
+import { nearnessAt } from "../panels/clearance/encounters";
 import { add, composed, type Frame, frameOf, IDENTITY, type Vector } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { Scene as Cell } from "../protocol";
@@ -12,12 +13,14 @@ import type { Store } from "../store";
 import { armLines } from "./armLines";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
+import { type CarrierFrames, CellObjects } from "./CellObjects";
 import { type Label, Labels } from "./Labels";
 import { DropLines } from "./DropLines";
 import { areaBetween } from "./fitting";
 import { hiddenLayers } from "./layers";
 import { Lines } from "./lines";
 import { MotionMarks } from "./MotionMarks";
+import { NearPairs } from "./NearPairs";
 import { AXES, DARK, LIGHT, type Look } from "./palette";
 import { surfaceAt } from "./picking";
 import { PointMarks } from "./PointMarks";
@@ -43,8 +46,10 @@ export class Viewport {
   private readonly points = new PointMarks();
   private readonly motion = new MotionMarks();
   private readonly drops = new DropLines();
+  private readonly nearPairs = new NearPairs();
   private room = new Group();
   private arm: ArmShape | undefined;
+  private objects: CellObjects | undefined;
   private reach: Mesh | undefined;
   private cell: Cell | undefined;
   private look: Look = LIGHT;
@@ -66,7 +71,7 @@ export class Viewport {
     this.renderer.localClippingEnabled = true;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
-    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object);
   }
 
   get drawCalls(): number {
@@ -88,7 +93,11 @@ export class Viewport {
     this.length = armLength(cell.arm);
     this.arm?.dispose();
     this.room.removeFromParent();
-    this.floor = floorHeight(cell.arm) + frameOf(cell.base).position[2];
+    const base = frameOf(cell.base);
+    this.objects?.dispose();
+    this.objects = new CellObjects(cell.objects ?? [], this.look);
+    this.objects.place({ base, arm: armFrames(cell.arm, base, []), frames: cell.frames, tools: cell.tools }, new Map());
+    this.floor = Math.min(floorHeight(cell.arm) + base.position[2], this.objects.lowest());
     this.room = stage(this.look, this.length, this.floor, isDark);
     this.arm = new ArmShape(cell.arm, cell.base, this.look, (fault) => {
       if (fault !== undefined) {
@@ -97,7 +106,7 @@ export class Viewport {
       this.fitAgain();
       this.request();
     });
-    this.scene.add(this.room, this.arm.group);
+    this.scene.add(this.room, this.arm.group, this.objects.group);
     if (this.cell !== cell) {
       this.trail.clear();
       this.cell = cell;
@@ -121,6 +130,7 @@ export class Viewport {
     const before = this.tcp.position;
     this.tcp = composed(placed.flange, frameOf(sample?.tool ?? []));
     this.arm?.place(placed);
+    this.placeObjects({ base, arm: placed, frames: store.panels.cell.frames.value, tools: store.panels.cell.tools.value });
     this.obstacles = armLines(cell.arm, base, placed).flatMap(along);
     if (this.isFollowing) {
       this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
@@ -128,7 +138,7 @@ export class Viewport {
     const { points, frames, motion, selectedPoint, unreachable } = store.panels.cell;
     this.points.place(points.value, selectedPoint.value, unreachable.value, this.length * 0.011, this.look);
     this.motion.place(motion.value);
-    this.names = [...this.points.labels];
+    this.names = [...this.nearPairs.labels, ...this.points.labels];
     this.placeFrames(placed.flange, base);
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
@@ -136,15 +146,27 @@ export class Viewport {
     this.request();
   }
 
+  /** Places the things around the arm, and marks what is too near to something at the shown time. */
+  private placeObjects(frames: CarrierFrames): void {
+    const [{ list }, t] = [this.store.panels.cell.history.encounters, this.store.time.value];
+    const nearness = nearnessAt(list, t);
+    this.objects?.place(frames, nearness);
+    this.arm?.mark(nearness);
+    this.nearPairs.place(list, t);
+  }
+
   private showLayers(): void {
     const hidden = hiddenLayers.peek();
     this.points.object.visible = !hidden.has("points");
+    if (this.objects !== undefined) {
+      this.objects.group.visible = !hidden.has("objects");
+    }
     this.drops.object.visible &&= !hidden.has("heights");
     for (const [objects, layer] of [[this.trail.objects, "path"], [this.motion.objects, "ahead"]] as const) {
       objects.forEach((object) => (object.visible &&= !hidden.has(layer)));
     }
     const isShown = ({ kind }: Label): boolean => !(kind === "point" && hidden.has("points")) && !(kind === "frame" && hidden.has("frames"));
-    this.names = hidden.has("names") ? this.names.filter(({ kind }) => kind === "measure" || kind === "selected") : this.names.filter(isShown);
+    this.names = hidden.has("names") ? this.names.filter(({ kind }) => kind !== "point" && kind !== "frame" && kind !== "tool") : this.names.filter(isShown);
   }
 
   /** Shows the view of the last visit, otherwise everything. */
@@ -184,7 +206,8 @@ export class Viewport {
         positions.push([x, y, z]);
       }
     };
-    positions.push(...this.corners(), ...this.trail.positions());
+    this.corners().forEach(add);
+    positions.push(...this.trail.positions());
     add(this.tcp.position);
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
     this.store.panels.cell.frames.value.forEach(({ pose }) => add(pose));
@@ -192,16 +215,17 @@ export class Viewport {
     this.isFirst = false;
   }
 
-  /** Returns the corners of the boxes around the parts of the arm. */
+  /** Returns the corners of the boxes around the parts of the arm and the things around it. */
   private corners(): [number, number, number][] {
-    this.arm?.group.updateMatrixWorld(true);
-    const boxes = this.arm?.group.children.map((part) => new Box3().setFromObject(part)).filter((box) => !box.isEmpty()) ?? [];
+    const parts = [this.arm?.group, this.objects?.group].flatMap((group) => group?.children ?? []);
+    parts.forEach((part) => part.updateMatrixWorld(true));
+    const boxes = parts.map((part) => new Box3().setFromObject(part)).filter((box) => !box.isEmpty());
     return boxes.flatMap(({ min, max }) => [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z): [number, number, number] => [x, y, z]))));
   }
 
-  /** Returns the position on the arm or the floor at a location of the canvas. */
+  /** Returns the position on the arm, a thing or the floor at a location of the canvas. */
   surfaceAt(x: number, y: number): readonly number[] | undefined {
-    return surfaceAt(this.floor, x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, this.arm?.group);
+    return surfaceAt(this.floor, x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, [this.arm?.group, this.objects?.group]);
   }
 
   showReach(isShown: boolean): void {

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { remember, remembered } from "../memory";
 
-export const LAYERS = { points: "Points", frames: "Frames", names: "Names", heights: "Heights above the floor", path: "Path", ahead: "Path ahead and blends" } as const;
+export const LAYERS = { points: "Points", frames: "Frames", objects: "Things around the arm", names: "Names", heights: "Heights above the floor", path: "Path", ahead: "Path ahead and blends" } as const;
 export type Layer = keyof typeof LAYERS;
 
 const KEY = "hiddenLayers";

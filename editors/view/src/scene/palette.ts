@@ -6,6 +6,8 @@ export interface Look {
   accent: number;
   gridFine: number;
   gridCoarse: number;
+  /** Things around the arm. */
+  object: number;
   point: number;
   selected: number;
   /** Points out of reach. */
@@ -16,11 +18,11 @@ export interface Look {
 
 export const LIGHT: Look = {
   body: 0xf2f3f4, joint: 0x59636e, accent: 0xf2b705, gridFine: 0xd3d9e0, gridCoarse: 0xaab4bf,
-  point: 0x3b4652, selected: 0xd6007f, unreachable: 0xc62828, sky: 0xffffff, ground: 0xaab2bb,
+  object: 0xb8c0c8, point: 0x3b4652, selected: 0xd6007f, unreachable: 0xc62828, sky: 0xffffff, ground: 0xaab2bb,
 };
 export const DARK: Look = {
   body: 0xd9dde2, joint: 0x57616c, accent: 0xf2b705, gridFine: 0x232b34, gridCoarse: 0x3c4854,
-  point: 0xb9c4d0, selected: 0xff6ec7, unreachable: 0xff5252, sky: 0xdfe8f2, ground: 0x39424c,
+  object: 0x6f7a86, point: 0xb9c4d0, selected: 0xff6ec7, unreachable: 0xff5252, sky: 0xdfe8f2, ground: 0x39424c,
 };
 
 const PHASES = new Map([

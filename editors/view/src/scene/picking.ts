@@ -48,10 +48,10 @@ export function nearestShare([ax, ay]: readonly [number, number], [bx, by]: read
   return square > 0 && square < Infinity ? Math.min(Math.max(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square, 0), 1) : 0;
 }
 
-/** Returns the nearest position on a solid, or on the floor at its height, for measurements where no point is. */
-export function surfaceAt(floor: number, x: number, y: number, [width, height]: readonly [number, number], camera: Lens, solid: Object3D | undefined): readonly number[] | undefined {
+/** Returns the nearest position on solids, or on the floor at its height, for measurements where no point is. */
+export function surfaceAt(floor: number, x: number, y: number, [width, height]: readonly [number, number], camera: Lens, solids: readonly (Object3D | undefined)[]): readonly number[] | undefined {
   const ray = new Raycaster();
   ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);
-  const hit = solid === undefined ? undefined : ray.intersectObject(solid, true)[0]?.point;
+  const hit = ray.intersectObjects(solids.filter((solid) => solid !== undefined), true)[0]?.point;
   return (hit ?? ray.ray.intersectPlane(new Plane(UP, -floor), new Vector3()))?.toArray();
 }

@@ -1,7 +1,10 @@
 // Geometries of solids.
 
-import { type BufferGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
-import { coloured } from "./three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
+import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
+import { frameOf } from "../panels/pendant/pose";
+import type { ObjectShape } from "../wire";
+import { coloured, matrixOf } from "./three";
 
 /** The points within `radius` of a line, in mm. */
 export interface Capsule {
@@ -37,6 +40,32 @@ export function capsule({ from, to, radius }: Capsule, colour: number, band = co
   const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), length > 0 ? way.normalize() : new Vector3(0, 1, 0));
   const pose = new Matrix4().compose(start, turn, new Vector3(1, 1, 1));
   return parts.map((part) => part.applyMatrix4(pose));
+}
+
+/** Returns the shape of a thing in the frame of its carrier. */
+export function objectSolid(shape: ObjectShape): BufferGeometry {
+  return solidOf(shape).applyMatrix4(matrixOf(frameOf(shape.pose)));
+}
+
+function solidOf(shape: ObjectShape): BufferGeometry {
+  switch (shape.kind) {
+    case "box": {
+      const [x = 0, y = 0, z = 0] = shape.size;
+      return new BoxGeometry(x, y, z);
+    }
+    case "cylinder": return new CylinderGeometry(shape.radius, shape.radius, shape.length, AROUND).rotateX(Math.PI / 2);
+    case "capsule": return mergeGeometries(capsule(shape, 0));
+    case "mesh": return triangles(shape.corners);
+  }
+}
+
+/** Returns triangles from the coordinates of their corners. */
+function triangles(corners: string): BufferGeometry {
+  const bytes = Uint8Array.from(atob(corners), (character) => character.charCodeAt(0));
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(bytes.buffer), 3));
+  geometry.computeVertexNormals();
+  return geometry;
 }
 
 function vector([x = 0, y = 0, z = 0]: readonly number[]): Vector3 {

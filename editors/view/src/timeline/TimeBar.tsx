@@ -16,6 +16,8 @@ import { TimeZoom } from "./zoom";
 /** Distance of the ends of the slider from the track, in px. */
 const THUMB = 7;
 
+const TARGET_NAMES: Record<Target, string> = { move: "a move", error: "an error", near: "things that are too near to each other" };
+
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
 
 export function TimeBar({ store }: { store: Store }): JSX.Element {
@@ -97,7 +99,7 @@ function Track({ store: { time }, store, zoom, onSeek, onToggle }: { store: Stor
   );
 }
 
-/** Buttons to the previous and the next move and error. */
+/** Buttons to the previous and the next move, error, and, in a cell with things, encounter. */
 function Jumps({ store, onSeek }: { store: Store; onSeek: (t: number) => void }): JSX.Element {
   const jump = (target: Target, isForward: boolean): void => {
     const t = jumpFrom(store.panels.cell.history.events, target, store.time.peek(), isForward);
@@ -105,10 +107,11 @@ function Jumps({ store, onSeek }: { store: Store; onSeek: (t: number) => void })
       onSeek(t);
     }
   };
+  const targets: readonly Target[] = store.scene.value?.objects?.length ? ["move", "error", "near"] : ["move", "error"];
   return (
     <>
-      {(["move", "error"] as const).map((target) => (
-        <span key={target} class="jumps" role="group" aria-label={`Jump to a${target === "error" ? "n" : ""} ${target}`}>
+      {targets.map((target) => (
+        <span key={target} class="jumps" role="group" aria-label={`Jump to ${TARGET_NAMES[target]}`}>
           <button type="button" aria-label={`Previous ${target}`} title={`Previous ${target}`} onClick={() => jump(target, false)}>◀</button>
           <span aria-hidden="true">{target}</span>
           <button type="button" aria-label={`Next ${target}`} title={`Next ${target}`} onClick={() => jump(target, true)}>▶</button>

@@ -1,19 +1,23 @@
-// Jumps along the time: to errors and moves.
+// Jumps along the time: to errors, moves, and things that come too near to each other.
 
 import type { RunEvent } from "../panels/tasks/eventText";
 import { groupOf } from "../panels/tasks/eventText";
 
-export type Target = "error" | "move";
+export type Target = "error" | "move" | "near";
 
 /** Distance of a time that counts as another time, in s. */
 const APART = 0.002;
 
-/** Whether an event is an error, or the start of a move. */
+/** Whether an event is an error, the start of a move, or the begin of an encounter. */
 function isTarget(event: RunEvent, target: Target): boolean {
-  return target === "error" ? groupOf(event) === "errors" : event.kind === "move" && event["phase"] === "started";
+  switch (target) {
+    case "error": return groupOf(event) === "errors";
+    case "move": return event.kind === "move" && event["phase"] === "started";
+    case "near": return event.kind === "clearance" && event["state"] !== "clear";
+  }
 }
 
-/** Returns the time of the next error or move after a time, or of the previous one; `undefined` if there is none. */
+/** Returns the time of the next target after a time, or of the previous one; `undefined` if there is none. */
 export function jumpFrom(events: readonly RunEvent[], target: Target, t: number, isForward: boolean): number | undefined {
   return isForward
     ? events.find((event) => event.t > t + APART && isTarget(event, target))?.t

@@ -20,9 +20,9 @@ void test("without a solid thing the floor is measured", () => {
   camera.position.set(100, 50, 1000);
   camera.lookAt(100, 50, 0);
   camera.updateMatrixWorld();
-  const found = surfaceAt(0, 200, 200, [400, 400], camera, undefined);
+  const found = surfaceAt(0, 200, 200, [400, 400], camera, []);
   assert.deepEqual(found?.map((value) => Math.round(value) + 0), [100, 50, 0]);
   camera.lookAt(100, 50, 2000);
   camera.updateMatrixWorld();
-  assert.equal(surfaceAt(0, 200, 200, [400, 400], camera, undefined), undefined);
+  assert.equal(surfaceAt(0, 200, 200, [400, 400], camera, []), undefined);
 });

@@ -138,8 +138,8 @@ export class PanelModel {
       io.valueOf();
       return this.levels.at(slowTime.value);
     });
-    const { signals, segments, moves, events, transfers, states } = this.past;
-    const history: CellHistory = { signals, segments, moves, events, transfers, states, samples: around.samples, rests: around.rests };
+    const { signals, segments, moves, encounters, events, transfers, states } = this.past;
+    const history: CellHistory = { signals, segments, moves, encounters, events, transfers, states, samples: around.samples, rests: around.rests };
     return {
       ...around,
       scene: this.scene,

@@ -1,6 +1,7 @@
 // State of the cell that the panels need: at the shown time, with its history, and the commands.
 
 import { type ReadonlySignal, signal, type Signal } from "@preact/signals";
+import type { Encounters } from "../clearance/encounters";
 import type { SignalInfo, SignalState } from "../io/signalRows";
 import type { SignalHistory } from "../io/sparkline";
 import type { Transfer } from "../io/lineBytes";
@@ -74,6 +75,7 @@ export interface CellHistory {
   signals: SignalHistory;
   segments: TaskSegments;
   moves: Moves;
+  encounters: Pick<Encounters, "list">;
   events: readonly RunEvent[];
   transfers: readonly Transfer[];
   states: readonly TimedTasks[];

@@ -1,5 +1,6 @@
 // History of the run, indexed for the panels.
 
+import { clearanceOf, Encounters } from "../clearance/encounters";
 import type { SignalState } from "../io/signalRows";
 import type { Transfer } from "../io/lineBytes";
 import { SignalHistory } from "../io/sparkline";
@@ -27,6 +28,7 @@ export class PanelHistory {
   readonly signals = new SignalHistory();
   readonly segments = new TaskSegments();
   readonly moves = new Moves();
+  readonly encounters = new Encounters();
   readonly events: RunEvent[] = [];
   readonly transfers: Transfer[] = [];
   readonly states: TimedTasks[] = [];
@@ -35,6 +37,7 @@ export class PanelHistory {
     this.signals.clear();
     this.segments.clear();
     this.moves.clear();
+    this.encounters.clear();
     this.events.length = 0;
     this.transfers.length = 0;
     this.states.length = 0;
@@ -56,7 +59,10 @@ export class PanelHistory {
   addEvents(events: readonly RunEvent[]): void {
     for (const event of events) {
       this.events.push(event);
-      if (event.kind === "move") {
+      const clearance = clearanceOf(event);
+      if (clearance !== undefined) {
+        this.encounters.add(clearance);
+      } else if (event.kind === "move") {
         this.moves.add(event as unknown as MoveEvent);
       } else if (event.kind === "sio") {
         this.transfers.push(event as unknown as Transfer);

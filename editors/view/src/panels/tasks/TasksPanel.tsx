@@ -1,6 +1,7 @@
-// Tasks and time: the tasks, a chart, the motion queue, the event log, and times by program line.
+// Tasks and time: the tasks, a chart, the motion queue, the event log, smallest distances, and times by program line.
 
 import type { JSX } from "preact";
+import { ClearanceTable } from "../clearance/ClearanceTable";
 import type { Cell } from "../shared/cell";
 import { Tabs } from "../shared/Tabs";
 import { EventLog } from "./EventLog";
@@ -19,6 +20,7 @@ export function TasksPanel({ cell }: { cell: Cell }): JSX.Element {
           { id: "tasks", label: "Tasks", content: () => <div class="scroll" tabIndex={0} role="region" aria-label="Tasks and waits"><TaskTable cell={cell} /><TaskChart cell={cell} /><WaitTables cell={cell} /></div> },
           { id: "queue", label: "Motion queue", content: () => <MotionQueue cell={cell} /> },
           { id: "log", label: "Event log", content: () => <EventLog cell={cell} /> },
+          { id: "clearance", label: "Distances", content: () => <ClearanceTable cell={cell} /> },
           { id: "times", label: "Times", content: () => <TimesTable cell={cell} /> },
         ]}
       />

@@ -5,25 +5,25 @@ import type * as wire from "../../wire";
 /** Event in the format of `val3 run --events`. */
 export type RunEvent = wire.RunEvent;
 
-export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot" | "operations";
+export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot" | "operations" | "clearance";
 
 /** Groups with their check box labels. */
 export const GROUPS: readonly (readonly [Group, string])[] = [
   ["errors", "Errors"], ["messages", "Messages"], ["tasks", "Tasks"], ["robot", "Robot"], ["moves", "Moves"],
-  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"], ["operations", "Operations"],
+  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"], ["operations", "Operations"], ["clearance", "Distances"],
 ];
 
 const GROUP_OF: Partial<Record<string, Group>> = {
   error: "errors", fault: "errors", lacking: "errors", stuck: "errors", print: "messages", popup: "messages", notice: "messages", log: "messages",
   task: "tasks", move: "moves", io: "signals", sio: "lines", line: "lines", put: "page", title: "page", cls: "page", html: "page",
-  power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot", act: "operations",
+  power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot", act: "operations", clearance: "clearance",
 };
 
 const MODES = ["changing", "manual", "test", "local", "remote"];
 
 export function groupOf(event: RunEvent): Group {
   const isFault = (event.kind === "log" && event["level"] === "error") || (event.kind === "move" && event["phase"] === "error")
-    || (event.kind === "task" && event["state"] === "error");
+    || (event.kind === "task" && event["state"] === "error") || (event.kind === "clearance" && event["state"] === "contact");
   return isFault ? "errors" : (GROUP_OF[event.kind] ?? "messages");
 }
 
@@ -62,7 +62,20 @@ const TEXTS: Partial<Record<string, (field: Fields) => string>> = {
   stuck: (field) => `${field("name")} is ${field("state")} at ${at(field)}${field("awaits") === "" ? "" : `: ${field("awaits")}`}`,
   end: (field) => `end: ${field("reason")}`,
   act: (field) => `from outside: ${field("keys")}`,
+  clearance: clearanceText,
 };
+
+function clearanceText(field: Fields): string {
+  const [a, b, distance] = [field("a"), field("b"), Number(field("distance"))];
+  const size = `${Math.abs(distance).toFixed(1)} mm`;
+  if (field("state") === "clear") {
+    return `${a} is apart from ${b}: the smallest distance was ${distance > 0 ? size : `an overlap of ${size}`}`;
+  }
+  if (distance > 0) {
+    return `${a} is ${size} from ${b}`;
+  }
+  return distance < 0 ? `${a} touches ${b} by ${size}` : `${a} touches ${b}`;
+}
 
 function byteCount(list: string): string {
   const count = list === "" ? 0 : list.split(",").length;

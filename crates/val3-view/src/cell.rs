@@ -1,0 +1,87 @@
+//! Things around the arm, for pages.
+
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use val3_cell::{Carrier, Cell, Mesh, Solid, SolidForm, Thing};
+
+use crate::coordinates;
+use crate::wire::{CellObject, ObjectCarrier, ObjectShape};
+
+/// Returns the things of a cell.
+pub(crate) fn objects(cell: &Cell) -> Vec<CellObject> {
+    cell.things.iter().map(object).collect()
+}
+
+fn object(thing: &Thing) -> CellObject {
+    CellObject {
+        name: thing.name.clone(),
+        colour: thing.colour.clone(),
+        carrier: carrier(&thing.carrier),
+        shapes: thing.solids.iter().map(|solid| shape(thing, solid)).collect(),
+    }
+}
+
+fn carrier(carrier: &Carrier) -> ObjectCarrier {
+    match carrier {
+        Carrier::World => ObjectCarrier::World,
+        Carrier::Frame(name) => ObjectCarrier::Frame { name: name.clone() },
+        Carrier::Flange => ObjectCarrier::Flange,
+        Carrier::Tool(name) => ObjectCarrier::Tool { name: name.clone() },
+        Carrier::Link(link) => ObjectCarrier::Link { link: *link },
+    }
+}
+
+fn shape(thing: &Thing, solid: &Solid) -> ObjectShape {
+    let pose = coordinates(&(thing.pose * solid.pose));
+    match &solid.form {
+        SolidForm::Box(size) => ObjectShape::Box { pose, size: *size },
+        SolidForm::Cylinder { radius, length } => ObjectShape::Cylinder { pose, radius: *radius, length: *length },
+        SolidForm::Capsule { from, to, radius } => ObjectShape::Capsule { pose, from: *from, to: *to, radius: *radius },
+        SolidForm::Mesh(mesh) => ObjectShape::Mesh { pose, corners: corners(mesh) },
+    }
+}
+
+/// Returns the corners of all triangles in base64. Pages draw with 32 bits.
+fn corners(mesh: &Mesh) -> String {
+    let corners = mesh.triangles.iter().flatten().filter_map(|corner| mesh.points.get(*corner as usize));
+    let bytes = corners.flat_map(|point| [point.x, point.y, point.z]).flat_map(|length| (length as f32).to_le_bytes());
+    BASE64_STANDARD.encode(bytes.collect::<Vec<u8>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_cell::{ArmBase, CellFile, DataKind, Surroundings};
+
+    use super::*;
+
+    /// An application with the frame `fPallet`, and a mesh of one triangle.
+    struct Application;
+
+    impl Surroundings for Application {
+        fn mesh(&mut self, _: &camino::Utf8Path) -> Result<Mesh, String> {
+            let points = vec![[0.0; 3].into(), [100.0, 0.0, 0.0].into(), [0.0, 20.0, 30.0].into()];
+            Ok(Mesh { points, triangles: vec![[0, 1, 2]] })
+        }
+
+        fn carrier(&self, name: &str) -> Result<DataKind, Option<String>> {
+            if name == "fPallet" { Ok(DataKind::Frame) } else { Err(None) }
+        }
+    }
+
+    #[test]
+    fn things_have_their_carriers_and_the_poses_of_their_shapes() {
+        let file: CellFile = toml::from_str(
+            "[[object]]\nname = \"box\"\nin = \"fPallet\"\nat = [1, 2, 3]\nbox = { min = [0, 0, 0], max = [10, 20, 30] }\n\
+             [[object]]\nname = \"fin\"\ncolour = \"#d9a400\"\nmesh = \"fin.stl\"\n",
+        )
+        .unwrap();
+        let cell = Cell::build(&file, ArmBase { axes: 6, height: 478.0 }, &mut Application).unwrap();
+        let objects = objects(&cell);
+        let [first, second] = objects.as_slice() else { panic!("{objects:?}") };
+        assert_eq!(first.carrier, ObjectCarrier::Frame { name: "fPallet".to_owned() });
+        let pose = [6.0, 12.0, 18.0, 0.0, 0.0, 0.0];
+        assert_eq!(first.shapes, [ObjectShape::Box { pose, size: [10.0, 20.0, 30.0] }]);
+        assert_eq!((second.carrier.clone(), second.colour.as_deref()), (ObjectCarrier::World, Some("#d9a400")));
+        let ObjectShape::Mesh { corners, .. } = &second.shapes[0] else { panic!("{second:?}") };
+        assert_eq!(BASE64_STANDARD.decode(corners).unwrap().len(), 3 * 3 * 4);
+    }
+}
