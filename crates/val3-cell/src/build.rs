@@ -18,6 +18,8 @@ pub struct Cell {
     pub clearance: f64,
     /// The things.
     pub things: Vec<Thing>,
+    /// Names of things whose frame or tool the application lacks.
+    pub missing: Vec<String>,
     pub(crate) allowed: Allowed,
 }
 
@@ -60,6 +62,11 @@ pub trait Surroundings {
     /// # Errors
     /// Without a frame or tool of this name; a similar name, if one exists.
     fn carrier(&self, name: &str) -> Result<DataKind, Option<String>>;
+
+    /// Whether the file may be about another application, so that things in unknown frames and tools are left out.
+    fn may_lack_data(&self) -> bool {
+        false
+    }
 }
 
 /// Kinds of data that can carry things.
@@ -89,13 +96,22 @@ impl Cell {
         let clearance = distance(file.clearance, "clearance")?;
         let carriers = carriers(&file.objects, arm, surroundings)?;
         let entries = file.objects.iter().zip(carriers).enumerate();
-        let things = entries.map(|(index, (entry, carried))| {
-            let key = format!("object[{index}]");
-            thing(entry, &key, carried, &mut *surroundings)
-        });
-        let things: Vec<Thing> = things.collect::<Result<_, _>>()?;
-        let allowed = Allowed::build(&file.allow, &things, arm.axes)?;
-        Ok(Self { clearance, things, allowed })
+        let (mut things, mut missing) = (Vec::new(), Vec::new());
+        for (index, (entry, carried)) in entries {
+            match carried {
+                Some(carried) => things.push(thing(entry, &format!("object[{index}]"), carried, &mut *surroundings)?),
+                None => missing.push(entry.name.clone()),
+            }
+        }
+        let allowed = Allowed::build(&file.allow, &file.objects, arm.axes)?;
+        Ok(Self { clearance, things, missing, allowed })
+    }
+}
+
+impl Cell {
+    /// Names of the things.
+    pub(crate) fn thing_names(&self) -> impl Iterator<Item = &str> {
+        self.things.iter().map(|thing| thing.name.as_str())
     }
 }
 
@@ -138,8 +154,9 @@ fn solids(entry: &ObjectEntry, key: &str, mut maker: SolidMaker<'_>) -> Result<V
 mod tests {
     use expect_test::{Expect, expect};
 
+    use crate::build::{ArmBase, Cell};
     use crate::carriers::Carrier;
-    use crate::testing::{arm, build};
+    use crate::testing::{Application, arm, build};
 
     #[track_caller]
     fn refused(text: &str, expected: Expect) {
@@ -297,6 +314,21 @@ mod tests {
             object[0].mesh: cannot read `no.stl`: it does not exist
             help: name an existing STL file of at most 32 MB"#]],
         );
+    }
+
+    #[test]
+    fn things_of_another_application_are_left_out() {
+        let text = format!(
+            "allow = [[\"bolt\", \"foot\"]]\n[[object]]\nname = \"bolt\"\nin = \"plate\"\n{SPHERE}\n\
+             [[object]]\nname = \"plate\"\nin = \"fElsewhere\"\n{SPHERE}\n[[object]]\nname = \"foot\"\n{SPHERE}"
+        );
+        let file = toml::from_str(&text).unwrap();
+        let arm = ArmBase { axes: 6, height: 375.0 };
+        let cell = Cell::build(&file, arm, &mut Application { may_lack_data: true }).unwrap();
+        assert_eq!(cell.missing, ["bolt", "plate"]);
+        assert_eq!(cell.thing_names().collect::<Vec<_>>(), ["foot"]);
+        let named = Cell::build(&file, arm, &mut Application { may_lack_data: false });
+        assert!(named.unwrap_err().message.contains("`fElsewhere`"));
     }
 
     #[test]

@@ -36,17 +36,19 @@ impl Carrier {
 enum Named {
     Carrier(Carrier),
     Object(usize),
+    /// A frame or tool that the application does not have.
+    Missing,
 }
 
 /// A carrier, and a pose in its frame.
 pub(crate) type Carried = (Carrier, IsometryMatrix3<f64>);
 
-/// Returns the carrier of each object, and the pose of the object in it.
+/// Returns the carrier of each object, and the pose of the object in it; `None` if the application lacks the carrier.
 pub(crate) fn carriers(
     objects: &[ObjectEntry],
     arm: ArmBase,
     surroundings: &dyn Surroundings,
-) -> Result<Vec<Carried>, CellError> {
+) -> Result<Vec<Option<Carried>>, CellError> {
     let names = names(objects)?;
     let named = objects.iter().enumerate().map(|(index, ObjectEntry { carrier, at, .. })| {
         let name = carrier.as_deref().unwrap_or("world");
@@ -58,19 +60,20 @@ pub(crate) fn carriers(
     (0..named.len()).map(|index| resolve(index, &named, objects)).collect()
 }
 
-/// Follows an object to the carrier that is no object.
+/// Follows an object to the carrier that is no object; `None` if the application lacks it.
 fn resolve(
     index: usize,
     named: &[(Named, IsometryMatrix3<f64>)],
     objects: &[ObjectEntry],
-) -> Result<Carried, CellError> {
+) -> Result<Option<Carried>, CellError> {
     let mut pose = IsometryMatrix3::identity();
     let mut passed = BTreeSet::new();
     let mut next = index;
     while let Some((carrier, in_carrier)) = named.get(next).filter(|_| passed.insert(next)) {
         pose = in_carrier * pose;
         match carrier {
-            Named::Carrier(carrier) => return Ok((carrier.clone(), pose)),
+            Named::Carrier(carrier) => return Ok(Some((carrier.clone(), pose))),
+            Named::Missing => return Ok(None),
             Named::Object(number) => next = *number,
         }
     }
@@ -154,6 +157,7 @@ impl CarrierNames<'_> {
                 let message = format!("`{name}` is an object of this file and {} of the application", kind.words());
                 Err(CellError::new(key, message, "rename the object"))
             }
+            (None, Err(None)) if self.surroundings.may_lack_data() => Ok(Named::Missing),
             (None, Err(similar)) => {
                 let message = format!("there is no frame, tool or object `{name}`");
                 let help = similar.map_or_else(

@@ -5,7 +5,7 @@ use globset::{GlobBuilder, GlobMatcher};
 use crate::build::{Cell, Thing};
 use crate::carriers::Carrier;
 use crate::error::CellError;
-use crate::file::AllowedPair;
+use crate::file::{AllowedPair, ObjectEntry};
 use crate::scene::body_names;
 
 /// Fewest steps in the chain of the arm between two bodies of it that can touch each other: nearer ones always touch, or
@@ -35,8 +35,8 @@ pub(crate) struct Pair {
 pub(crate) struct Allowed(Vec<[GlobMatcher; 2]>);
 
 impl Allowed {
-    pub(crate) fn build(entries: &[AllowedPair], things: &[Thing], axes: usize) -> Result<Self, CellError> {
-        let names: Vec<String> = body_names(things, axes).collect();
+    pub(crate) fn build(entries: &[AllowedPair], objects: &[ObjectEntry], axes: usize) -> Result<Self, CellError> {
+        let names: Vec<String> = body_names(objects.iter().map(|object| object.name.as_str()), axes).collect();
         let pairs = entries.iter().enumerate().map(|(index, AllowedPair { names: pair, .. })| {
             let matcher = |name: &String| {
                 let key = format!("allow[{index}]");
@@ -77,7 +77,7 @@ fn is_named(matcher: &GlobMatcher, body: &str) -> bool {
 pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
     let things = axes + 1;
     let count = things + cell.things.len();
-    let names: Vec<String> = body_names(&cell.things, axes).collect();
+    let names: Vec<String> = body_names(cell.thing_names(), axes).collect();
     let every = (0..count).flat_map(|first| (first + 1..count).map(move |second| (first, second)));
     let pairs = every.filter_map(|(first, second)| {
         let (a, b) = (PairBody::of(cell, axes, first)?, PairBody::of(cell, axes, second)?);

@@ -6,7 +6,7 @@ use val3_collision::Shape;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints, LinkCapsule};
 
-use crate::build::{Cell, Thing};
+use crate::build::Cell;
 use crate::carriers::Carrier;
 use crate::pairs::{Pair, pairs};
 use crate::reach::Reach;
@@ -46,9 +46,9 @@ pub(crate) enum BodyCarrier {
 }
 
 /// Names of all bodies: the base, the links, the things.
-pub(crate) fn body_names(things: &[Thing], axes: usize) -> impl Iterator<Item = String> {
+pub(crate) fn body_names<'n>(things: impl Iterator<Item = &'n str>, axes: usize) -> impl Iterator<Item = String> {
     let links = (1..=axes).map(|link| format!("link{link}"));
-    std::iter::once("base".to_owned()).chain(links).chain(things.iter().map(|thing| thing.name.clone()))
+    std::iter::once("base".to_owned()).chain(links).chain(things.map(str::to_owned))
 }
 
 impl Scene {
@@ -56,7 +56,7 @@ impl Scene {
     #[must_use]
     pub fn new(cell: Arc<Cell>, arm: Arc<Arm>) -> Self {
         let axes = arm.axes();
-        let names = body_names(&cell.things, axes);
+        let names = body_names(cell.thing_names(), axes);
         let bodies = names.enumerate().map(|(number, name)| match number.checked_sub(axes + 1) {
             None => link_body(&arm, number, name),
             Some(thing) => thing_body(&cell, thing, name),

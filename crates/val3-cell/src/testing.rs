@@ -14,7 +14,9 @@ use crate::step::Sight;
 
 /// An application with the frames `fTable`, `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
 /// other sizes.
-pub(crate) struct Application;
+pub(crate) struct Application {
+    pub(crate) may_lack_data: bool,
+}
 
 /// A triangle with corners at (0, 0, 0), (10, 0, 0), (0, 5, 0).
 const FIN: &str = "solid fin\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 5 0\n\
@@ -40,6 +42,10 @@ impl Surroundings for Application {
             _ => Err(None),
         }
     }
+
+    fn may_lack_data(&self) -> bool {
+        self.may_lack_data
+    }
 }
 
 pub(crate) fn arm(name: &str) -> Arc<Arm> {
@@ -48,7 +54,7 @@ pub(crate) fn arm(name: &str) -> Arc<Arm> {
 
 pub(crate) fn build(text: &str, arm: &Arm) -> Result<Cell, CellError> {
     let file: CellFile = toml::from_str(text).unwrap();
-    Cell::build(&file, ArmBase { axes: arm.axes(), height: arm.height() }, &mut Application)
+    Cell::build(&file, ArmBase { axes: arm.axes(), height: arm.height() }, &mut Application { may_lack_data: false })
 }
 
 pub(crate) fn scene(text: &str, arm: &Arc<Arm>) -> Scene {

@@ -10,6 +10,7 @@ use val3_config::{ConfigError, ConfigFile, TableFile};
 use val3_files::FileClass;
 use val3_lang::suggest::nearest;
 use val3_machine::controller::Controller;
+use val3_machine::event::EventKind;
 
 use crate::error::SessionError;
 use crate::settings::refused;
@@ -53,8 +54,15 @@ pub(crate) fn place(
     application: &Utf8Path,
 ) -> Result<(), SessionError> {
     let Some((path, text)) = chosen(choice, file, application)? else { return Ok(()) };
-    let cell = TableFile::<CellFile>::parse(&path, &text).and_then(|file| build(controller, &file));
+    // A file that is only beside the settings can be about another application of the same cell.
+    let is_named = choice.is_some() || file.is_some_and(|file| file.config.run.cell.is_some());
+    let cell = TableFile::<CellFile>::parse(&path, &text).and_then(|file| build(controller, &file, is_named));
     let cell = cell.map_err(|error| SessionError::Load(LoadError::Configuration(vec![error])))?;
+    if !cell.missing.is_empty() {
+        let names = cell.missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let text = format!("without {names} of `{path}`: this application does not have their frames and tools");
+        controller.devices.record_outside(0, EventKind::Notice { text });
+    }
     controller.surround(cell);
     Ok(())
 }
@@ -90,10 +98,10 @@ fn chosen(
     Ok(Some((path, text)))
 }
 
-fn build(controller: &Controller, file: &TableFile<CellFile>) -> Result<Cell, ConfigError> {
+fn build(controller: &Controller, file: &TableFile<CellFile>, is_named: bool) -> Result<Cell, ConfigError> {
     let arm = controller.arm().model();
     let arm = ArmBase { axes: arm.axes(), height: arm.height() };
-    let mut surroundings = OpenApplication { controller, folder: file.folder() };
+    let mut surroundings = OpenApplication { controller, folder: file.folder(), is_named };
     let cell = Cell::build(&file.content, arm, &mut surroundings);
     cell.map_err(|error| file.fault(&error.key, error.message, error.help))
 }
@@ -109,6 +117,8 @@ fn leads_out(folder: &Utf8Path, path: &Utf8Path) -> bool {
 struct OpenApplication<'a> {
     controller: &'a Controller,
     folder: &'a Utf8Path,
+    /// Whether a setting names the file.
+    is_named: bool,
 }
 
 impl Surroundings for OpenApplication<'_> {
@@ -127,5 +137,9 @@ impl Surroundings for OpenApplication<'_> {
             let known = self.controller.carrier_names();
             nearest(name, known.iter().map(String::as_str)).map(str::to_owned)
         })
+    }
+
+    fn may_lack_data(&self) -> bool {
+        !self.is_named
     }
 }

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 use clap::{CommandFactory as _, ValueEnum};
 use val3_session::evaluate::{next_text, texts};
-use val3_session::{Delay, EvaluationOutput, Evaluator, Listener};
+use val3_session::{CellChoice, Delay, EvaluationOutput, Evaluator, Listener};
 
 use crate::args::{Args, EvalArgs, InputArgs};
 use crate::color::Color;
@@ -29,7 +29,9 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     }
     let current = current_folder()?;
     let application = args.app.as_ref().map(|path| current.join(path));
-    let settings = args.controller.settings(Rc::new(Announcements::new(AnnouncementReader::Terminal)));
+    let mut settings = args.controller.settings(Rc::new(Announcements::new(AnnouncementReader::Terminal)));
+    // Expressions need no surroundings.
+    settings.cell.get_or_insert(CellChoice::Without);
     let evaluator = Evaluator::open(application.as_deref(), &current, &args.local, &settings)?;
     if application.is_some() {
         note_grants(&evaluator.grants(&settings)?);

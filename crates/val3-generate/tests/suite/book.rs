@@ -208,7 +208,7 @@ fn examples_have_the_findings_they_name() {
                 continue;
             }
             let example = rest.split("\n```").next().unwrap();
-            let fixture = Fixture::parse(example);
+            let fixture = Fixture::parse(example).with_stops();
             let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
             let found = check_files(&files.collect::<Vec<_>>());
             let found: Vec<_> = found.iter().map(|finding| finding.code).collect();

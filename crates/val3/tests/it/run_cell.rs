@@ -112,19 +112,20 @@ fn a_cell_can_be_chosen() {
 fn the_table_of_times_has_the_smallest_distances() {
     let run = folder(200.0).val3(&["run", "--times"]);
     let table = run.stderr.split_once("  nearest by line\n").map_or(run.stderr.as_str(), |(_, table)| table);
+    let table: String = table.lines().map(|line| format!("{}\n", line.trim())).collect();
     expect![[r#"
-                8.51 mm at    0.680 s  start:15  link6 - wall
-               88.25 mm at    0.488 s  start:11  link4 - wall
-          nearest by pair
-                8.51 mm at    0.680 s  link6 - wall
-               17.66 mm at    0.680 s  link5 - wall
-               22.19 mm at    0.680 s  link4 - wall
-               40.00 mm at    0.680 s  rod - wall
-              114.83 mm at    0.000 s  link2 - wall
-              115.88 mm at    0.680 s  link3 - wall
-              127.51 mm at    0.000 s  link1 - wall
+        8.51 mm at    0.680 s  start:15  link6 - wall
+        88.25 mm at    0.488 s  start:11  link4 - wall
+        nearest by pair
+        8.51 mm at    0.680 s  link6 - wall
+        17.66 mm at    0.680 s  link5 - wall
+        22.19 mm at    0.680 s  link4 - wall
+        40.00 mm at    0.680 s  rod - wall
+        114.83 mm at    0.000 s  link2 - wall
+        115.88 mm at    0.680 s  link3 - wall
+        127.51 mm at    0.000 s  link1 - wall
     "#]]
-    .assert_eq(table);
+    .assert_eq(&table);
 }
 
 #[test]

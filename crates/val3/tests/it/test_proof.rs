@@ -25,7 +25,7 @@ fn files_that_belong_to_no_test_are_failures() {
                   |
                 1 | aplication = "../usrapp/main"
                   | ^^^^^^^^^^
-                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `start`, `power`, `monitor_speed`, `tags`, `replace`, `at`, `when`, `silent`, `expect`
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `cell`, `start`, `power`, `monitor_speed`, `tags`, `replace`, `at`, `when`, `silent`, `expect`
                 at lost (tests/lost.toml:1)
           FAIL  script (0.000 s)
                 the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name

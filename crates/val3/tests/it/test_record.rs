@@ -289,7 +289,7 @@ fn wrong_arguments_say_what_to_do() {
     folder.write("faults.jsonl", "{\"t\":0.0,\"kind\":\"end\",\"reason\":\"refused\"}\n");
     for (record, to, message) in [
         ("run.jsonl", "tests/a.txt", "ends with `.toml`"),
-        ("none.jsonl", "tests/a.toml", "line 1: "),
+        ("none.jsonl", "tests/a.toml", "line 1 is not JSON"),
         ("empty.jsonl", "tests/a.toml", "the file has no events"),
         ("faults.jsonl", "tests/a.toml", "was not started because of its faults"),
         ("missing.jsonl", "tests/a.toml", "cannot record a scenario from `missing.jsonl`"),
