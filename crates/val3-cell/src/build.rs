@@ -1,15 +1,14 @@
 //! A cell from its file: things with shapes, and what carries them.
 
-use camino::Utf8Path;
 use val3_geometry::IsometryMatrix3;
 
+use crate::allowed::Allowed;
 use crate::carriers::{Carried, Carrier, carriers};
 use crate::error::CellError;
 use crate::file::{CellFile, ObjectEntry};
-use crate::mesh::Mesh;
-use crate::pairs::Allowed;
 use crate::poses::{check_colour, distance};
 use crate::solids::{Solid, SolidMaker, solid};
+use crate::surroundings::{ArmBase, Surroundings};
 
 /// A cell.
 #[derive(Debug, Clone)]
@@ -38,53 +37,6 @@ pub struct Thing {
     pub clearance: Option<f64>,
     /// Colour as `#rrggbb`.
     pub colour: Option<String>,
-}
-
-/// What a cell needs to know of an arm.
-#[derive(Debug, Clone, Copy)]
-pub struct ArmBase {
-    /// Number of axes.
-    pub axes: usize,
-    /// Height of `world` above the mounting face, in mm.
-    pub height: f64,
-}
-
-/// What a cell's file refers to.
-pub trait Surroundings {
-    /// Reads a mesh file. The error is a message without the path.
-    ///
-    /// # Errors
-    /// The file cannot be read, or is no mesh.
-    fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String>;
-
-    /// Returns the kind of a datum of the application.
-    ///
-    /// # Errors
-    /// Without a frame or tool of this name; a similar name, if one exists.
-    fn carrier(&self, name: &str) -> Result<DataKind, Option<String>>;
-
-    /// Whether the file may be about another application, so that things in unknown frames and tools are left out.
-    fn may_lack_data(&self) -> bool {
-        false
-    }
-}
-
-/// Kinds of data that can carry things.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DataKind {
-    /// A frame.
-    Frame,
-    /// A tool.
-    Tool,
-}
-
-impl DataKind {
-    pub(crate) const fn words(self) -> &'static str {
-        match self {
-            Self::Frame => "a frame",
-            Self::Tool => "a tool",
-        }
-    }
 }
 
 impl Cell {
@@ -154,8 +106,9 @@ fn solids(entry: &ObjectEntry, key: &str, mut maker: SolidMaker<'_>) -> Result<V
 mod tests {
     use expect_test::{Expect, expect};
 
-    use crate::build::{ArmBase, Cell};
+    use crate::build::Cell;
     use crate::carriers::Carrier;
+    use crate::surroundings::ArmBase;
     use crate::testing::{Application, arm, build};
 
     #[track_caller]

@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 
-use crate::build::{ArmBase, DataKind, Surroundings};
 use crate::error::CellError;
 use crate::file::ObjectEntry;
 use crate::poses::pose;
+use crate::surroundings::{ArmBase, DataKind, Surroundings};
 
 /// What carries a thing.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -6,6 +6,7 @@
 //! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each
 //! other, and [`Minima`] records the smallest distances.
 
+mod allowed;
 mod build;
 mod carriers;
 mod error;
@@ -13,18 +14,20 @@ mod file;
 mod measure;
 mod mesh;
 mod minima;
+mod names;
 mod pairs;
 mod poses;
 mod reach;
 mod scene;
 mod solids;
 mod step;
+mod surroundings;
 #[cfg(test)]
 mod testing;
 mod track;
 mod watch;
 
-pub use self::build::{ArmBase, Cell, DataKind, Surroundings, Thing};
+pub use self::build::{Cell, Thing};
 pub use self::carriers::Carrier;
 pub use self::error::CellError;
 pub use self::file::{AllowedPair, CellFile, ObjectEntry, ShapeEntry, ShapeKeys};
@@ -34,4 +37,5 @@ pub use self::minima::{Minima, Minimum};
 pub use self::scene::Scene;
 pub use self::solids::{Solid, SolidForm};
 pub use self::step::Sight;
+pub use self::surroundings::{ArmBase, DataKind, Surroundings};
 pub use self::watch::{Encounter, EncounterState, Watch};

@@ -8,6 +8,7 @@ use val3_kinematics::{Arm, Joints, LinkCapsule};
 
 use crate::build::Cell;
 use crate::carriers::Carrier;
+use crate::names::body_names;
 use crate::pairs::{Pair, pairs};
 use crate::reach::Reach;
 
@@ -43,12 +44,6 @@ pub(crate) enum BodyCarrier {
     Frame(usize),
     /// A tool with this number in [`Scene::data`].
     Tool(usize),
-}
-
-/// Names of all bodies: the base, the links, the things.
-pub(crate) fn body_names<'n>(things: impl Iterator<Item = &'n str>, axes: usize) -> impl Iterator<Item = String> {
-    let links = (1..=axes).map(|link| format!("link{link}"));
-    std::iter::once("base".to_owned()).chain(links).chain(things.map(str::to_owned))
 }
 
 impl Scene {

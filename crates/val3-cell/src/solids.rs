@@ -4,11 +4,11 @@ use camino::Utf8Path;
 use val3_collision::{Shape, ShapeError};
 use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
 
-use crate::build::Surroundings;
 use crate::error::CellError;
 use crate::file::{BoxKey, Corners, MeshUnit, ShapeKeys};
 use crate::mesh::Mesh;
 use crate::poses::{pose, triple};
+use crate::surroundings::Surroundings;
 
 /// Extent in mm of a mesh below which its unit is probably metres.
 const TINY: f64 = 5.0;

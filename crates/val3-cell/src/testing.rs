@@ -5,12 +5,13 @@ use std::sync::Arc;
 use camino::Utf8Path;
 use val3_kinematics::{Arm, Joints};
 
-use crate::build::{ArmBase, Cell, DataKind, Surroundings};
+use crate::build::Cell;
 use crate::error::CellError;
 use crate::file::CellFile;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::step::Sight;
+use crate::surroundings::{ArmBase, DataKind, Surroundings};
 
 /// An application with the frames `fTable`, `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
 /// other sizes.

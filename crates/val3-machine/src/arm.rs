@@ -76,6 +76,9 @@ pub struct RobotArm {
     placements: u64,
 }
 
+/// Number of a move, and its instruction.
+pub type CurrentMove = (f64, MoveOrigin);
+
 /// Reason why a move is not recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MoveError {
@@ -166,8 +169,8 @@ impl RobotArm {
         self.placements
     }
 
-    /// Number and instruction of the move that the arm executes, or at whose end it rests.
-    pub(crate) fn current_move(&self) -> Option<(f64, MoveOrigin)> {
+    /// The move that the arm executes, or at whose end it rests.
+    pub(crate) fn current_move(&self) -> Option<CurrentMove> {
         let origin = self.origins.get(&self.motion.current()?)?;
         Some((self.motion.move_id().floor(), *origin))
     }

@@ -25,7 +25,6 @@ pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus,
 pub use operator::OperatorAction;
 pub use positions::{Activity, TaskPosition};
 pub use snapshot::Snapshot;
-pub(crate) use surroundings::MoveLabel;
 
 use operator::Operations;
 

@@ -10,11 +10,8 @@ use val3_lang::references;
 use val3_lang::types::BaseType;
 
 use super::Controller;
-use crate::arm::MoveOrigin;
+use crate::arm::{CurrentMove, MoveOrigin};
 use crate::event::{ClearanceMove, EventKind, seconds};
-
-/// Number and instruction of the move that the arm executes.
-pub(crate) type MoveLabel = Option<(f64, MoveOrigin)>;
 
 impl Controller {
     /// Returns whether a datum is a frame or a tool; `None` if it is neither, or does not exist.
@@ -78,7 +75,7 @@ impl Controller {
         self.record_encounters(self.now(), encounters);
     }
 
-    fn record_encounters(&mut self, now: Time, encounters: Vec<Encounter<MoveLabel>>) {
+    fn record_encounters(&mut self, now: Time, encounters: Vec<Encounter<Option<CurrentMove>>>) {
         for Encounter { state, names: [a, b], measured, time, joints, label, at_start } in encounters {
             let axes = self.devices.state.arm.model().axes();
             let of = label.filter(|_| !at_start).map(|(id, MoveOrigin { instruction, at, .. })| {

@@ -9,8 +9,7 @@ use super::loaded::LoadedProjects;
 use super::media_cost::MediaCost;
 use super::questions::Questions;
 use super::record::Record;
-use crate::arm::{ArmHold, RobotArm};
-use crate::controller::MoveLabel;
+use crate::arm::{ArmHold, CurrentMove, RobotArm};
 use crate::controller_state::{Calendar, ControllerVersions, Cs9, EventLog, Languages, Profiles, Robot};
 use crate::io::{IoTable, LinkId};
 use crate::screen::Pendant;
@@ -27,7 +26,7 @@ pub struct DeviceState {
     /// The arm.
     pub arm: RobotArm,
     /// The things around the arm, if a cell describes them.
-    pub watch: Option<Watch<MoveLabel>>,
+    pub watch: Option<Watch<Option<CurrentMove>>>,
     /// The event log.
     pub log: EventLog,
     /// Users.

@@ -1,0 +1,52 @@
+//! What a cell's file refers to: the arm, the data of an application, meshes.
+
+use camino::Utf8Path;
+
+use crate::mesh::Mesh;
+
+/// What a cell needs to know of an arm.
+#[derive(Debug, Clone, Copy)]
+pub struct ArmBase {
+    /// Number of axes.
+    pub axes: usize,
+    /// Height of `world` above the mounting face, in mm.
+    pub height: f64,
+}
+
+/// What a cell's file refers to.
+pub trait Surroundings {
+    /// Reads a mesh file. The error is a message without the path.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no mesh.
+    fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String>;
+
+    /// Returns the kind of a datum of the application.
+    ///
+    /// # Errors
+    /// Without a frame or tool of this name; a similar name, if one exists.
+    fn carrier(&self, name: &str) -> Result<DataKind, Option<String>>;
+
+    /// Whether the file may be about another application, so that things in unknown frames and tools are left out.
+    fn may_lack_data(&self) -> bool {
+        false
+    }
+}
+
+/// Kinds of data that can carry things.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DataKind {
+    /// A frame.
+    Frame,
+    /// A tool.
+    Tool,
+}
+
+impl DataKind {
+    pub(crate) const fn words(self) -> &'static str {
+        match self {
+            Self::Frame => "a frame",
+            Self::Tool => "a tool",
+        }
+    }
+}
