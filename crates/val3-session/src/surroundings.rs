@@ -13,7 +13,6 @@ use val3_machine::controller::Controller;
 use val3_machine::event::EventKind;
 
 use crate::error::SessionError;
-use crate::settings::refused;
 
 /// Name of the file that is used without a setting, beside `val3.toml` or in the folder of the application.
 const FILE_NAME: &str = "cell.toml";
@@ -57,7 +56,7 @@ pub(crate) fn place(
     // A file that is only beside the settings can be about another application of the same cell.
     let is_named = choice.is_some() || file.is_some_and(|file| file.config.run.cell.is_some());
     let cell = TableFile::<CellFile>::parse(&path, &text).and_then(|file| build(controller, &file, is_named));
-    let cell = cell.map_err(|error| SessionError::Load(LoadError::Configuration(vec![error])))?;
+    let cell = cell.map_err(configuration)?;
     if !cell.missing.is_empty() {
         let names = cell.missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let text = format!("without {names} of `{path}`: this application does not have their frames and tools");
@@ -91,11 +90,15 @@ fn chosen(
     let text = text.map_err(|reason| {
         let (message, help) = (format!("cannot read `{path}`: {reason}"), "name an existing file, or `none`");
         match of_file.filter(|_| choice.is_none()) {
-            Some((file, _)) => refused(file, "run.cell", message, help),
+            Some((file, _)) => configuration(file.fault("run.cell", message, help.to_owned())),
             None => SessionError::Setting { message, help: help.to_owned() },
         }
     })?;
     Ok(Some((path, text)))
+}
+
+fn configuration(error: ConfigError) -> SessionError {
+    SessionError::Load(LoadError::Configuration(vec![error]))
 }
 
 fn build(controller: &Controller, file: &TableFile<CellFile>, is_named: bool) -> Result<Cell, ConfigError> {

@@ -133,6 +133,8 @@ assert.deepEqual(await sent(live), [{ command: "solve", name: "pPick", key: "1" 
 await live.waitForSelector("text=Saved palletiser.dtx");
 await check(live, "live-light-1280");
 await live.click("[aria-label='Previous error']");
+assert.equal(await live.evaluate(() => document.querySelector("input[type=range]").value), "17.4", "the contact");
+await live.click("[aria-label='Previous error']");
 assert.equal(await live.evaluate(() => document.querySelector("input[type=range]").value), "3.98");
 await live.hover(".track");
 await live.mouse.wheel(0, -400);
