@@ -23,6 +23,7 @@ export class ArmShape {
   private readonly base: Group;
   private readonly links: Group[];
   private readonly flange: Group;
+  private isDisposed = false;
 
   /** `changed` is called when a shape has been read. */
   constructor(arm: DrawnArm, base: readonly number[], private readonly look: Look, private readonly changed: (fault?: string) => void) {
@@ -60,6 +61,7 @@ export class ArmShape {
   }
 
   dispose(): void {
+    this.isDisposed = true;
     this.group.removeFromParent();
     this.group.traverse((part) => {
       if (part instanceof Mesh) {
@@ -85,6 +87,10 @@ export class ArmShape {
         this.changed();
       }, (fault: unknown) => {
         group.add(solid());
+        // A picture that was built again meanwhile reads its files itself.
+        if (this.isDisposed) {
+          return;
+        }
         this.changed(`${name} is drawn as a solid, because its file cannot be read: ${fault instanceof Error ? fault.message : String(fault)}`);
       });
     } else {
