@@ -1,4 +1,4 @@
-//! A cell from its file: things with shapes, and what carries them.
+//! Construction of a cell from its file: things with their shapes and carriers.
 
 use val3_geometry::IsometryMatrix3;
 
@@ -27,7 +27,7 @@ pub struct Cell {
 pub struct Thing {
     /// Name in messages.
     pub name: String,
-    /// What carries it.
+    /// Its carrier.
     pub carrier: Carrier,
     /// Pose of the thing in the frame of the carrier.
     pub pose: IsometryMatrix3<f64>,

@@ -1,4 +1,4 @@
-//! What carries the things of a cell, by the names in its file.
+//! Carriers of the things in a cell, by their names in the file.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use crate::file::ObjectEntry;
 use crate::poses::pose;
 use crate::surroundings::{ArmBase, DataKind, Surroundings};
 
-/// What carries a thing.
+/// Carrier of a thing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Carrier {
     /// `world`.
@@ -32,7 +32,7 @@ impl Carrier {
     }
 }
 
-/// The carrier in the file, which can be another object.
+/// Meaning of a carrier's name in the file.
 enum Named {
     Carrier(Carrier),
     Object(usize),
@@ -60,7 +60,7 @@ pub(crate) fn carriers(
     (0..named.len()).map(|index| resolve(index, &named, objects)).collect()
 }
 
-/// Follows an object to the carrier that is no object; `None` if the application lacks it.
+/// Returns the carrier of an object, followed through the objects between; `None` if the application lacks it.
 fn resolve(
     index: usize,
     named: &[(Named, IsometryMatrix3<f64>)],

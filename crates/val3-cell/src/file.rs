@@ -31,7 +31,7 @@ pub struct CellFile {
     /// Pairs that may touch, each with the reason: `["gripper", "rack*", "the pads touch the rack"]`. In names, `*`
     /// stands for any letters. `arm` means all links.
     pub allow: Vec<AllowedPair>,
-    /// Things that never move by themselves: they stand, or the arm carries them.
+    /// Objects: things that stand, or that the arm carries.
     #[serde(rename = "object")]
     pub objects: Vec<ObjectEntry>,
 }
@@ -76,7 +76,7 @@ impl JsonSchema for AllowedPair {
 pub struct ObjectEntry {
     /// The name in messages: letters, digits, `_` and blanks.
     pub name: String,
-    /// What carries it: `world` (default); `base`, the mounting face of the arm; `flange`; `link1` and so on; a frame or
+    /// The carrier: `world` (default); `base`, the mounting face of the arm; `flange`; `link1` and so on; a frame or
     /// a tool of the application; another object.
     #[serde(rename = "in")]
     #[schemars(with = "String")]

@@ -1,11 +1,12 @@
-//! The smallest distances of a run: of each pair, and of each place of a program.
+//! Smallest distances of a run, by pair and by program line.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::measure::Measured;
+use crate::observation::Observation;
 use crate::scene::Scene;
-use crate::step::{Past, Sight, Step};
+use crate::step::Sight;
 use crate::track::{EXACT, Track, Wanted};
 
 /// Distances in mm above which nothing is recorded.
@@ -26,8 +27,7 @@ pub struct Minimum {
 /// Distances above 500 mm are left out, and so are those between parts of the arm and what it carries.
 #[derive(Debug, Clone)]
 pub struct Minima<K> {
-    scene: Arc<Scene>,
-    past: Option<Past>,
+    observation: Observation,
     tracks: Vec<Track>,
     pairs: Vec<Option<Minimum>>,
     keys: BTreeMap<K, Minimum>,
@@ -39,8 +39,7 @@ impl<K: Ord + Clone> Minima<K> {
     pub fn new(scene: Arc<Scene>) -> Self {
         let count = scene.pairs.len();
         Self {
-            scene,
-            past: None,
+            observation: Observation::new(scene),
             tracks: vec![Track::default(); count],
             pairs: vec![None; count],
             keys: BTreeMap::new(),
@@ -50,20 +49,16 @@ impl<K: Ord + Clone> Minima<K> {
     /// The scene.
     #[must_use]
     pub fn scene(&self) -> &Scene {
-        &self.scene
+        &self.observation.scene
     }
 
     /// Looks at the end of a cycle in which the arm has moved for `key`.
     pub fn see(&mut self, sight: &Sight<'_>, key: Option<&K>) {
-        if !Arc::ptr_eq(&self.scene.arm, sight.arm) {
-            self.scene = Arc::new(self.scene.with_arm(Arc::clone(sight.arm)));
+        if self.observation.adopt(sight) {
             self.tracks.fill(Track::default());
         }
-        if self.past.as_ref().is_some_and(|past| past.has_jumped(sight)) {
-            self.tracks.fill(Track::default());
-        }
-        let step = Step::new(&self.scene, self.past.as_ref(), sight);
-        let pairs = self.scene.pairs.iter().zip(&mut self.tracks).zip(&mut self.pairs);
+        let (scene, step) = (&self.observation.scene, self.observation.step(sight));
+        let pairs = scene.pairs.iter().zip(&mut self.tracks).zip(&mut self.pairs);
         for ((pair, track), least) in pairs.filter(|((pair, _), _)| !pair.is_arm) {
             let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance);
             let known = key.and_then(|key| self.keys.get(key));
@@ -72,7 +67,7 @@ impl<K: Ord + Clone> Minima<K> {
             let Some(found) = track.follow(&step, pair, Wanted { threshold, margin: EXACT, limit: threshold }) else {
                 continue;
             };
-            let names = self.scene.names(pair);
+            let names = scene.names(pair);
             let minimum = Minimum { names, measured: found.measured, time: step.time(found.fraction) };
             if let Some(key) = key.filter(|_| found.measured.distance < of_key) {
                 self.keys.insert(key.clone(), minimum.clone());
@@ -81,7 +76,7 @@ impl<K: Ord + Clone> Minima<K> {
                 *least = Some(minimum);
             }
         }
-        self.past = Some(Past::of(sight));
+        self.observation.record(sight);
     }
 
     /// The smallest distance of each pair that came within 500 mm, smallest first.

@@ -1,4 +1,4 @@
-//! The pairs of bodies whose distances matter.
+//! Pairs of bodies whose distances are measured.
 
 use crate::build::{Cell, Thing};
 use crate::carriers::Carrier;
@@ -53,7 +53,7 @@ pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
     pairs.collect()
 }
 
-/// What decides about the pairs of a body.
+/// Properties of a body that determine its pairs.
 struct PairBody {
     /// Place in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what the
     /// flange carries; `None` for what stands.

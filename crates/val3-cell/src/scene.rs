@@ -33,7 +33,7 @@ pub(crate) struct Body {
     pub(crate) shapes: Vec<(Shape, IsometryMatrix3<f64>)>,
 }
 
-/// What carries a body.
+/// Carrier of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BodyCarrier {
     World,
@@ -74,6 +74,23 @@ impl Scene {
     #[must_use]
     pub fn cell(&self) -> &Cell {
         &self.cell
+    }
+
+    /// Whether the links have shapes. Otherwise only the distances of things are known.
+    #[must_use]
+    pub fn has_link_shapes(&self) -> bool {
+        !self.arm.shapes().is_empty()
+    }
+
+    /// Whether [`crate::Minima`] records the distance of two bodies.
+    #[must_use]
+    pub fn compares(&self, names: &[String; 2]) -> bool {
+        let [first, second] = names;
+        self.pairs
+            .iter()
+            .filter(|pair| !pair.is_arm)
+            .map(|pair| self.names(pair))
+            .any(|[a, b]| (&a, &b) == (first, second) || (&b, &a) == (first, second))
     }
 
     /// Names of the base, the links and the things.

@@ -52,7 +52,7 @@ pub enum SolidForm {
     Mesh(Mesh),
 }
 
-/// What a shape needs besides its keys.
+/// Context in which a shape is built.
 pub(crate) struct SolidMaker<'s> {
     pub(crate) surroundings: &'s mut dyn Surroundings,
     /// Whether the arm carries the thing: a mesh is then its convex hull.

@@ -1,4 +1,4 @@
-//! One cycle of the arm: the positions of all bodies from its beginning to its end.
+//! Positions of all bodies during a cycle of the arm.
 
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::scene::{Body, BodyCarrier, Position, Scene};
 /// Coordinate in mm beyond which a thing is nowhere.
 const FARTHEST: f64 = 1e9;
 
-/// What is seen at the end of a cycle.
+/// Positions at the end of a cycle.
 #[derive(Debug, Clone)]
 pub struct Sight<'a> {
     /// The arm's model.
@@ -125,16 +125,28 @@ impl<'s> Step<'s> {
         } else {
             &self.scene.position(&self.joints(fraction))
         };
-        let placed = |number: usize| {
-            let body = self.body(number)?;
-            let pose = position.carrier(body.carrier, self.places)?;
-            is_usable(&pose).then_some(Placed { shapes: &body.shapes, pose })
-        };
-        match (placed(pair.first), placed(pair.second)) {
+        match (self.placed(pair.first, position), self.placed(pair.second, position)) {
             (Some(first), Some(second)) => measure(&first, &second, limit),
             // Without a place, a thing is nowhere.
             _ => Reading::Beyond(f64::INFINITY),
         }
+    }
+
+    /// Whether the arm moves.
+    pub(crate) fn is_motion(&self) -> bool {
+        self.from != self.to
+    }
+
+    /// Whether a body has a place at the end of the step.
+    pub(crate) fn has_place(&self, body: usize) -> bool {
+        self.placed(body, self.end_position(&self.ends[1], &self.to)).is_some()
+    }
+
+    /// A body at a position; `None` without a place.
+    fn placed(&self, number: usize, position: &Position) -> Option<Placed<'s>> {
+        let body = self.body(number)?;
+        let pose = position.carrier(body.carrier, self.places)?;
+        is_usable(&pose).then_some(Placed { shapes: &body.shapes, pose })
     }
 
     fn end_position<'p>(&self, end: &'p OnceCell<Position>, joints: &Joints) -> &'p Position {

@@ -1,10 +1,10 @@
-//! What a cell's file refers to: the arm, the data of an application, meshes.
+//! References of a cell's file: the arm, the data of an application, meshes.
 
 use camino::Utf8Path;
 
 use crate::mesh::Mesh;
 
-/// What a cell needs to know of an arm.
+/// Properties of an arm for building a cell.
 #[derive(Debug, Clone, Copy)]
 pub struct ArmBase {
     /// Number of axes.
@@ -13,7 +13,7 @@ pub struct ArmBase {
     pub height: f64,
 }
 
-/// What a cell's file refers to.
+/// Access to the data and meshes to which a cell's file refers.
 pub trait Surroundings {
     /// Reads a mesh file. The error is a message without the path.
     ///

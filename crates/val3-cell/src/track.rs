@@ -1,4 +1,4 @@
-//! The smallest distance of a pair in each step, without measuring while the pair is far.
+//! Smallest distance of a pair in each step. Far pairs are not measured.
 
 use crate::measure::{Measured, Reading};
 use crate::pairs::Pair;
@@ -7,7 +7,7 @@ use crate::step::Step;
 /// Exactness of a smallest distance, in mm.
 pub(crate) const EXACT: f64 = 0.1;
 
-/// What is known of the distance of a pair.
+/// Last known distance of a pair.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Track {
     /// The distance after the last step; `None` before the first.
@@ -22,7 +22,7 @@ struct Known {
     is_measured: bool,
 }
 
-/// Distances that a caller wants.
+/// Limits of the requested distances.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wanted {
     /// The smallest distance of the step is wanted if it is below this one.

@@ -5,13 +5,14 @@ use std::sync::Arc;
 use val3_kinematics::Joints;
 
 use crate::measure::Measured;
+use crate::observation::Observation;
 use crate::pairs::Pair;
 use crate::scene::Scene;
-use crate::step::{Past, Sight, Step};
+use crate::step::{Sight, Step};
 use crate::track::{EXACT, Found, Track, Wanted};
 
-/// Distance in mm at which things with the clearance 0 touch.
-const TOUCHING: f64 = 1e-9;
+/// Distance in mm at which things touch.
+pub const TOUCHING: f64 = 1e-9;
 
 /// An encounter of two things.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,9 +59,10 @@ impl EncounterState {
 /// Watches all pairs of a scene. A label states what the arm does in a cycle, such as the move that it executes.
 #[derive(Debug, Clone)]
 pub struct Watch<T> {
-    scene: Arc<Scene>,
-    past: Option<Past>,
+    observation: Observation,
     pairs: Vec<WatchedPair<T>>,
+    /// Bodies that had no place while the arm moved.
+    unplaced: Vec<bool>,
 }
 
 #[derive(Debug, Clone)]
@@ -85,45 +87,48 @@ impl<T: Clone> Watch<T> {
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         let pairs = vec![WatchedPair { track: Track::default(), nearest: None }; scene.pairs.len()];
-        Self { scene: Arc::new(scene), past: None, pairs }
+        let unplaced = vec![false; scene.bodies.len()];
+        Self { observation: Observation::new(Arc::new(scene)), pairs, unplaced }
     }
 
     /// The scene.
     #[must_use]
     pub fn scene(&self) -> &Arc<Scene> {
-        &self.scene
+        &self.observation.scene
+    }
+
+    /// Names of the things that had no place while the arm moved: their frames or tools had no father, or impossible
+    /// values. Their distances were unknown.
+    pub fn unplaced(&self) -> impl Iterator<Item = &str> {
+        let bodies = self.scene().body_names().zip(&self.unplaced);
+        bodies.filter(|(_, is_unplaced)| **is_unplaced).map(|(name, _)| name)
     }
 
     /// Looks at the end of a cycle. Returns the encounters that begin, become contacts or end.
     pub fn see(&mut self, sight: &Sight<'_>, label: &T) -> Vec<Encounter<T>> {
-        if !Arc::ptr_eq(&self.scene.arm, sight.arm) {
-            // Other lengths of links: all bounds are void.
-            self.scene = Arc::new(self.scene.with_arm(Arc::clone(sight.arm)));
-            self.forget_distances();
-        } else if self.past.as_ref().is_some_and(|past| past.is_same(sight)) {
-            self.past = Some(Past::of(sight));
+        if self.observation.is_same(sight) {
+            self.observation.record(sight);
             return Vec::new();
         }
-        if self.past.as_ref().is_some_and(|past| past.has_jumped(sight)) {
-            self.forget_distances();
+        if self.observation.adopt(sight) {
+            self.pairs.iter_mut().for_each(|pair| pair.track = Track::default());
         }
-        let step = Step::new(&self.scene, self.past.as_ref(), sight);
-        let present = Present { step: &step, label, at_start: self.past.is_none() };
-        let pairs = self.scene.pairs.iter().zip(&mut self.pairs);
-        let encounters = pairs.flat_map(|(pair, watched)| watched.see(&self.scene, pair, &present)).flatten().collect();
-        self.past = Some(Past::of(sight));
+        let (scene, step) = (&self.observation.scene, self.observation.step(sight));
+        for (number, unplaced) in self.unplaced.iter_mut().enumerate() {
+            *unplaced |= step.is_motion() && !step.has_place(number);
+        }
+        let present = Present { step: &step, label, at_start: self.observation.is_new() };
+        let pairs = scene.pairs.iter().zip(&mut self.pairs);
+        let encounters = pairs.flat_map(|(pair, watched)| watched.see(scene, pair, &present)).flatten().collect();
+        self.observation.record(sight);
         encounters
-    }
-
-    fn forget_distances(&mut self) {
-        self.pairs.iter_mut().for_each(|pair| pair.track = Track::default());
     }
 
     /// Ends all encounters, at the end of a run.
     pub fn finish(&mut self) -> Vec<Encounter<T>> {
-        let pairs = self.scene.pairs.iter().zip(&mut self.pairs);
-        let ended = pairs.filter_map(|(pair, watched)| {
-            Some(watched.nearest.take()?.encounter(EncounterState::Clear, self.scene.names(pair)))
+        let scene = &self.observation.scene;
+        let ended = scene.pairs.iter().zip(&mut self.pairs).filter_map(|(pair, watched)| {
+            Some(watched.nearest.take()?.encounter(EncounterState::Clear, scene.names(pair)))
         });
         ended.collect()
     }

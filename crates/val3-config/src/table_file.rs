@@ -14,7 +14,7 @@ use crate::error::line_of;
 use crate::schema::schema_of;
 use crate::validate::{SettingError, first_error};
 
-/// Content of a TOML file, with the places of its keys.
+/// Values of a TOML file, and the byte ranges of its keys.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TableFile<T> {
     /// Path of the file.

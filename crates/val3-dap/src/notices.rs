@@ -6,7 +6,7 @@ use serde_json::Value;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
-use val3_machine::event::{Event as MachineEvent, EventKind};
+use val3_machine::event::{ClearanceMove, Event as MachineEvent, EventKind};
 
 use crate::conventions::Conventions;
 use crate::protocol::{
@@ -149,6 +149,9 @@ fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
         EventKind::Fault { instruction, text, .. } => {
             (format!("the arm cannot follow the path of this {instruction}: {text}"), OutputEventCategory::Stderr)
         }
+        EventKind::Clearance { state: "contact", a, b, .. } => {
+            (format!("`{a}` touches `{b}`"), OutputEventCategory::Stderr)
+        }
         EventKind::Lacking { instruction, .. } => (
             format!("this controller does not have the instruction `{instruction}`: the run ends here"),
             OutputEventCategory::Stderr,
@@ -162,7 +165,8 @@ fn place(event: &MachineEvent, controller: &Controller) -> Option<(u32, String)>
     match &event.kind {
         EventKind::Error { line, file, .. }
         | EventKind::Fault { line, file, .. }
-        | EventKind::Lacking { line, file, .. } => Some((*line, file.clone())),
+        | EventKind::Lacking { line, file, .. }
+        | EventKind::Clearance { of: Some(ClearanceMove { line, file, .. }), .. } => Some((*line, file.clone())),
         _ => {
             let (_, line, file) = controller.devices.place(event.at?);
             Some((line, file)).filter(|(_, file)| !file.is_empty())

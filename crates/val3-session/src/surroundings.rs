@@ -59,7 +59,13 @@ pub(crate) fn place(
     let cell = cell.map_err(configuration)?;
     if !cell.missing.is_empty() {
         let names = cell.missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        let text = format!("without {names} of `{path}`: this application does not have their frames and tools");
+        let file = path.file_name().unwrap_or(FILE_NAME);
+        let text = format!("without {names} of {file}: this application does not have their frames and tools");
+        controller.devices.record_outside(0, EventKind::Notice { text });
+    }
+    let arm = controller.arm().model();
+    if arm.shapes().is_empty() {
+        let text = format!("the links of the arm `{}` have no [shapes]: their distances are unknown", arm.name());
         controller.devices.record_outside(0, EventKind::Notice { text });
     }
     controller.surround(cell);

@@ -356,7 +356,7 @@ mod tests {
                   |
                 1 | aplication = "a"
                   | ^^^^^^^^^^
-                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `start`, `power`, `monitor_speed`, `tags`, `replace`, `at`, `when`, `silent`, `expect`"#]],
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `cell`, `start`, `power`, `monitor_speed`, `tags`, `replace`, `at`, `when`, `silent`, `expect`"#]],
         );
         check_error(
             "application = 1",
@@ -383,7 +383,7 @@ mod tests {
                   |
                 2 | scren = ["a"]
                   | ^^^^^
-                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`"#]],
+                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`, `contact`, `clearance`"#]],
         );
         check_error(
             "[expect]\nscreen = \"a\"",

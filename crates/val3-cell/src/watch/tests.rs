@@ -3,6 +3,7 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::Arm;
 
 use super::*;
+use crate::step::Past;
 use crate::testing::{arm, build, scene, sight};
 
 /// Seconds of a cycle.
@@ -100,6 +101,29 @@ fn a_frame_that_moves_carries_its_things() {
 }
 
 #[test]
+fn a_thing_without_a_place_is_known() {
+    let arm = arm("tx2-60l");
+    let mut watch = Watch::new(scene("[[object]]\nname = \"cup\"\nin = \"fPart\"\nsphere = { radius = 20 }", &arm));
+    let mut see = |joints: Joints, place: Option<IsometryMatrix3<f64>>, time| {
+        watch.see(&Sight { places: vec![place], ..sight(&arm, joints, time) }, &());
+        watch.unplaced().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let place = Some(Trsf::new([2000.0, 0.0, 0.0], [0.0; 3]).isometry());
+    // The place is missing while the arm rests, and known while it moves.
+    assert_eq!(see([0.0; 6], None, 0.0), [""; 0]);
+    assert_eq!(see([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], place, 0.004), [""; 0]);
+    assert_eq!(see([2.0, 0.0, 0.0, 0.0, 0.0, 0.0], None, 0.008), ["cup"]);
+}
+
+#[test]
+fn distances_of_standing_things_and_of_parts_of_the_arm_are_not_recorded() {
+    let scene = scene(CELL, &arm("tx2-60l"));
+    let compares = |a: &str, b: &str| scene.compares(&[a.to_owned(), b.to_owned()]);
+    assert!(compares("gripper", "table") && compares("table", "gripper") && compares("link2", "post"));
+    assert!(!compares("table", "post") && !compares("link1", "link5") && !compares("base", "table"));
+}
+
+#[test]
 fn an_arm_that_is_placed_elsewhere_touches_nothing_on_the_way() {
     let arm = arm("tx2-60l");
     let wall = "[[object]]\nname = \"wall\"\nbox = [0.1, 400, 400]\nat = [850, 0, 0]";
@@ -140,7 +164,7 @@ fn path() -> impl Strategy<Value = Vec<Joints>> {
         .prop_map(|corners| corners.windows(2).flat_map(|ends| line(ends[0], ends[1], 100)).collect())
 }
 
-/// Smallest distance of each pair on a path, from four positions a cycle, without bounds.
+/// Measures the smallest distance of each pair on a path at four positions in each cycle, without bounds.
 fn sampled(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<f64> {
     let scene = scene(text, arm);
     let least = |pair: &Pair| {

@@ -69,10 +69,24 @@ impl Controller {
         self.record_encounters(now, encounters);
     }
 
-    /// Ends all encounters, at the end of a run.
+    /// Ends all encounters at the end of a run, and notes the things whose distances were unknown.
     pub fn end_encounters(&mut self) {
+        if let Some(text) = self.unplaced_things() {
+            self.devices.record_outside(self.now(), EventKind::Notice { text });
+        }
         let encounters = self.devices.state.watch.as_mut().map(Watch::finish).unwrap_or_default();
         self.record_encounters(self.now(), encounters);
+    }
+
+    /// States which things had no place while the arm moved; `None` if all had one.
+    #[must_use]
+    pub fn unplaced_things(&self) -> Option<String> {
+        let watch = self.devices.state.watch.as_ref()?;
+        let names: Vec<String> = watch.unplaced().map(|name| format!("`{name}`")).collect();
+        let names = (!names.is_empty()).then(|| names.join(", "))?;
+        Some(format!(
+            "the distances of {names} were unknown while the arm moved: the frame or tool had no father, or impossible values"
+        ))
     }
 
     fn record_encounters(&mut self, now: Time, encounters: Vec<Encounter<Option<CurrentMove>>>) {

@@ -68,6 +68,23 @@ impl Clearance {
         if let Some(impossible) = limits.iter().find(|limit| !(0.0..=GREATEST).contains(&limit.above)) {
             return Some(format!("{} mm is no clearance: write 0 to {GREATEST} mm", impossible.above));
         }
+        let is_of_all = limits.iter().any(|limit| limit.of.is_none());
+        if is_of_all && !scene.has_link_shapes() {
+            return Some(
+                "the links of the arm have no [shapes], so their distances are unknown: name pairs".to_owned(),
+            );
+        }
+        let missing = &scene.cell().missing;
+        if let Some(name) = missing.first().filter(|_| is_of_all) {
+            return Some(format!(
+                "`{name}` is left out, because this application does not have its frame or tool: name pairs"
+            ));
+        }
+        if let Some([a, b]) = limits.iter().filter_map(|limit| limit.of.as_ref()).find(|pair| is_ignored(scene, pair)) {
+            return Some(format!(
+                "the distance of `{a}` and `{b}` is not compared: both stand, or belong to the arm, or may touch"
+            ));
+        }
         let mut names = limits.iter().filter_map(|limit| limit.of.as_ref()).flatten();
         let unknown = names.find(|name| !scene.has_body(name))?;
         let help = question(nearest(unknown, scene.body_names())).unwrap_or_else(|| {
@@ -75,6 +92,11 @@ impl Clearance {
         });
         Some(format!("the cell has nothing with the name `{unknown}`: {help}"))
     }
+}
+
+/// Whether both bodies exist, and their distance is not recorded.
+fn is_ignored(scene: &Scene, pair: &[String; 2]) -> bool {
+    pair.iter().all(|name| scene.has_body(name)) && !scene.compares(pair)
 }
 
 /// Expectations about distances that no run can meet.
@@ -130,6 +152,7 @@ impl ClearanceState {
     pub(super) fn failures(
         &self,
         Expectations { contact, clearance, .. }: &Expectations,
+        controller: &Controller,
         source: &ExpectationSource,
     ) -> Vec<Failure> {
         let is_expected = contact.as_ref().is_some_and(|contact| *contact.get_ref());
@@ -142,7 +165,11 @@ impl ClearanceState {
             let place = source.place("expect.clearance", clearance.span());
             self.near(clearance.get_ref(), &place)
         });
-        missing.into_iter().chain(unexpected).chain(near).collect()
+        let unplaced = clearance.as_ref().zip(controller.unplaced_things()).map(|(clearance, message)| Failure {
+            message,
+            places: vec![source.place("expect.clearance", clearance.span())],
+        });
+        missing.into_iter().chain(unexpected).chain(near).chain(unplaced).collect()
     }
 
     fn near(&self, clearance: &Clearance, place: &FailureLocation) -> Vec<Failure> {

@@ -109,7 +109,7 @@ impl Observer {
         failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
         failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));
         failures.extend(self.motion.failures(&self.expectations, controller, source));
-        failures.extend(self.clearance.failures(&self.expectations, source));
+        failures.extend(self.clearance.failures(&self.expectations, controller, source));
         failures
     }
 

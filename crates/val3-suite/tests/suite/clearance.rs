@@ -106,6 +106,21 @@ fn a_contact_is_a_failure_unless_it_is_expected() {
 }
 
 #[test]
+fn a_thing_without_a_place_has_no_distance() {
+    let code = CODE.replace("WALL", "200").replace("joint jReady", "frame fWall\njoint jReady");
+    let code = code.replace("name = \"wall\"", "name = \"wall\"\nin = \"fWall\"");
+    // A frame that refers to itself has no place.
+    let code = code.replace("begin\n", "begin\n  link(fWall,fWall)\n");
+    let mut bench = Bench::open(&code, "main");
+    let result = bench.scenario("[expect]\nclearance = 20\n");
+    expect![[r#"
+        failed, 1.688 s
+        the distances of `wall` were unknown while the arm moved: the frame or tool had no father, or impossible values
+          at expect.clearance (cell.toml:2)"#]]
+    .assert_eq(&bench.shown(&result));
+}
+
+#[test]
 fn expectations_name_things_of_the_cell() {
     let code = CODE.replace("WALL", "200");
     faults(
@@ -114,6 +129,19 @@ fn expectations_name_things_of_the_cell() {
         expect!["line 1: the cell has nothing with the name `wal`: did you mean `wall`?"],
     );
     faults(&code, "[expect]\nclearance = 900\n", expect!["line 2: 900 mm is no clearance: write 0 to 500 mm"]);
+    faults(
+        &code,
+        "[[expect.clearance]]\nabove = 45\nof = [\"link1\", \"link5\"]\n",
+        expect![
+            "line 1: the distance of `link1` and `link5` is not compared: both stand, or belong to the arm, or may touch"
+        ],
+    );
+    let elsewhere = code.replace("name = \"wall\"", "name = \"wall\"\nin = \"fElsewhere\"");
+    faults(
+        &elsewhere,
+        "[expect]\nclearance = 20\n",
+        expect!["line 2: `wall` is left out, because this application does not have its frame or tool: name pairs"],
+    );
     let (empty, _) = code.split_once("===").unwrap();
     faults(
         empty,

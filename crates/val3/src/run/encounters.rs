@@ -2,10 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use val3_cell::TOUCHING;
 use val3_machine::event::{ClearanceMove, Event, EventKind};
-
-/// Greatest distance in mm of things that touch.
-const TOUCHING: f64 = 1e-9;
 
 /// Smallest depth of an overlap in mm that is shown as a number.
 const DEPTH: f64 = 0.05;

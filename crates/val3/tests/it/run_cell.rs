@@ -95,6 +95,30 @@ fn a_near_miss_is_a_note() {
     assert_eq!(run.code, 0);
 }
 
+/// An arm whose links have no shapes.
+const BARE_ARM: &str = "name = \"bare\"\nkind = \"six-axis\"\n\
+    [geometry]\na1 = 50\nb = 50\nc2 = 425\nc3 = 425\nc4 = 100\n\
+    [axes]\nmin = [-180, -130, -145, -270, -115, -270]\nmax = [180, 147.5, 145, 270, 140, 270]\n\
+    maximum_speed = [400, 400, 430, 540, 475, 760]\n";
+
+#[test]
+fn unknown_distances_are_noted() {
+    let folder = folder(200.0);
+    folder.write("bare.toml", BARE_ARM);
+    folder.write("val3.toml", "arm = \"bare.toml\"\n[run]\npower = true\n");
+    folder.write(
+        "cell.toml",
+        "[[object]]\nname = \"wall\"\nin = \"fWall\"\nat = [1e5, 0, 0]\nbox = [1, 2, 3]\n\
+                               [[object]]\nname = \"tray\"\nin = \"fElsewhere\"\nbox = [1, 2, 3]\n",
+    );
+    let run = folder.val3(&["run"]);
+    expect![[r#"
+        note: without `tray` of cell.toml: this application does not have their frames and tools
+        note: the links of the arm `bare` have no [shapes]: their distances are unknown
+    "#]]
+    .assert_eq(&run.stderr);
+}
+
 #[test]
 fn a_cell_can_be_chosen() {
     let folder = folder(150.0);

@@ -86,11 +86,11 @@ export class ArmShape {
         group.add(read);
         this.changed();
       }, (fault: unknown) => {
-        group.add(solid());
         // A picture that was built again meanwhile reads its files itself.
         if (this.isDisposed) {
           return;
         }
+        group.add(solid());
         this.changed(`${name} is drawn as a solid, because its file cannot be read: ${fault instanceof Error ? fault.message : String(fault)}`);
       });
     } else {
