@@ -10,7 +10,7 @@ use val3_syntax::TextRange;
 
 use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::file_check::FileCheck;
-use crate::items::manifest::{Spelling, entries, spelling};
+use crate::items::manifest::{ListNames, Spelling, entries, spelling};
 use crate::items::parse;
 use crate::items::project::{find_file, find_project, folder, items, leads_outside};
 use crate::paths::{self, ResolvedPath};
@@ -39,7 +39,7 @@ struct ProjectCheck<'db> {
 /// A list of libraries or user types in a project file.
 struct ReferenceList {
     /// Names of the list and of an entry.
-    list: (&'static str, &'static str),
+    list: ListNames,
     /// Attribute with the entry's name.
     name: &'static str,
     /// Attribute with the entry's path.
@@ -81,9 +81,9 @@ impl ProjectCheck<'_> {
     fn children(&mut self, root: XmlElement<'_>, spelling: &Spelling) {
         let lists = [spelling.programs, spelling.data, spelling.libraries, spelling.types];
         for element in root.elements().filter(|element| element.name() != spelling.parameters) {
-            match lists.iter().find(|(list, _)| *list == element.name()) {
-                Some((_, item)) => {
-                    let foreign = element.elements().filter(|inner| inner.name() != *item);
+            match lists.iter().find(|names| names.list == element.name()) {
+                Some(names) => {
+                    let foreign = element.elements().filter(|inner| inner.name() != names.item);
                     foreign.for_each(|inner| self.found.unexpected(inner, element));
                 }
                 None => self.found.unexpected(element, root),
@@ -109,7 +109,7 @@ impl ProjectCheck<'_> {
     }
 
     /// Checks the entries of program or data files.
-    fn files(&mut self, root: XmlElement<'_>, list: (&'static str, &'static str), what: FileRole) {
+    fn files(&mut self, root: XmlElement<'_>, list: ListNames, what: FileRole) {
         let mut seen: FxHashMap<String, TextRange> = FxHashMap::default();
         for element in entries(root, list) {
             let Some(file) = element.attribute("file") else { continue };

@@ -22,12 +22,7 @@ pub(crate) use loaded::{Loaded, LoadedLink};
 
 impl Kinds<'_> {
     /// Reads a `<Data>` or `<Field>`, or the corresponding elements of the old dialect.
-    pub(crate) fn load(
-        &mut self,
-        element: Xml<'_>,
-        (container, sizes): (Container, &[u32]),
-        base: Base,
-    ) -> Result<Loaded> {
+    pub(crate) fn load(&mut self, element: Xml<'_>, container: Container, sizes: &[u32], base: Base) -> Result<Loaded> {
         let base = base.on_arm(self.arm);
         let kind = self.kind(base)?;
         let (shape, written) = placed(element, container, sizes);
@@ -46,7 +41,7 @@ impl Kinds<'_> {
         let mut overridden = vec![false; if kind.fields.is_empty() { 0 } else { count as usize }];
         let father = fathers::of_all_values(element);
         for (number, value) in written.into_iter().filter(|(number, _)| *number < count) {
-            let read = self.value(value, father.as_ref(), (base, &kind), number, &mut loaded.links)?;
+            let read = self.value(value, father.as_ref(), base, &kind, number, &mut loaded.links)?;
             put(&mut loaded.init.values, number, read);
             overridden.get_mut(number as usize).into_iter().for_each(|slot| *slot = true);
         }
@@ -58,13 +53,14 @@ impl Kinds<'_> {
         &mut self,
         value: Xml<'_>,
         father: Option<&FatherLink>,
-        (base, kind): (Base, &ValueType),
+        base: Base,
+        kind: &ValueType,
         number: u32,
         links: &mut Vec<LoadedLink>,
     ) -> Result<DetachedValue> {
         match base {
-            Base::Builtin(base, arm) => Ok(values::read(value, father, (base, arm, kind), number, links)),
-            Base::User(_) => self.user_value(value, (base, kind), number, links),
+            Base::Builtin(base, arm) => Ok(values::read(value, father, base, arm, kind, number, links)),
+            Base::User(_) => self.user_value(value, base, kind, number, links),
             Base::Unknown => Err(CompileLimit::Unclear),
         }
     }
@@ -73,7 +69,8 @@ impl Kinds<'_> {
     fn user_value(
         &mut self,
         value: Xml<'_>,
-        (base, kind): (Base, &ValueType),
+        base: Base,
+        kind: &ValueType,
         number: u32,
         links: &mut Vec<LoadedLink>,
     ) -> Result<DetachedValue> {
@@ -83,7 +80,7 @@ impl Kinds<'_> {
             let named = |element: &Xml<'_>| element.value("name").is_some_and(|name| name == field.name.as_str());
             if let Some(element) = value.elements().find(named) {
                 let declared = val3_analysis::items::data::shape(element);
-                let loaded = self.load(element, (declared.container, &declared.sizes), base)?;
+                let loaded = self.load(element, declared.container, &declared.sizes, base)?;
                 links.extend(loaded.links.iter().map(|found| found.within(number, at)));
                 parts.push(loaded.init);
             } else {

@@ -85,7 +85,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
                 Ok(CompiledValue { location, base: Base::of(BaseType::String) })
             }
             Expr::Unary(op, operand) => self.unary(*op, *operand, want),
-            Expr::Binary(op, left, right) => self.binary(*op, (*left, *right), want),
+            Expr::Binary(op, left, right) => self.binary(*op, *left, *right, want),
             Expr::Assign(target, value) => self.assign(*target, *value),
             Expr::Call(callee, args) => self.instruction_value(id, *callee, args, want),
             Expr::Struct(values) => self.literal(self.base(id), values),

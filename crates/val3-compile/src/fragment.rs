@@ -20,8 +20,14 @@ use crate::kinds::Kinds;
 use crate::statements::Statements;
 use crate::unit::CompileUnit;
 
-/// Image of a project in memory, and the program's variables.
-pub type FragmentScope<'i> = (&'i Image, &'i [FrameVariable]);
+/// Names that a fragment can use.
+#[derive(Clone, Copy)]
+pub struct FragmentScope<'i> {
+    /// Image of the project in memory.
+    pub image: &'i Image,
+    /// The program's variables.
+    pub variables: &'i [FrameVariable],
+}
 
 /// Compiles the statements in `file`, which can use a program's variables.
 ///
@@ -33,7 +39,7 @@ pub fn compile_statements(
     file: File,
     scope: FragmentScope<'_>,
 ) -> std::result::Result<Fragment, CompileError> {
-    compile(db, (project, file), scope, |statements| {
+    compile(db, project, file, scope, |statements| {
         statements.block(&body(db, file).block)?;
         Ok(None)
     })
@@ -49,7 +55,7 @@ pub fn compile_expression(
     file: File,
     scope: FragmentScope<'_>,
 ) -> std::result::Result<Fragment, CompileError> {
-    compile(db, (project, file), scope, |statements| match body(db, file).block.as_slice() {
+    compile(db, project, file, scope, |statements| match body(db, file).block.as_slice() {
         [Stmt { kind: StmtKind::Print(id), range }] => statements.watched(*range, *id).map(Some),
         _ => Err(CompileLimit::Unclear),
     })
@@ -57,8 +63,9 @@ pub fn compile_expression(
 
 fn compile(
     db: &dyn Db,
-    (project, file): (Project, File),
-    (image, variables): FragmentScope<'_>,
+    project: Project,
+    file: File,
+    FragmentScope { image, variables }: FragmentScope<'_>,
     write: impl FnOnce(&mut Statements<'_, '_>) -> Result<Option<FragmentValue>>,
 ) -> std::result::Result<Fragment, CompileError> {
     let error = |limit| CompileError::at(file.path(db).as_str(), 1, limit);

@@ -117,7 +117,7 @@ impl<'db> Kinds<'db> {
                 let Some(decl) = data::declaration(element).filter(|decl| wanted(decl)) else { continue };
                 if known.insert(decl.name.clone()) {
                     let base = resolve_type(types, &decl.type_name).unwrap_or(Base::Unknown);
-                    let loaded = there(self.load(element, (decl.container, &decl.sizes), base));
+                    let loaded = there(self.load(element, decl.container, &decl.sizes, base));
                     let bytes = loaded.as_ref().ok().and_then(Option::as_ref).map_or(0, |loaded| loaded.init.bytes());
                     total = total.saturating_add(bytes);
                     let loaded = fits(total).and(loaded).map_err(|limit| {

@@ -39,15 +39,17 @@ pub(crate) fn compile(
     let signature = signature(db, project, file);
     let program = Declarations { out: statements.out(), header, body, types }
         .declare(&signature.params)
-        .and_then(|declared| whole(&mut statements, body, declared, (signature, number)));
+        .and_then(|(params, variables)| whole(&mut statements, body, params, variables, signature, number));
     program.map_err(|limit| CompileError::at(file.path(db).as_str(), statements.row(), limit))
 }
 
 fn whole(
     statements: &mut Statements<'_, '_>,
     body: &Body,
-    (params, variables): (Vec<ProgramParam>, Vec<FrameVariable>),
-    (signature, file): (&Signature, u32),
+    params: Vec<ProgramParam>,
+    variables: Vec<FrameVariable>,
+    signature: &Signature,
+    file: u32,
 ) -> Result<Program> {
     let stack_bytes = statements.out().frame().bytes();
     statements.block(&body.block)?;

@@ -124,7 +124,8 @@ impl<'db> CompileUnit<'db> {
         &mut self,
         alias: &str,
         name: &SmolStr,
-        (interface, file): (Project, File),
+        interface: Project,
+        file: File,
     ) -> Result<u16> {
         let library = self.library(alias)?;
         let key = program_key(name);
@@ -151,7 +152,7 @@ impl<'db> CompileUnit<'db> {
             }
             for name in sorted(promised.programs.keys()) {
                 if let Some(file) = promised.programs.get(name) {
-                    self.import_public(alias, name, (interface, *file))?;
+                    self.import_public(alias, name, interface, *file)?;
                 }
             }
         }
@@ -162,17 +163,17 @@ impl<'db> CompileUnit<'db> {
     fn import_add_on_programs(&mut self) -> Result<()> {
         for AddOnProgram { library, name, file } in add_on_programs::programs(self.db, self.project) {
             if library.project != self.project {
-                self.import_public(&library.alias, &name, (library.project, file))?;
+                self.import_public(&library.alias, &name, library.project, file)?;
             }
         }
         Ok(())
     }
 
-    fn import_public(&mut self, alias: &str, name: &SmolStr, (interface, file): (Project, File)) -> Result<()> {
+    fn import_public(&mut self, alias: &str, name: &SmolStr, interface: Project, file: File) -> Result<()> {
         if !signature(self.db, interface, file).public {
             return Ok(());
         }
-        there(self.import_program(alias, name, (interface, file))).map(drop)
+        there(self.import_program(alias, name, interface, file)).map(drop)
     }
 
     fn import(&mut self, library: u16, name: &SmolStr, kind: ImportKind) -> Result<u16> {

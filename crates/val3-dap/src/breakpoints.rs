@@ -307,7 +307,7 @@ impl SourceBreakpoints {
             return pending.map(|(id, _)| unplaced(*id, BreakpointReason::Pending, message)).collect();
         };
         let parsed =
-            self.breakpoints.iter().map(|(id, breakpoint)| (*id, parse(*id, breakpoint, (&file, run), conventions)));
+            self.breakpoints.iter().map(|(id, breakpoint)| (*id, parse(*id, breakpoint, &file, run, conventions)));
         let parsed: Vec<(BreakpointId, Result<Breakpoint, Unverified>)> = parsed.collect();
         let valid = parsed.iter().filter_map(|(_, parsed)| parsed.clone().ok()).collect();
         let rows: BTreeMap<BreakpointId, Option<u32>> =
@@ -323,12 +323,7 @@ impl SourceBreakpoints {
     }
 }
 
-fn parse(
-    id: BreakpointId,
-    breakpoint: &SourceBreakpoint,
-    (file, run): (&str, &mut DebuggedRun<'_>),
-    conventions: &Conventions,
-) -> Result<Breakpoint, Unverified> {
+fn parse(id: BreakpointId, breakpoint: &SourceBreakpoint, file: &str, run: &mut DebuggedRun<'_>, conventions: &Conventions) -> Result<Breakpoint, Unverified> {
     let condition = written(breakpoint.condition.as_deref());
     let condition = condition.map(|text| ConditionText::compiled(text, file, run)).transpose();
     let ConditionText { task, condition } = condition.map_err(Unverified::new)?.unwrap_or_default();

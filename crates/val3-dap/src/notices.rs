@@ -57,7 +57,7 @@ impl Notices {
     ) -> Option<OutputEvent> {
         let (output, category) = match &event.kind {
             EventKind::Put { screen, x, y, text, ends_line } => {
-                (self.screen.put(screen, (*x, *y), text, *ends_line)?, OutputEventCategory::Stdout)
+                (self.screen.put(screen, *x, *y, text, *ends_line)?, OutputEventCategory::Stdout)
             }
             _ => message(event).map(|(text, category)| (text + "\n", category))?,
         };

@@ -11,7 +11,7 @@ pub(crate) struct ScreenText {
 impl ScreenText {
     /// Returns the output for text at a cell (column, row). Text elsewhere than directly after the last text begins a
     /// line.
-    pub(crate) fn put(&mut self, page: &str, (x, y): (u8, u8), text: &str, ends_line: bool) -> Option<String> {
+    pub(crate) fn put(&mut self, page: &str, x: u8, y: u8, text: &str, ends_line: bool) -> Option<String> {
         if self.is_hidden {
             return None;
         }
@@ -29,7 +29,7 @@ mod tests {
     #[test]
     fn text_continues_a_line_only_where_the_cursor_is() {
         let mut screen = ScreenText::default();
-        let mut put = |page, at, text, ends_line| screen.put(page, at, text, ends_line).unwrap();
+        let mut put = |page, (x, y): (u8, u8), text, ends_line| screen.put(page, x, y, text, ends_line).unwrap();
         assert_eq!(put("", (0, 0), "count ", false), "count ");
         assert_eq!(put("", (6, 0), "5", true), "5\n");
         assert_eq!(put("", (0, 1), "left", false), "left");
@@ -42,6 +42,6 @@ mod tests {
     #[test]
     fn hidden_text_is_no_output() {
         let mut screen = ScreenText { is_hidden: true, end: None };
-        assert_eq!(screen.put("", (0, 0), "text", true), None);
+        assert_eq!(screen.put("", 0, 0, "text", true), None);
     }
 }

@@ -262,7 +262,7 @@ impl Breakpoints {
     /// entered it.
     fn rules<'a>(&'a self, space: &Space, next: &'a NextLine) -> Vec<StopRule<'a>> {
         let Some(program) = next.image.programs.get(usize::from(next.program)) else { return Vec::new() };
-        let in_file = here(&self.files, (&next.image, program), next.line).map(|breakpoint| StopRule {
+        let in_file = here(&self.files, &next.image, program, next.line).map(|breakpoint| StopRule {
             id: breakpoint.id,
             task: breakpoint.task.as_deref(),
             condition: breakpoint.condition.as_ref(),
@@ -273,7 +273,7 @@ impl Breakpoints {
             return in_file.collect();
         }
         let file = file_of(&next.image, program);
-        let entered = self.programs.of(space, (next.instance, &program.name)).into_iter().map(|breakpoint| StopRule {
+        let entered = self.programs.of(space, next.instance, &program.name).into_iter().map(|breakpoint| StopRule {
             id: breakpoint.id,
             task: breakpoint.task.as_deref(),
             condition: breakpoint.conditions.get(file),
@@ -347,7 +347,8 @@ fn resolved_row(space: &Space, file: &str, row: u32) -> Option<u32> {
 /// Returns the breakpoints on a line of a program.
 fn here<'a>(
     files: &'a BTreeMap<String, Vec<Breakpoint>>,
-    (image, program): (&Image, &'a Program),
+    image: &Image,
+    program: &'a Program,
     line: SourceLine,
 ) -> impl Iterator<Item = &'a Breakpoint> {
     let own = files.get(file_of(image, program)).into_iter().flatten();

@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, InstanceId, Vm};
 
 use crate::evaluate::{end_message, evaluate, expression_grant};
-use crate::values::DisplayFormat;
+use crate::values::{DisplayFormat, NamedFragment};
 
 /// Expression that is compiled for the program of a breakpoint.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,14 +110,8 @@ impl CompiledExpression {
                 end => return end_message(&end),
             }
         }
-        match evaluate(
-            controller,
-            (&self.fragment, &self.text),
-            context,
-            (&mut expression_grant(), DisplayFormat::default()),
-        )
-        .0
-        {
+        let code = NamedFragment { fragment: &self.fragment, text: &self.text };
+        match evaluate(controller, code, context, &mut expression_grant(), DisplayFormat::default()).0 {
             FragmentEnd::Value(value) => value.shown,
             end => end_message(&end),
         }

@@ -167,7 +167,7 @@ impl Debugger {
                 _ if *access == DataAccess::Write => false,
                 (None, _) => false,
                 (Some((task, _)), Some(signal)) => signal_reads.contains(&(task, signal)),
-                (Some((task, line)), None) => data.is_read(&mut self.controller, task, line),
+                (Some((task, (frame, op))), None) => data.is_read(&mut self.controller, task, frame, op),
             };
             let has_changed = now != watch.seen;
             let is_over = now.is_none() && data.is_local();

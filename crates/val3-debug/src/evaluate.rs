@@ -1,13 +1,12 @@
 //! Evaluation of compiled code in stack frames.
 
-use val3_bytecode::Fragment;
 use val3_lang::fault::Fault;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 use val3_vm::{FragmentContext, FragmentEnd};
 
-use crate::values::{self, DebugValue, DisplayFormat};
+use crate::values::{self, DebugValue, DisplayFormat, NamedFragment};
 
 /// Number of lines that an expression may execute.
 const LINES: u32 = 1000;
@@ -17,17 +16,18 @@ pub fn expression_grant() -> impl Iterator<Item = u32> {
     std::iter::once(LINES)
 }
 
-/// Executes a fragment, without a turn of any task, until it ends or has executed the granted lines. Returns its value,
-/// which is named `text`, and its events.
+/// Executes a fragment, without a turn of any task, until it ends or has executed the granted lines. Returns its value
+/// and its events.
 pub fn evaluate(
     controller: &mut Controller,
-    (fragment, text): (&Fragment, &str),
+    code: NamedFragment<'_>,
     context: FragmentContext,
-    (grants, format): (&mut dyn Iterator<Item = u32>, DisplayFormat),
+    grants: &mut dyn Iterator<Item = u32>,
+    format: DisplayFormat,
 ) -> (FragmentEnd<DebugValue>, Vec<Event>) {
     let names = values::names(&controller.vm, context);
-    let (end, events) = controller.evaluate(fragment, context, grants, |memory, devices, argument| {
-        values::evaluated((memory, devices), (&names, context), (argument, fragment), (text, format))
+    let (end, events) = controller.evaluate(code.fragment, context, grants, |memory, devices, argument| {
+        values::evaluated(memory, devices, &names, context, argument, code, format)
     });
     (end, events)
 }

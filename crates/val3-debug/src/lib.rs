@@ -49,8 +49,8 @@ pub use step_in::StepInTarget;
 pub use travel::MotionStop;
 pub use unlinked::{UnlinkedData, unlinked};
 pub use values::{
-    DebugValue, DisplayFormat, Inside, Scope, ScopeKind, count, data, row_of_data, scopes, string_of_data, subscript,
-    values,
+    DebugValue, DisplayFormat, Inside, NamedFragment, Scope, ScopeKind, count, data, row_of_data, scopes,
+    string_of_data, subscript, values,
 };
 pub use watched::WatchedData;
 pub use writes::{DataWrite, DataWrites};

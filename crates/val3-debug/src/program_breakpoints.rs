@@ -119,7 +119,7 @@ impl ProgramBreakpoints {
     }
 
     /// Returns the breakpoints of a program.
-    pub(crate) fn of(&self, space: &Space, (owner, program): (InstanceId, &str)) -> Vec<&ProgramBreakpoint> {
+    pub(crate) fn of(&self, space: &Space, owner: InstanceId, program: &str) -> Vec<&ProgramBreakpoint> {
         let named = self.0.iter().filter(|breakpoint| breakpoint.name.program == program);
         named.filter(|breakpoint| breakpoint.name.is_of(space, owner)).collect()
     }

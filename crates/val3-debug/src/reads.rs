@@ -101,7 +101,7 @@ impl ExecutedLine<'_> {
             Op::Locate2 { i, j, .. } => nums(&[i, j]),
             Op::Locate3 { i, .. } => nums(&[i, i.saturating_add(1), i.saturating_add(2)]),
             Op::LocateKey { key, .. } => texts(&[key]),
-            Op::Load { place, lane, .. } => self.place(place, (lane, 1), extent),
+            Op::Load { place, lane, .. } => self.place(place, lane, 1, extent),
             Op::Copy { site } => {
                 let site = self.program.copies.get(site as usize);
                 site.is_some_and(|site| self.operand(&site.from, site.kind.size, extent))
@@ -141,7 +141,7 @@ impl ExecutedLine<'_> {
         match text.source() {
             TextSource::Register(number) => extent.texts.contains(&(self.frame.base.text + u32::from(number))),
             TextSource::First(kind) => self.found(kind).is_some_and(|store| extent.stores.contains(&store)),
-            TextSource::Place(number) => self.place(number, (0, 0), extent),
+            TextSource::Place(number) => self.place(number, 0, 0, extent),
             TextSource::Constant(_) => false,
         }
     }
@@ -168,7 +168,7 @@ impl ExecutedLine<'_> {
     }
 
     /// Whether reading numbers at a place reads the data. For a text `count` is 0, and every text at the place counts.
-    fn place(&self, number: Register, (lane, count): (u16, u32), extent: &Extent) -> bool {
+    fn place(&self, number: Register, lane: u16, count: u32, extent: &Extent) -> bool {
         let at = self.frame.base.place as usize + usize::from(number);
         self.memory.stack.places.get(at).is_some_and(|place| match place.store {
             StoreId::STACK => {

@@ -51,7 +51,7 @@ pub fn unlinked(controller: &mut Controller, task: TaskNumber) -> Vec<UnlinkedDa
         let Ok(data) = WatchedData::new(controller, FragmentContext::Frame(task, 0), &name) else { continue };
         let ports = data.ports(controller);
         if let Some(unlinked) = faulty(&name, &ports, &controller.devices)
-            && data.is_read(controller, task, (frame, op))
+            && data.is_read(controller, task, frame, op)
             && !found.contains(&unlinked)
         {
             found.push(unlinked);

@@ -233,13 +233,25 @@ pub fn values(
     })
 }
 
+/// Compiled code with its text.
+#[derive(Clone, Copy)]
+pub struct NamedFragment<'f> {
+    /// The code.
+    pub fragment: &'f Fragment,
+    /// Name of the value.
+    pub text: &'f str,
+}
+
 /// Returns the value of an evaluated expression while it is in memory. If the expression is not a variable, its value
 /// is read with all nested values.
 pub(crate) fn evaluated(
-    (memory, devices): (&mut Memory, &Devices),
-    (names, context): (&AccessNames, FragmentContext),
-    (argument, fragment): (Argument, &Fragment),
-    (text, format): (&str, DisplayFormat),
+    memory: &mut Memory,
+    devices: &Devices,
+    names: &AccessNames,
+    context: FragmentContext,
+    argument: Argument,
+    NamedFragment { fragment, text }: NamedFragment<'_>,
+    format: DisplayFormat,
 ) -> DebugValue {
     let path = ValuePath { context, text: Some(text.to_owned()), prefix: Some(String::new()) };
     let look = Look { task: context.task(), path: &path, names, devices, format };
@@ -255,7 +267,7 @@ pub(crate) fn names(vm: &Vm, context: FragmentContext) -> AccessNames {
 
 /// Formats a value.
 pub(crate) fn text_of(memory: &Memory, devices: &Devices, kind: &ValueType, place: Place) -> String {
-    text::shown(memory, devices, (kind, place), DisplayFormat::default()).unwrap_or_else(|_| "not in memory".to_owned())
+    text::shown(memory, devices, kind, place, DisplayFormat::default()).unwrap_or_else(|_| "not in memory".to_owned())
 }
 
 /// Number of elements that the text for an array or collection shows.

@@ -180,7 +180,7 @@ impl WatchedData {
     }
 
     /// Whether a line that the task has executed reads the data.
-    pub(crate) fn is_read(&self, controller: &mut Controller, task: TaskNumber, (frame, op): (Frame, u32)) -> bool {
+    pub(crate) fn is_read(&self, controller: &mut Controller, task: TaskNumber, frame: Frame, op: u32) -> bool {
         let Some(extent) = self.extent(controller) else { return false };
         let vm = &mut controller.vm;
         let Some(instance) = vm.space.instance(frame.instance).cloned() else { return false };

@@ -77,7 +77,8 @@ impl Published {
     pub(crate) fn file(
         &mut self,
         project: Project,
-        (uri, found): (Url, Vec<Diagnostic>),
+        uri: Url,
+        found: Vec<Diagnostic>,
         documents: &Documents,
         outbox: &Outbox,
     ) {

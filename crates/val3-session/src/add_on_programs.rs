@@ -24,7 +24,7 @@ pub(crate) fn libraries(db: &Database) -> Result<Vec<AddOnLibrary>, SessionError
         let file = configuration.file(db);
         for (instruction, setting) in add_on_programs::named(file) {
             let fault = |message, help| fault(file, instruction, message, help);
-            check(db, user, (file, instruction, setting)).map_err(|(message, help)| fault(message, help))?;
+            check(db, user, file, instruction, setting).map_err(|(message, help)| fault(message, help))?;
             let Some(library) = add_on_programs::library(db, file, setting) else { continue };
             match found.iter().find(|known| known.alias == library.alias) {
                 Some(known) if known.project == library.project => {}
@@ -63,11 +63,7 @@ fn fault(file: &ConfigFile, instruction: &str, message: String, help: String) ->
 type AddOnFault = (String, String);
 
 /// Checks that a program can replace an instruction.
-fn check(
-    db: &Database,
-    user: Project,
-    (file, instruction, setting): (&ConfigFile, &str, &StandInProgram),
-) -> Result<(), AddOnFault> {
+fn check(db: &Database, user: Project, file: &ConfigFile, instruction: &str, setting: &StandInProgram) -> Result<(), AddOnFault> {
     let library = add_on_programs::library(db, file, setting).ok_or_else(|| no_library(file, setting))?;
     let Some(program) = add_on_programs::program(db, user, instruction) else {
         return Err(no_program(db, library.project, setting));

@@ -165,7 +165,7 @@ impl Application {
         tape: Tape<'_>,
         image: Arc<Image>,
     ) -> Result<Controller, SessionError> {
-        controller::open(self.db(), (self.project, &self.stand_ins), settings, tape, image)
+        controller::open(self.db(), self.project, &self.stand_ins, settings, tape, image)
     }
 }
 

@@ -21,7 +21,8 @@ use crate::{add_on_programs, arm, cell, pages, shapes, surroundings};
 /// Opens the controller with the application's image in memory. Stand-ins are loaded in place of libraries.
 pub(crate) fn open(
     db: &Database,
-    (project, stand_ins): (Project, &[StandIn]),
+    project: Project,
+    stand_ins: &[StandIn],
     settings: &ControllerSettings,
     tape: Tape<'_>,
     image: Arc<Image>,
@@ -37,7 +38,7 @@ pub(crate) fn open(
     let key = |stand_in: &StandIn| path_key(stand_in.project.manifest(db).path(db).as_str());
     let uncounted = stand_ins.iter().map(key).collect();
     let compiler =
-        LibraryCompiler::new(disk.clone(), outside, (settings.form, uncounted)).with(settings.edited.clone());
+        LibraryCompiler::new(disk.clone(), outside, settings.form, uncounted).with(settings.edited.clone());
     let mut devices = Devices::new(roots, Box::new(compiler));
     devices.stand_ins = replaced;
     cell::declare_io(&mut devices, db, project);

@@ -15,9 +15,10 @@ use std::iter;
 use val3_analysis::body::{StmtKind, body};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
-use val3_compile::{compile_expression, compile_statements};
+use val3_compile::{FragmentScope, compile_expression, compile_statements};
 use val3_debug::{
-    CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, application_context, evaluate, expression_grant,
+    CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, NamedFragment, application_context, evaluate,
+    expression_grant,
 };
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
@@ -73,9 +74,10 @@ impl FrameEvaluator {
         controller: &mut Controller,
         context: FragmentContext,
         text: &str,
-        how: (Purpose, DisplayFormat),
+        purpose: Purpose,
+        format: DisplayFormat,
     ) -> Result<Evaluation, EvaluationError> {
-        self.evaluate_while(controller, context, text, how, &mut || true)
+        self.evaluate_while(controller, context, text, purpose, format, &mut || true)
     }
 
     /// Like [`evaluate`](Self::evaluate), but calls `may_go_on` about every millisecond to check whether the statements
@@ -88,7 +90,8 @@ impl FrameEvaluator {
         controller: &mut Controller,
         context: FragmentContext,
         text: &str,
-        (purpose, format): (Purpose, DisplayFormat),
+        purpose: Purpose,
+        format: DisplayFormat,
         may_go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Evaluation, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
@@ -107,7 +110,8 @@ impl FrameEvaluator {
             if has_effects { &mut of_statements } else { &mut expression_grant() };
         let forces_inputs = !is_expression && self.is_assignment(&target, text);
         controller.devices.state.io.force_inputs(forces_inputs);
-        let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (grants, format));
+        let (end, events) =
+            evaluate(controller, NamedFragment { fragment: &fragment, text: text.trim() }, context, grants, format);
         controller.devices.state.io.force_inputs(false);
         let passed_stops = controller.vm.passed_stops();
         let done = Evaluation { passed_stops, ..Evaluation::new(events, has_effects) };
@@ -127,7 +131,8 @@ impl FrameEvaluator {
         &mut self,
         controller: &mut Controller,
         context: FragmentContext,
-        (target_text, value): (&str, &str),
+        target_text: &str,
+        value: &str,
         format: DisplayFormat,
     ) -> Result<DebugValue, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
@@ -136,12 +141,18 @@ impl FrameEvaluator {
             None => Err(error),
         })?;
         controller.devices.state.io.force_inputs(true);
-        let (end, events) = evaluate(controller, (&fragment, target_text), context, (&mut expression_grant(), format));
+        let (end, events) = evaluate(
+            controller,
+            NamedFragment { fragment: &fragment, text: target_text },
+            context,
+            &mut expression_grant(),
+            format,
+        );
         controller.devices.state.io.force_inputs(false);
         if end != FragmentEnd::Done {
             return Err(EvaluationError::ended(&end, Evaluation::new(events, true)));
         }
-        let shown = self.evaluate(controller, context, target_text, (Purpose::Watch, format))?;
+        let shown = self.evaluate(controller, context, target_text, Purpose::Watch, format)?;
         shown.value.ok_or_else(|| EvaluationError::from("it has no value"))
     }
 
@@ -153,13 +164,14 @@ impl FrameEvaluator {
         &mut self,
         controller: &mut Controller,
         inside: &Inside,
-        (name, value): (&str, &str),
+        name: &str,
+        value: &str,
         format: DisplayFormat,
     ) -> Result<DebugValue, EvaluationError> {
         let (context, path) = inside.expression(name).ok_or_else(|| {
             EvaluationError::from(format!("`{name}` is computed from other values and cannot be assigned to"))
         })?;
-        let assigned = self.assign(controller, context, (&path, value), format)?;
+        let assigned = self.assign(controller, context, &path, value, format)?;
         Ok(DebugValue { name: name.to_owned(), ..assigned })
     }
 
@@ -210,7 +222,7 @@ impl FrameEvaluator {
 
     /// Whether the code is a single expression with a value.
     fn is_expression(&mut self, target: &EvaluationContext, text: &str) -> bool {
-        let scratch = Scratch::new(&mut self.targets, target, ("", text));
+        let scratch = Scratch::new(&mut self.targets, target, "", text);
         let (db, file) = (scratch.db(), scratch.file());
         let inference = infer(db, target.project, file);
         let [stmt] = body(db, file).block.as_slice() else { return false };
@@ -222,7 +234,7 @@ impl FrameEvaluator {
 
     /// Whether the code is a single assignment.
     fn is_assignment(&mut self, target: &EvaluationContext, text: &str) -> bool {
-        let scratch = Scratch::new(&mut self.targets, target, ("", text));
+        let scratch = Scratch::new(&mut self.targets, target, "", text);
         match body(scratch.db(), scratch.file()).block.as_slice() {
             [stmt] => matches!(stmt.kind, StmtKind::Assign { .. }),
             _ => false,
@@ -235,7 +247,7 @@ impl FrameEvaluator {
         target: &EvaluationContext,
         text: &str,
     ) -> Result<(Fragment, Option<String>), EvaluationError> {
-        let scratch = Scratch::new(&mut self.targets, target, (PRINT, text));
+        let scratch = Scratch::new(&mut self.targets, target, PRINT, text);
         if let Some(fault) = scratch.fault() {
             let is_statement = !text.trim().is_empty() && self.statements(target, text).is_ok();
             return Err(if is_statement { STATEMENT.into() } else { EvaluationError::Code(fault) });
@@ -243,12 +255,12 @@ impl FrameEvaluator {
         let (db, file) = (scratch.db(), scratch.file());
         let effect = match body(db, file).block.as_slice() {
             [stmt] => match stmt.kind {
-                StmtKind::Print(id) => effect(db, (target.project, file), id),
+                StmtKind::Print(id) => effect(db, target.project, file, id),
                 _ => return Err(EvaluationError::from(NO_EXPRESSION)),
             },
             _ => return Err(EvaluationError::from(NO_EXPRESSION)),
         };
-        let scope = (&*target.image, target.variables.as_slice());
+        let scope = FragmentScope { image: &target.image, variables: &target.variables };
         let fragment = compile_expression(db, target.project, file, scope);
         Ok((fragment.map_err(|error| error.limit.to_string())?, effect))
     }
@@ -270,7 +282,7 @@ impl FrameEvaluator {
 
     /// Compiled statements.
     fn statements(&mut self, target: &EvaluationContext, text: &str) -> Result<Fragment, EvaluationError> {
-        let scratch = Scratch::new(&mut self.targets, target, ("", text));
+        let scratch = Scratch::new(&mut self.targets, target, "", text);
         match scratch.fault() {
             Some(fault) => Err(EvaluationError::Code(fault)),
             None => compile(&scratch, target),
@@ -285,7 +297,7 @@ impl FrameEvaluator {
         value: &str,
     ) -> Result<Fragment, EvaluationError> {
         let before = format!("{variable}=");
-        let scratch = Scratch::new(&mut self.targets, target, (&before, value));
+        let scratch = Scratch::new(&mut self.targets, target, &before, value);
         if let Some(fault) = scratch.fault() {
             return Err(EvaluationError::Code(fault));
         }
@@ -307,7 +319,7 @@ const NO_EXPRESSION: &str = "write one expression";
 const STATEMENT: &str = "a statement has no value to show; execute it in the debug console";
 
 fn compile(scratch: &Scratch<'_>, target: &EvaluationContext) -> Result<Fragment, EvaluationError> {
-    let scope = (&*target.image, target.variables.as_slice());
+    let scope = FragmentScope { image: &target.image, variables: &target.variables };
     let fragment = compile_statements(scratch.db(), target.project, scratch.file(), scope);
     fragment.map_err(|error| EvaluationError::from(error.limit.to_string()))
 }

@@ -54,7 +54,7 @@ impl Cache {
 }
 
 impl LibraryCompiler {
-    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<PathRoot>, (form, uncounted): (CodeForm, Vec<String>)) -> Self {
+    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<PathRoot>, form: CodeForm, uncounted: Vec<String>) -> Self {
         let compiled = Cache { images: Vec::new(), capacity: CAPACITY };
         Self { disk, outside, form, uncounted, edited: Vec::new(), compiled }
     }

@@ -266,7 +266,7 @@ impl Feed {
                 self.number_of(piece.and_then(|piece| piece.source).as_ref())
             }
         };
-        self.batch.add(time, sample, *limit, (tool, source));
+        self.batch.add(time, sample, *limit, tool, source);
     }
 
     /// Number of a tool. New tools are sent to pages.

@@ -31,7 +31,7 @@ impl Batch {
 
     /// Adds a sample at a time, with the limit of the arm's speed, and the numbers of the tool and of the line that
     /// requested the move.
-    pub(crate) fn add(&mut self, time: Time, sample: &Sample, limit: SpeedLimit, (tool, source): (u8, u16)) {
+    pub(crate) fn add(&mut self, time: Time, sample: &Sample, limit: SpeedLimit, tool: u8, source: u16) {
         if self.count == 0 {
             self.begun = time;
         }
@@ -90,7 +90,7 @@ mod tests {
             phase: MotionPhase::Stopping,
             pose: val3_geometry::IsometryMatrix3::identity(),
         };
-        batch.add(4_000_000, &sample, SpeedLimit::Translation, (2, 300));
+        batch.add(4_000_000, &sample, SpeedLimit::Translation, 2, 300);
         assert!(!batch.is_full(40_000_000) && batch.is_full(44_000_000));
         let bytes = batch.take().unwrap();
         assert_eq!(bytes[..8], [1, 4, 0, 0, 1, 0, 0, 0]);

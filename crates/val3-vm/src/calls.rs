@@ -11,8 +11,8 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, Instance, InstanceId};
 
 impl TurnContext<'_> {
-    /// Creates the stack frame of a called program, with its arguments. The program returns to the operation and line
-    /// in `back`.
+    /// Creates the stack frame of a called program, with its arguments. The program returns to the operation `back`
+    /// on the line `back_line`.
     ///
     /// The frame is built in processor registers: writing it to memory and reading it again costs more than the rest of
     /// a call.
@@ -22,7 +22,8 @@ impl TurnContext<'_> {
         frame: &Frame,
         scope: &OperandContext<'_>,
         site: &CallSite,
-        (back, back_line): (usize, u32),
+        back: usize,
+        back_line: u32,
     ) -> Result<Frame> {
         let base = frame.base.after(scope.program);
         let (instance, program) = match (site.program, &site.passes) {

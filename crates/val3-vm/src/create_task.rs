@@ -21,7 +21,8 @@ impl TurnContext<'_> {
     pub(crate) fn create_task(
         &mut self,
         scope: OperandContext<'_>,
-        (frame, line): (&Frame, u32),
+        frame: &Frame,
+        line: u32,
         site: &TaskSite,
     ) -> Result<()> {
         self.ports.origin(self.origin(self.now(), frame, line));

@@ -15,7 +15,7 @@ use crate::task::Base;
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     enter_plain(memory, program, base, most)?;
     let (end, stack, room) = (base.after(program), &mut memory.stack, &mut memory.stores.room);
-    fill(&mut stack.links, room, (base.link, end.link), LinkPlace::None)?;
+    fill(&mut stack.links, room, base.link, end.link, LinkPlace::None)?;
     if let Some(links) = stack.links.get_mut(base.link as usize..end.link as usize) {
         links.fill(LinkPlace::None);
     }
@@ -49,11 +49,10 @@ pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, m
     }
     let (stack, room) = (&mut memory.stack, &mut memory.stores.room);
     let lanes = program.frame.lanes.num.max(FIXED_REGISTERS);
-    fill(&mut stack.nums, room, (base.num, base.num + lanes), 0.0)?;
-    let places = (base.place, base.place + program.frame.places);
-    fill(&mut stack.places, room, places, Place::first(StoreId::STACK))?;
+    fill(&mut stack.nums, room, base.num, base.num + lanes, 0.0)?;
     let size = &program.frame;
-    fill(&mut stack.views, room, (base.view, base.view + size.views), View::whole(StoreId::STACK))?;
+    fill(&mut stack.places, room, base.place, base.place + size.places, Place::first(StoreId::STACK))?;
+    fill(&mut stack.views, room, base.view, base.view + size.views, View::whole(StoreId::STACK))?;
     if size.lanes.text > 0 {
         open_texts(memory, base.text, size.lanes.text)?;
     }
@@ -66,7 +65,7 @@ pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, m
 /// Reserves the strings of a frame, and clears them.
 fn open_texts(memory: &mut Memory, start: u32, count: u32) -> Result<()> {
     let end = start + count;
-    fill(&mut memory.stack.texts, &mut memory.stores.room, (start, end), Text::new())?;
+    fill(&mut memory.stack.texts, &mut memory.stores.room, start, end, Text::new())?;
     memory.stack.texts.get_mut(start as usize..end as usize).unwrap_or_default().iter_mut().for_each(Text::clear);
     Ok(())
 }
@@ -118,7 +117,7 @@ pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
 
 /// Extends the lanes to `end`. They may contain values of earlier frames.
 #[inline(always)]
-fn fill<T: Copy>(lanes: &mut Vec<T>, room: &mut MemoryBudget, (start, end): (u32, u32), value: T) -> Result<()> {
+fn fill<T: Copy>(lanes: &mut Vec<T>, room: &mut MemoryBudget, start: u32, end: u32, value: T) -> Result<()> {
     if end > start && lanes.len() < end as usize { grow(lanes, room, end, value) } else { Ok(()) }
 }
 

@@ -83,7 +83,8 @@ impl Vm {
         &mut self,
         fragment: &Fragment,
         context: FragmentContext,
-        (grants, now): (&mut dyn Iterator<Item = u32>, Time),
+        grants: &mut dyn Iterator<Item = u32>,
+        now: Time,
         host: &mut H,
         look: impl FnOnce(&mut Memory, &H, Argument) -> T,
     ) -> FragmentEnd<T> {
@@ -101,7 +102,7 @@ impl Vm {
         let mut thread = Thread { is_at_end: true, ..Thread::default() };
         // No task runs: an instruction that stops the task of the frame does not end the fragment.
         let grant = Grant::once(grants.next().unwrap_or_default());
-        let context = self.turn_context(TaskNumber::default(), grant, (now, 0), stack_size, host);
+        let context = self.turn_context(TaskNumber::default(), grant, now, 0, stack_size, host);
         let mut run = FragmentRun { context, instance, base, fragment, passed_stops: 0 };
         let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread, grants));
         let passed_stops = run.passed_stops;
@@ -170,9 +171,7 @@ impl FragmentRun<'_, '_> {
         enter(memory, &fragment.program, base, u32::MAX)?;
         let Some((of_frame, program)) = called else { return Ok(()) };
         let mut pairs = program.variables.iter().zip(&fragment.program.variables);
-        pairs.try_for_each(|(variable, reference)| {
-            refer(memory, (&of_frame, variable.storage), (base, reference.storage))
-        })
+        pairs.try_for_each(|(variable, reference)| refer(memory, &of_frame, variable.storage, base, reference.storage))
     }
 
     fn execute(&mut self, thread: &mut Thread, grants: &mut dyn Iterator<Item = u32>) -> Result<FragmentEnd<Argument>> {
@@ -218,7 +217,7 @@ impl FragmentRun<'_, '_> {
 }
 
 /// Makes a variable of the frame at `base` refer to a variable in the other frame.
-fn refer(memory: &mut Memory, (other, found): (&Base, Storage), (base, reference): (&Base, Storage)) -> Result<()> {
+fn refer(memory: &mut Memory, other: &Base, found: Storage, base: &Base, reference: Storage) -> Result<()> {
     match reference {
         Storage::Place(number) => {
             let place = place_of(memory, other, found).ok_or(Fault::INTERPRETER)?;

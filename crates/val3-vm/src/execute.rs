@@ -419,7 +419,7 @@ impl TurnContext<'_> {
 
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    let inner = self.call(&frame, &scope!(), site, (at.next, at.line))?;
+                    let inner = self.call(&frame, &scope!(), site, at.next, at.line)?;
                     if let Err(fault) = thread.push(inner, &mut self.space.memory.stores.room) {
                         leave(&mut self.space.memory, &inner.base);
                         return Err(fault);
@@ -444,14 +444,14 @@ impl TurnContext<'_> {
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    if let Some(leave) = outside!(self.instruction(thread, scope!(), (&frame, at.line), site))? {
+                    if let Some(leave) = outside!(self.instruction(thread, scope!(), &frame, at.line, site))? {
                         at.next -= usize::from(matches!(leave, Leave::Turn(TurnEnd::Waiting(_))));
                         return Ok(leave);
                     }
                 }
                 Op::CreateTask { site } => {
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    outside!(self.create_task(scope!(), (&frame, at.line), site))?;
+                    outside!(self.create_task(scope!(), &frame, at.line, site))?;
                 }
                 Op::WaitUntil { condition, retry } => {
                     if nums.get(condition)? == 0.0 {

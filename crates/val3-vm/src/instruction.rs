@@ -19,7 +19,8 @@ impl TurnContext<'_> {
         &mut self,
         thread: &mut Thread,
         scope: OperandContext<'_>,
-        (frame, line): (&Frame, u32),
+        frame: &Frame,
+        line: u32,
         site: &InstructionSite,
     ) -> Result<Option<Leave>> {
         let now = self.now();

@@ -61,7 +61,7 @@ impl Vm {
     ) -> Result<TaskNumber, Fault> {
         let id = self.roster.new_id();
         let stack_size = self.space.instance(instance).map_or(0, |instance| instance.image.stack_size);
-        let mut context = self.turn_context(id, Grant::once(0), (0, 0), stack_size, host);
+        let mut context = self.turn_context(id, Grant::once(0), 0, 0, stack_size, host);
         let thread = context.new_thread_with((instance, program), numbers)?;
         host.task(id, name, TaskChange::Created, thread.place());
         self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
@@ -90,7 +90,8 @@ impl Vm {
         &mut self,
         id: TaskNumber,
         grant: Grant,
-        (now, line_cost): (Time, Time),
+        now: Time,
+        line_cost: Time,
         host: &mut dyn Host,
     ) -> TurnReport {
         let nothing = TurnReport { end: TurnEnd::Waiting(None), lines: 0, left: 0, reads_clock: false };
@@ -99,7 +100,7 @@ impl Vm {
         let mut thread = std::mem::replace(&mut task.thread, self.idle.take().unwrap_or_default());
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
-        let mut context = self.turn_context(id, grant, (now, line_cost), stack_size, host);
+        let mut context = self.turn_context(id, grant, now, line_cost, stack_size, host);
         let end = context.interpret(&mut thread).unwrap_or_else(TurnEnd::Failed);
         if let Some(frame) = thread.frames.last() {
             context.ports.origin(context.origin(context.now(), frame, thread.line));
@@ -117,7 +118,8 @@ impl Vm {
         &'v mut self,
         task: TaskNumber,
         grant: Grant,
-        (now, line_cost): (Time, Time),
+        now: Time,
+        line_cost: Time,
         stack_size: u32,
         host: &'v mut dyn Host,
     ) -> TurnContext<'v> {

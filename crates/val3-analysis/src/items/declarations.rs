@@ -6,7 +6,7 @@
 use smol_str::SmolStr;
 use val3_syntax::TextRange;
 
-use super::manifest::{OLD, entries, spelling};
+use super::manifest::{ListNames, OLD, entries, spelling};
 use super::{data as data_items, parse, program as program_items};
 use crate::db::{Db, File, FileRange, Project};
 use crate::xml::{self, XmlElement};
@@ -135,9 +135,9 @@ pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<Fil
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;
     let spelling = spelling(root);
-    let (list, item) = if of_programs { spelling.programs } else { spelling.data };
-    let last = entries(root, (list, item)).last().map(|entry| entry.view().range());
-    Some(FileList { place: root.child(&[list]).unwrap_or(root).name_range(), item, last })
+    let names = if of_programs { spelling.programs } else { spelling.data };
+    let last = entries(root, names).last().map(|entry| entry.view().range());
+    Some(FileList { place: root.child(&[names.list]).unwrap_or(root).name_range(), item: names.item, last })
 }
 
 /// Returns the edit that adds a file to the list in the project file: replaced range and new text.
@@ -145,10 +145,10 @@ pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> 
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;
     let spelling = spelling(root);
-    let (list, item) = if of_programs { spelling.programs } else { spelling.data };
+    let ListNames { list, item } = if of_programs { spelling.programs } else { spelling.data };
     let entry = format!("<{item} file=\"{name}\" />");
     let after = |element: XmlElement<'_>| TextRange::empty(element.view().range().end());
-    if let Some(last) = entries(root, (list, item)).last() {
+    if let Some(last) = root.list(list, item).last() {
         return Some((after(last), entry));
     }
     let whole = format!("<{list}>{entry}</{list}>");

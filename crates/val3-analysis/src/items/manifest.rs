@@ -53,48 +53,57 @@ pub struct TypeEntry {
     pub path: SmolStr,
 }
 
+/// Names of a list in a project file.
+#[derive(Clone, Copy)]
+pub struct ListNames {
+    /// Element of the list.
+    pub list: &'static str,
+    /// Element of an entry.
+    pub item: &'static str,
+}
+
 /// Element and attribute names that differ between the dialects.
 pub struct Spelling {
     /// Root element.
     pub root: &'static str,
     /// Element with the version.
     pub parameters: &'static str,
-    /// List and entry of program files.
-    pub programs: (&'static str, &'static str),
-    /// List and entry of data files.
-    pub data: (&'static str, &'static str),
-    /// List and entry of libraries.
-    pub libraries: (&'static str, &'static str),
+    /// List of program files.
+    pub programs: ListNames,
+    /// List of data files.
+    pub data: ListNames,
+    /// List of libraries.
+    pub libraries: ListNames,
     /// Attribute for a library's identifier.
     pub library_name: &'static str,
     /// Attribute for a library's path.
     pub library_path: &'static str,
-    /// List and entry of user types.
-    pub types: (&'static str, &'static str),
+    /// List of user types.
+    pub types: ListNames,
 }
 
 /// s7 and s8.
 pub(crate) const NEW: Spelling = Spelling {
     root: "Project",
     parameters: "Parameters",
-    programs: ("Programs", "Program"),
-    data: ("Database", "Data"),
-    libraries: ("Libraries", "Library"),
+    programs: ListNames { list: "Programs", item: "Program" },
+    data: ListNames { list: "Database", item: "Data" },
+    libraries: ListNames { list: "Libraries", item: "Library" },
     library_name: "alias",
     library_path: "path",
-    types: ("Types", "Type"),
+    types: ListNames { list: "Types", item: "Type" },
 };
 
 /// s5 and s6; they have no user types.
 pub(crate) const OLD: Spelling = Spelling {
     root: "project",
     parameters: "parameters",
-    programs: ("programSection", "program"),
-    data: ("dataSection", "data"),
-    libraries: ("aliasSection", "alias"),
+    programs: ListNames { list: "programSection", item: "program" },
+    data: ListNames { list: "dataSection", item: "data" },
+    libraries: ListNames { list: "aliasSection", item: "alias" },
     library_name: "name",
     library_path: "interface",
-    types: ("typeSection", "type"),
+    types: ListNames { list: "typeSection", item: "type" },
 };
 
 /// Returns the dialect of a project file.
@@ -152,19 +161,16 @@ fn is_complete(root: XmlElement<'_>, spelling: &Spelling) -> bool {
     ];
     root.name() == spelling.root
         && root.elements().filter(|list| list.name() != spelling.parameters).all(|list| {
-            let known = lists.iter().find(|((name, _), _)| *name == list.name());
-            known.is_some_and(|((_, item), attribute)| {
-                list.elements().all(|entry| entry.name() == *item && entry.value(attribute).is_some())
+            let known = lists.iter().find(|(names, _)| names.list == list.name());
+            known.is_some_and(|(names, attribute)| {
+                list.elements().all(|entry| entry.name() == names.item && entry.value(attribute).is_some())
             })
         })
 }
 
 /// Returns the elements of a list in a project file.
-pub fn entries<'g>(
-    root: XmlElement<'g>,
-    (list, item): (&'static str, &'static str),
-) -> impl Iterator<Item = XmlElement<'g>> {
-    root.list(list, item)
+pub fn entries<'g>(root: XmlElement<'g>, names: ListNames) -> impl Iterator<Item = XmlElement<'g>> {
+    root.list(names.list, names.item)
 }
 
 fn library(element: XmlElement<'_>, spelling: &Spelling) -> LibraryEntry {

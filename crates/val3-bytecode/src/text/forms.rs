@@ -133,7 +133,7 @@ impl<F: ListingForm> ListingForm for Listed<F> {
 
     fn read(from: &mut ListingReader<'_>) -> Result<Self::Value> {
         from.expect("(")?;
-        from.list((",", ")"), F::read)
+        from.list(",", ")", F::read)
     }
 }
 

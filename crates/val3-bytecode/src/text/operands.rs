@@ -281,7 +281,7 @@ impl ListingForm for Subscript {
             let key = TextOperand::read(from)?;
             return from.expect("]").map(|()| Self::Key(key));
         }
-        match *from.list((",", "]"), Num::read)? {
+        match *from.list(",", "]", Num::read)? {
             [i] => Ok(Self::One(i)),
             [i, j] => Ok(Self::Two([i, j])),
             [i, j, k] => Ok(Self::Three([i, j, k])),

@@ -98,7 +98,8 @@ impl<'t> ListingReader<'t> {
     /// Reads items up to the token `end`, with a separator between them unless `separator` is empty.
     pub(super) fn list<T>(
         &mut self,
-        (separator, end): (&str, &str),
+        separator: &str,
+        end: &str,
         mut read: impl FnMut(&mut Self) -> Result<T>,
     ) -> Result<Vec<T>> {
         let mut items = Vec::new();

@@ -111,7 +111,7 @@ impl ListingReader<'_> {
     pub(super) fn user_type(&mut self) -> Result<()> {
         let name = self.name()?;
         self.expect("{")?;
-        let fields = self.list(("", "}"), FieldKind::read)?;
+        let fields = self.list("", "}", FieldKind::read)?;
         self.kinds.push(Arc::new(ValueType::user(name, fields)));
         Ok(())
     }
@@ -148,14 +148,14 @@ impl ListingForm for PartInit {
         let kind = ListedType::read(from)?;
         from.expect("[")?;
         let shape = if matches!(from.peek().chars().next(), Some('"' | ']')) {
-            let keys = from.list((",", "]"), operands::text)?;
+            let keys = from.list(",", "]", operands::text)?;
             let numbered = keys.iter().copied().zip(0..).collect::<BTreeMap<_, _>>();
             if numbered.len() < keys.len() {
                 return from.fail("two of these keys are equal");
             }
             ContainerShape::Collection(numbered)
         } else {
-            match *from.list((",", "]"), ListingReader::number)? {
+            match *from.list(",", "]", ListingReader::number)? {
                 [size] => ContainerShape::array(size),
                 [rows, columns] => ContainerShape::Array { dims: 2, sizes: [rows, columns, 1] },
                 [x, y, z] => ContainerShape::Array { dims: 3, sizes: [x, y, z] },
@@ -164,7 +164,7 @@ impl ListingForm for PartInit {
         };
         let value =
             |from: &mut ListingReader<'_>| if from.accept("_") { Ok(None) } else { value(&kind, from).map(Some) };
-        let values = if from.accept("{") { from.list((",", "}"), value)? } else { Vec::new() };
+        let values = if from.accept("{") { from.list(",", "}", value)? } else { Vec::new() };
         Ok(Self { kind, shape, values })
     }
 }

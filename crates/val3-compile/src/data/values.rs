@@ -23,7 +23,9 @@ pub(super) fn unwritten(base: Base, kind: &ValueType) -> Option<DetachedValue> {
 pub(super) fn read(
     value: Xml<'_>,
     common: Option<&FatherLink>,
-    (base, arm, kind): (BaseType, Option<Arm>, &ValueType),
+    base: BaseType,
+    arm: Option<Arm>,
+    kind: &ValueType,
     number: u32,
     links: &mut Vec<LoadedLink>,
 ) -> DetachedValue {

@@ -27,7 +27,8 @@ struct ChosenForm {
 
 impl ChosenForm {
     fn of(
-        (instruction, form): (&'static Instruction, &'static Overload),
+        instruction: &'static Instruction,
+        form: &'static Overload,
         result: Option<BaseType>,
         version: Version,
     ) -> Self {
@@ -117,13 +118,13 @@ impl Expressions<'_, '_> {
         let version = self.out.unit().items.version;
         if let Some(call) = self.types.call(id) {
             let form = call.form.or_else(|| only_form(call.instruction)).ok_or(CompileLimit::Unclear)?;
-            return Ok(ChosenForm::of((call.instruction, form), form.result, version));
+            return Ok(ChosenForm::of(call.instruction, form, form.result, version));
         }
         let call = self.types.add_on_call(id).ok_or(CompileLimit::Unclear)?;
         // An instruction that the catalogue contains too behaves as there, and the catalogue's form determines how
         // arguments are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
-            return Ok(ChosenForm::of((instruction, form), call.form.result, version));
+            return Ok(ChosenForm::of(instruction, form, call.form.result, version));
         }
         let formal =
             |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };

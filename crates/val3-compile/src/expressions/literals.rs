@@ -32,7 +32,7 @@ impl Expressions<'_, '_> {
         } else {
             self.out.frame_mut().value(kind.size)?
         };
-        self.fill(lanes, (builtin, arm), values)?;
+        self.fill(lanes, builtin, arm, values)?;
         Ok(CompiledValue { location: ValueLocator::Frame(lanes), base })
     }
 
@@ -62,7 +62,7 @@ impl Expressions<'_, '_> {
     }
 
     /// Writes all numbers of a structure on the frame.
-    fn fill(&mut self, lanes: Lanes, (base, arm): (BaseType, Option<Arm>), values: &BracedValues) -> Result<()> {
+    fn fill(&mut self, lanes: Lanes, base: BaseType, arm: Option<Arm>, values: &BracedValues) -> Result<()> {
         let mut end = 0;
         for (at, field) in fields(base, arm).iter().enumerate() {
             let offset = field_offset(base, arm, field.name).ok_or(CompileLimit::Unclear)?;
@@ -71,7 +71,7 @@ impl Expressions<'_, '_> {
             end = offset.num + self.out.kind(to.base)?.size.num;
             let value = values.get(at).copied().flatten();
             match value.map(|id| (id, self.body.expr(self.body.without_parentheses(id)))) {
-                Some((_, Expr::Struct(inner))) => self.fill(lanes + offset, (field.ty, arm), inner)?,
+                Some((_, Expr::Struct(inner))) => self.fill(lanes + offset, field.ty, arm, inner)?,
                 Some((id, _)) => {
                     let value = self.value(id, to.location.lanes())?;
                     self.out.copy(to, value)?;

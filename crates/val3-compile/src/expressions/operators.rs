@@ -17,14 +17,15 @@ impl Expressions<'_, '_> {
     pub(crate) fn binary(
         &mut self,
         op: BinaryOp,
-        (left, right): (ExprId, ExprId),
+        left: ExprId,
+        right: ExprId,
         want: Option<Lanes>,
     ) -> Result<CompiledValue> {
         match self.base(left) {
             _ if matches!(op, BinaryOp::And | BinaryOp::Or) => self.logic(op, left, right),
-            Base::Builtin(base, _) if is_number(base) || base == BaseType::Dio => self.on_nums(op, (left, right), want),
-            Base::Builtin(BaseType::String, _) => self.on_texts(op, (left, right), want),
-            Base::Builtin(base, _) => self.on_structures(op, base, (left, right), want),
+            Base::Builtin(base, _) if is_number(base) || base == BaseType::Dio => self.on_nums(op, left, right, want),
+            Base::Builtin(BaseType::String, _) => self.on_texts(op, left, right, want),
+            Base::Builtin(base, _) => self.on_structures(op, base, left, right, want),
             Base::User(_) => self.compared(op, left, right, want),
             Base::Unknown => Err(CompileLimit::Unclear),
         }
@@ -45,7 +46,7 @@ impl Expressions<'_, '_> {
         Ok(CompiledValue::num(BaseType::Bool, condition))
     }
 
-    fn on_nums(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<CompiledValue> {
+    fn on_nums(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<CompiledValue> {
         let (a, b) = self.nums(left, right)?;
         let to = self.out.num_result(want)?;
         self.out.emit(match op {
@@ -66,12 +67,7 @@ impl Expressions<'_, '_> {
         Ok(CompiledValue::num(if is_number { BaseType::Num } else { BaseType::Bool }, to))
     }
 
-    fn on_texts(
-        &mut self,
-        op: BinaryOp,
-        (left, right): (ExprId, ExprId),
-        want: Option<Lanes>,
-    ) -> Result<CompiledValue> {
+    fn on_texts(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<CompiledValue> {
         let (a, b) = self.texts(left, right)?;
         if op == BinaryOp::Add {
             let register = self.out.text_result(want)?;
@@ -96,7 +92,8 @@ impl Expressions<'_, '_> {
         &mut self,
         op: BinaryOp,
         base: BaseType,
-        (left, right): (ExprId, ExprId),
+        left: ExprId,
+        right: ExprId,
         want: Option<Lanes>,
     ) -> Result<CompiledValue> {
         let Some(mut site) = self.binary_site(op, base) else {

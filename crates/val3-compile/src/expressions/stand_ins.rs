@@ -101,7 +101,7 @@ impl Expressions<'_, '_> {
             return self.unit().program(name).map(ProgramRef::Own);
         }
         let unit = self.out.unit_mut();
-        unit.import_program(&library.alias, name, (library.project, *file)).map(ProgramRef::Import)
+        unit.import_program(&library.alias, name, library.project, *file).map(ProgramRef::Import)
     }
 
     /// Creates a variable with its type's default value, and the argument that passes the variable by reference.

@@ -41,7 +41,7 @@ impl Statements<'_, '_> {
             Expr::Path { library, item } => {
                 let interface = self.values.unit().interface(library)?;
                 let file = *items(self.values.unit().db, interface).programs.get(item).ok_or(CompileLimit::Unclear)?;
-                let number = self.out().unit_mut().import_program(library, item, (interface, file))?;
+                let number = self.out().unit_mut().import_program(library, item, interface, file)?;
                 Ok((ProgramRef::Import(number), interface, file))
             }
             _ => Err(CompileLimit::Unclear),

@@ -18,13 +18,13 @@ impl Statements<'_, '_> {
             Expr::Paren(inner) => self.branch(*inner, when, label),
             Expr::Unary(UnaryOp::Not, operand) => self.branch(*operand, !when, label),
             Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), left, right) => {
-                self.branch_logic(*op, (*left, *right), when, label)
+                self.branch_logic(*op, *left, *right, when, label)
             }
             Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) => {
-                self.branch_equality(id, *op, (*left, *right), when, label)
+                self.branch_equality(id, *op, *left, *right, when, label)
             }
             Expr::Binary(op, left, right) if self.values.base(*left).builtin() == Some(BaseType::Num) => {
-                self.branch_order(*op, (*left, *right), when, label)
+                self.branch_order(*op, *left, *right, when, label)
             }
             _ => self.branch_value(id, when, label),
         }
@@ -43,7 +43,7 @@ impl Statements<'_, '_> {
     }
 
     /// Compiles `and` or `or`: if one side decides, it jumps to the label, or past the other side.
-    fn branch_logic(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
+    fn branch_logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId, when: bool, label: Label) -> Result<()> {
         let decides = op == BinaryOp::Or;
         if when == decides {
             self.branch(left, when, label)?;
@@ -62,7 +62,8 @@ impl Statements<'_, '_> {
         &mut self,
         id: ExprId,
         op: BinaryOp,
-        (left, right): (ExprId, ExprId),
+        left: ExprId,
+        right: ExprId,
         when: bool,
         label: Label,
     ) -> Result<()> {
@@ -86,7 +87,7 @@ impl Statements<'_, '_> {
 
     /// Compiles a comparison and its jump as one operation. Comparisons with NaN are false, so the contrary of `a < b`
     /// is not `b <= a`.
-    fn branch_order(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
+    fn branch_order(&mut self, op: BinaryOp, left: ExprId, right: ExprId, when: bool, label: Label) -> Result<()> {
         let ((left, right), to) = (self.values.nums(left, right)?, label.0);
         let swapped = matches!(op, BinaryOp::Greater | BinaryOp::GreaterOrEqual);
         let (a, b) = if swapped { (right, left) } else { (left, right) };

@@ -79,7 +79,7 @@ impl Statements<'_, '_> {
         match self.or_stop(&ids, |statements| statements.counter(counter, start, stop, step))? {
             Some(counter) => {
                 let branch = self.out().code().branch(range);
-                self.rounds(&counter, (stmt, block), branch)
+                self.rounds(&counter, stmt, block, branch)
             }
             None => Ok(()),
         }
@@ -113,7 +113,7 @@ impl Statements<'_, '_> {
         step.map(|step| self.out().frame_mut().constant_pair([limit, step])).transpose()
     }
 
-    fn rounds(&mut self, counts: &Counter, (stmt, block): (&Stmt, &[Stmt]), branch: Option<BranchId>) -> Result<()> {
+    fn rounds(&mut self, counts: &Counter, stmt: &Stmt, block: &[Stmt], branch: Option<BranchId>) -> Result<()> {
         let Counter { variable, register: counter, limit, is_up } = *counts;
         let (exit, body) = (self.out().code().label(), self.out().code().label());
         self.out().emit(Op::ForTest { counter, limit, exit: exit.0 });

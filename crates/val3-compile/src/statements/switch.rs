@@ -27,11 +27,11 @@ impl Statements<'_, '_> {
             std::iter::once(selector).chain(cases.iter().flat_map(|(ids, _)| ids).copied()).collect();
         self.or_stop(&compared, |statements| statements.comparisons(selector, cases, &labels))?;
         self.out().frame_mut().release(mark);
-        self.case_blocks((stmt, cases), &labels, range)
+        self.case_blocks(stmt, cases, &labels, range)
     }
 
     /// Compiles the blocks, and the jump past them.
-    fn case_blocks(&mut self, (stmt, cases): (&Stmt, &[Case]), labels: &[Label], range: TextRange) -> Result<()> {
+    fn case_blocks(&mut self, stmt: &Stmt, cases: &[Case], labels: &[Label], range: TextRange) -> Result<()> {
         let branch = self.out().code().branch(range);
         let (end, none) = (self.out().code().label(), self.out().code().label());
         let default = cases.iter().zip(labels).find(|((values, _), _)| values.is_empty());

@@ -27,7 +27,7 @@ impl DebugRequest for Completions {
         let number = arguments.line.map_or(0, |line| session.conventions.row(line).saturating_sub(1)) as usize;
         let text = arguments.text.lines().nth(number).unwrap_or_default();
         let at = byte_offset(text, session.conventions.offset(arguments.column));
-        let completions = run.evaluator.completions(&run.debugger.controller, context, (text, at));
+        let completions = run.evaluator.completions(&run.debugger.controller, context, text, at);
         let completions = completions.map_err(RequestFailure::rejected)?;
         Ok(CompletionsResponse { targets: completions.into_iter().map(|completion| item(completion, text)).collect() })
     }

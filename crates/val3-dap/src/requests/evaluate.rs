@@ -32,7 +32,7 @@ impl DebugRequest for Evaluate {
         let is_short = arguments.context == Some(EvaluateContext::Hover);
         let format = session.format(arguments.format.as_ref());
         let format = DisplayFormat { bare: is_copied, exact: !is_short, ..format };
-        let evaluation = session.evaluate_while(context, &arguments.expression, (purpose, format), run)?;
+        let evaluation = session.evaluate_while(context, &arguments.expression, purpose, format, run)?;
         let Evaluation { value, output, passed_stops, .. } = evaluation;
         if purpose == Purpose::Execute && passed_stops > 0 {
             session.note(&passed(passed_stops));

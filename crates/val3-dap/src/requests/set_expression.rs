@@ -20,9 +20,9 @@ impl DebugRequest for SetExpression {
         arguments: SetExpressionArguments,
     ) -> Result<SetExpressionResponse, RequestFailure> {
         let context = session.context(arguments.frame_id, run)?;
-        let assignment = (arguments.expression.as_str(), arguments.value.as_str());
+        let (target, value) = (&arguments.expression, &arguments.value);
         let format = session.format(arguments.format.as_ref());
-        let value = run.evaluator.assign(&mut run.debugger.controller, context, assignment, format);
+        let value = run.evaluator.assign(&mut run.debugger.controller, context, target, value, format);
         let value = value.map_err(RequestFailure::rejected)?;
         let variable = session.shown(value, run);
         Ok(SetExpressionResponse {

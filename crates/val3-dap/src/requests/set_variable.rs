@@ -33,9 +33,14 @@ impl DebugRequest for SetVariable {
                 return Ok(SetVariableResponse { value, ..SetVariableResponse::default() });
             }
         };
-        let assignment = (arguments.name.as_str(), arguments.value.as_str());
         let format = session.format(arguments.format.as_ref());
-        let value = run.evaluator.assign_child(&mut run.debugger.controller, &inside, assignment, format);
+        let value = run.evaluator.assign_child(
+            &mut run.debugger.controller,
+            &inside,
+            &arguments.name,
+            &arguments.value,
+            format,
+        );
         let value = value.map_err(RequestFailure::rejected)?;
         let variable = session.shown(value, run);
         Ok(SetVariableResponse {

@@ -39,13 +39,14 @@ impl DebugSession {
         &mut self,
         context: FragmentContext,
         code: &str,
-        how: (Purpose, DisplayFormat),
+        purpose: Purpose,
+        format: DisplayFormat,
         run: &mut DebuggedRun<'_>,
     ) -> Result<Evaluation, RequestFailure> {
         let controller = &mut run.debugger.controller;
         let (client, request) = (&mut self.client, self.request);
         let mut is_cancelled = false;
-        let evaluated = run.evaluator.evaluate_while(controller, context, code, how, &mut || {
+        let evaluated = run.evaluator.evaluate_while(controller, context, code, purpose, format, &mut || {
             is_cancelled = client.has_cancelled(request, "");
             !is_cancelled
         });

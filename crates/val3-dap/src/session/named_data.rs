@@ -45,8 +45,8 @@ impl DebugSession {
         let controller = &mut run.debugger.controller;
         let data = match place {
             Some((context, path)) => WatchedData::new(controller, context, &path).or_else(|reason| {
-                let how = (Purpose::Watch, DisplayFormat::default());
-                let value = run.evaluator.evaluate(controller, context, &path, how).ok();
+                let value =
+                    run.evaluator.evaluate(controller, context, &path, Purpose::Watch, DisplayFormat::default()).ok();
                 let constant = value.and_then(|evaluation| evaluation.value?.refers_to);
                 constant.map_or(Err(reason), |path| WatchedData::new(controller, context, &path))
             }),

@@ -141,7 +141,7 @@ impl Look<'_> {
             }
             let shown = if count == 1 { "1 value".to_owned() } else { format!("{count} values") };
             let type_name = type_name(&kind) + &sizes(&store.shape, count);
-            Ok(self.value((name, type_name, shown), (count > 0).then_some(ValueNode::Values(view))))
+            Ok(self.value(name, type_name, shown, (count > 0).then_some(ValueNode::Values(view))))
         })
     }
 
@@ -152,13 +152,13 @@ impl Look<'_> {
                 KindBase::User(_) => !kind.fields.is_empty(),
                 KindBase::Builtin(base, _) => base.is_structured(),
             };
-            let shown = shown(memory, self.devices, (kind, place), self.format)?;
+            let shown = shown(memory, self.devices, kind, place, self.format)?;
             let node = has_fields.then(|| ValueNode::Fields(Arc::clone(kind), place));
-            Ok(self.value((name, type_name(kind), shown), node))
+            Ok(self.value(name, type_name(kind), shown, node))
         })
     }
 
-    fn value(self, (name, type_name, shown): (String, String, String), node: Option<ValueNode>) -> DebugValue {
+    fn value(self, name: String, type_name: String, shown: String, node: Option<ValueNode>) -> DebugValue {
         let path = self.path.child(&name);
         let expression = path.expression();
         let inside = node.map(|node| Inside { task: self.task, path, node });
@@ -175,7 +175,7 @@ impl Look<'_> {
             KindBase::Builtin(base, arm) => {
                 let Some(field) = fields(*base, *arm).get(number) else {
                     let number = number - fields(*base, *arm).len();
-                    return positions::part(self, memory, (*base, place), number);
+                    return positions::part(self, memory, *base, place, number);
                 };
                 let kind = Arc::new(ValueType::builtin(field.ty, *arm));
                 let place = place.after(field_offset(*base, *arm, field.name)?);

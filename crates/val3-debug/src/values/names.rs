@@ -35,7 +35,7 @@ impl AccessNames {
         };
         let loaded = vm.space.loaded();
         let data = loaded.map(|(id, instance)| {
-            (prefix(vm, own, (id, instance)), Arc::clone(&instance.image), Arc::clone(&instance.data))
+            (prefix(vm, own, id, instance), Arc::clone(&instance.image), Arc::clone(&instance.data))
         });
         Self { data: data.collect(), frames }
     }
@@ -84,7 +84,7 @@ impl AccessNames {
         let mut left = SEARCHED;
         let all = || self.of_data().chain(self.of_frames(memory));
         let whole = all().find(|(_, store)| *store == id).map(|(name, _)| name);
-        whole.or_else(|| all().find_map(|(name, store)| within(memory, (name, store), id, &mut left)))
+        whole.or_else(|| all().find_map(|(name, store)| within(memory, name, store, id, &mut left)))
     }
 
     fn of_data(&self) -> impl Iterator<Item = (String, StoreId)> {
@@ -109,7 +109,7 @@ impl AccessNames {
 
 /// Returns the prefix with which `own` names data of an application or library: none for its own data, else the
 /// identifier of the library, or its name if `own` does not use it.
-fn prefix(vm: &Vm, own: Option<InstanceId>, (id, instance): (InstanceId, &Instance)) -> String {
+fn prefix(vm: &Vm, own: Option<InstanceId>, id: InstanceId, instance: &Instance) -> String {
     if own == Some(id) {
         return String::new();
     }
@@ -120,7 +120,7 @@ fn prefix(vm: &Vm, own: Option<InstanceId>, (id, instance): (InstanceId, &Instan
 }
 
 /// Returns the name of a container that is nested in the values of container `id`.
-fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left: &mut usize) -> Option<String> {
+fn within(memory: &Memory, name: String, id: StoreId, wanted: StoreId, left: &mut usize) -> Option<String> {
     let store = memory.store(id).ok()?;
     let KindBase::User(_) = store.kind.base else { return None };
     let width = store.kind.fields.len();
@@ -136,7 +136,7 @@ fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left:
         if *part == wanted {
             return Some(name);
         }
-        if let Some(found) = within(memory, (name, *part), wanted, left) {
+        if let Some(found) = within(memory, name, *part, wanted, left) {
             return Some(found);
         }
     }

@@ -22,12 +22,7 @@ pub(super) fn count(base: BaseType, place: Place) -> usize {
 }
 
 /// Returns a computed part.
-pub(super) fn part(
-    look: Look<'_>,
-    memory: &Memory,
-    (base, place): (BaseType, Place),
-    number: usize,
-) -> Option<DebugValue> {
+pub(super) fn part(look: Look<'_>, memory: &Memory, base: BaseType, place: Place, number: usize) -> Option<DebugValue> {
     match number {
         0 => Some(father(look, memory, place)),
         1 => Some(position(memory, base, place)),

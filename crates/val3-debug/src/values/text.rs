@@ -26,11 +26,12 @@ pub struct DisplayFormat {
 pub(super) fn shown(
     memory: &Memory,
     devices: &Devices,
-    (kind, place): (&ValueType, Place),
+    kind: &ValueType,
+    place: Place,
     format: DisplayFormat,
 ) -> Result<String> {
     match &kind.base {
-        KindBase::User(_) => user(memory, devices, (kind, place), format),
+        KindBase::User(_) => user(memory, devices, kind, place, format),
         KindBase::Builtin(BaseType::String, _) => Ok(literal(memory.text(place)?)),
         KindBase::Builtin(BaseType::Num, _) if format.hex => {
             let value = memory.num(place, 0)?;
@@ -81,18 +82,13 @@ fn port(devices: &Devices, base: BaseType, link: LinkPlace, format: DisplayForma
     }
 }
 
-fn user(
-    memory: &Memory,
-    devices: &Devices,
-    (kind, place): (&ValueType, Place),
-    format: DisplayFormat,
-) -> Result<String> {
+fn user(memory: &Memory, devices: &Devices, kind: &ValueType, place: Place, format: DisplayFormat) -> Result<String> {
     let mut texts = Vec::new();
     for (lane, field) in (0..).zip(&kind.fields).take(SHOWN_FIELDS) {
         let view = View::whole(memory.part(place, lane)?);
         let text = match &field.init.kind.base {
             KindBase::Builtin(..) if memory.len(view)? == 1 => {
-                shown(memory, devices, (&field.init.kind, memory.element(view, 0)?), format)?
+                shown(memory, devices, &field.init.kind, memory.element(view, 0)?, format)?
             }
             _ => "…".to_owned(),
         };

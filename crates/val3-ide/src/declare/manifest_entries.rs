@@ -1,7 +1,7 @@
 //! Insertion of elements into a project file.
 
 use val3_analysis::db::{Db, Project};
-use val3_analysis::items::manifest::{Spelling, spelling};
+use val3_analysis::items::manifest::{ListNames, Spelling, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::xml;
 
@@ -47,16 +47,16 @@ pub(crate) fn user_types(db: &dyn Db, project: Project, types: &[(String, String
 fn entries(
     db: &dyn Db,
     project: Project,
-    list: fn(&Spelling) -> (&'static str, &'static str),
+    list: fn(&Spelling) -> ListNames,
     attributes: impl FnOnce(&Spelling) -> Vec<String>,
 ) -> Option<FileEdit> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let parent = xml::root(parse.view())?;
     let spelling = spelling(parent);
-    let (name, item) = list(spelling);
+    let ListNames { list: name, item } = list(spelling);
     // Elements that follow the list in a project file.
-    let order = [spelling.programs.0, spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let order = [spelling.programs, spelling.data, spelling.libraries, spelling.types].map(|names| names.list);
     let followers: Vec<&str> = order.into_iter().skip_while(|other| *other != name).skip(1).collect();
     let list = XmlList { text: file.text(db), parent, name, attributes: "", followers: &followers };
     let entries: Vec<String> = attributes(spelling).iter().map(|entry| format!("<{item} {entry} />")).collect();

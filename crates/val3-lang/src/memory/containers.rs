@@ -209,7 +209,7 @@ impl Memory {
         }
         self.stores.room.give_back(before.saturating_sub(after));
         let store = self.store_mut(id)?;
-        let lost = store.rearrange((old, new), shape, fresh);
+        let lost = store.rearrange(old, new, shape, fresh);
         lost.into_iter().for_each(|part| self.remove(part));
         Ok(())
     }

@@ -7,7 +7,8 @@ impl Store {
     /// containers from `fresh`. Returns the inner containers of removed elements.
     pub(super) fn rearrange(
         &mut self,
-        (old, new): ([u32; 3], [u32; 3]),
+        old: [u32; 3],
+        new: [u32; 3],
         shape: ContainerShape,
         fresh: Vec<StoreId>,
     ) -> Vec<StoreId> {

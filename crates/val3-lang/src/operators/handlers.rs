@@ -145,11 +145,11 @@ fn related<T: FromArgument>(
 ) -> Result<Flow> {
     let (a, b) = (T::take(call)?, T::take(call)?);
     let (a, b) = places(a, b);
-    let equal = alike(call.memory, (a, b), nums.num, links)?;
+    let equal = alike(call.memory, a, b, nums.num, links)?;
     (equal == when).settle(call)
 }
 
-fn alike(memory: &Memory, (a, b): (Place, Place), nums: u32, links: u32) -> Result<bool> {
+fn alike(memory: &Memory, a: Place, b: Place, nums: u32, links: u32) -> Result<bool> {
     for lane in 0..nums {
         if memory.num(a, lane)? != memory.num(b, lane)? {
             return Ok(false);

@@ -118,9 +118,9 @@ impl ServerState {
     }
 
     /// Publishes the findings of a project in one file, unless they are stale.
-    fn found_in_file(&mut self, generation: u64, project: Project, found: (Url, Vec<Diagnostic>)) {
+    fn found_in_file(&mut self, generation: u64, project: Project, uri: Url, found: Vec<Diagnostic>) {
         if self.checks.is_latest(generation) {
-            self.published.file(project, found, &self.documents, &self.outbox);
+            self.published.file(project, uri, found, &self.documents, &self.outbox);
         }
     }
 
@@ -137,9 +137,8 @@ fn work(batch: &Batch, snapshot: &Snapshot, inbox: &Inbox) {
     while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
         let generation = batch.generation;
         for (file, found) in found_early(batch, snapshot, *project) {
-            let found = (snapshot.uri(file), found);
-            let project = *project;
-            inbox.post(move |server| server.found_in_file(generation, project, found));
+            let (uri, project) = (snapshot.uri(file), *project);
+            inbox.post(move |server| server.found_in_file(generation, project, uri, found));
         }
         let found = published::findings(snapshot, *project);
         inbox.post(move |server| server.found(generation, found));

@@ -25,7 +25,7 @@ impl Controller {
         // An interrupt before this has stopped the run.
         let interrupted = self.devices.interrupt.swap(false, Relaxed);
         let aside = self.devices.set_record_aside();
-        let end = self.vm.evaluate(fragment, context, (grants, now), &mut self.devices, look);
+        let end = self.vm.evaluate(fragment, context, grants, now, &mut self.devices, look);
         let events = self.devices.take_events();
         self.devices.resume_record(aside);
         self.devices.interrupt.fetch_or(interrupted, Relaxed);

@@ -1,6 +1,7 @@
 //! Evaluation output: values, printed lines, or a fault.
 
 use std::fmt::{self, Display};
+use std::ops::Range;
 
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::runtime_errors;
@@ -40,13 +41,13 @@ impl CodeFault {
     /// Converts a finding in the program that executes `code`, where the evaluated code follows `before` bytes.
     pub(super) fn found(finding: &Diagnostic, code: &str, before: usize) -> Self {
         let offset = |at: TextSize| offset_in_code(code, at.into()).saturating_sub(before);
-        let range = (offset(finding.place.range.start()), offset(finding.place.range.end()));
+        let range = offset(finding.place.range.start())..offset(finding.place.range.end());
         Self::at(finding.message.clone(), code.part(before..), range)
     }
 
     /// Fault at a byte range of the code.
-    pub(crate) fn at(message: String, text: &str, (from, to): (usize, usize)) -> Self {
-        Self { message, place: place(text, from, to) }
+    pub(crate) fn at(message: String, text: &str, range: Range<usize>) -> Self {
+        Self { message, place: place(text, range.start, range.end) }
     }
 
     /// Message without its location.

@@ -25,10 +25,10 @@ pub(super) fn declarations(text: &str, is_type: impl Fn(&str) -> bool) -> Option
         return None;
     }
     let pieces = pieces(text, start + ty.len());
-    Some(pieces.into_iter().map(|(from, piece)| declaration(ty, text, (from, piece))).collect())
+    Some(pieces.into_iter().map(|(from, piece)| declaration(ty, text, from, piece)).collect())
 }
 
-fn declaration(ty: &str, text: &str, (from, piece): (usize, &str)) -> Result<Declaration, String> {
+fn declaration(ty: &str, text: &str, from: usize, piece: &str) -> Result<Declaration, String> {
     let (declared, value) = piece.split_once('=').map_or((piece, None), |(declared, value)| (declared, Some(value)));
     let variable = ScratchVariable::parse(&format!("{ty} {}", declared.trim()))?;
     if value.is_some() && variable.is_container() {

@@ -32,12 +32,13 @@ impl FrameEvaluator {
         &mut self,
         controller: &Controller,
         context: FragmentContext,
-        (text, at): (&str, usize),
+        text: &str,
+        at: usize,
     ) -> Result<Vec<FrameCompletion>, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
         let mut all: Vec<FrameCompletion> = Vec::new();
         for before in ["", PRINT] {
-            let scratch = Scratch::new(&mut self.targets, &target, (before, text));
+            let scratch = Scratch::new(&mut self.targets, &target, before, text);
             let Ok(offset) = u32::try_from(scratch.position(at)) else { continue };
             let position = FilePosition { file: scratch.file(), offset: offset.into() };
             for found in completions_in(scratch.db(), target.project, position) {

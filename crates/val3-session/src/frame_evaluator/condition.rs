@@ -72,7 +72,7 @@ impl FrameEvaluator {
             return;
         }
         match self
-            .evaluate(controller, context, text, (Purpose::Watch, DisplayFormat::default()))
+            .evaluate(controller, context, text, Purpose::Watch, DisplayFormat::default())
             .map(|found| found.value)
         {
             // The name of a constant is its value.

@@ -5,7 +5,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::infer::infer;
 
 /// Reason why an expression may not be evaluated for display; `None` if it has no side effect.
-pub(super) fn effect(db: &dyn Db, (project, file): (Project, File), id: ExprId) -> Option<String> {
+pub(super) fn effect(db: &dyn Db, project: Project, file: File, id: ExprId) -> Option<String> {
     let (body, types) = (body(db, file), infer(db, project, file));
     body.within(id).find_map(|id| match body.expr(id) {
         Expr::Assign(..) => Some("an assignment changes a variable; use `==` to compare".to_owned()),

@@ -33,7 +33,7 @@ pub(super) struct Scratch<'t> {
 
 impl<'t> Scratch<'t> {
     /// Creates the file for `text` after the prefix `before`.
-    pub(super) fn new(targets: &'t mut Targets, target: &'t EvaluationContext, (before, text): (&str, &str)) -> Self {
+    pub(super) fn new(targets: &'t mut Targets, target: &'t EvaluationContext, before: &str, text: &str) -> Self {
         let code = format!("{before}{text}");
         let (head, tail) = around(targets, target);
         let start = head.len() + BEGIN.len();
@@ -59,7 +59,7 @@ impl<'t> Scratch<'t> {
         let mut in_file = refusals.into_iter().filter(|found| found.place.file == self.file);
         let found = in_file.find(|found| found.place.range.start() >= code)?;
         let offset = |at: TextSize| self.offset(at.into()).saturating_sub(self.before);
-        let range = (offset(found.place.range.start()), offset(found.place.range.end()));
+        let range = offset(found.place.range.start())..offset(found.place.range.end());
         Some(CodeFault::at(found.message, self.code.part(self.before..), range))
     }
 

@@ -63,12 +63,12 @@ impl Targets {
         context: FragmentContext,
     ) -> Result<EvaluationContext, EvaluationError> {
         match context {
-            FragmentContext::Instance(id) => self.of_program(vm, (id, None)),
+            FragmentContext::Instance(id) => self.of_program(vm, id, None),
             FragmentContext::Frame(task, depth) => {
                 let found = vm.tasks().iter().find(|known| known.id == task);
                 let frame = found.and_then(|task| task.thread.frames.iter().rev().nth(depth));
                 let frame = frame.ok_or("the stack frame no longer exists")?;
-                self.of_program(vm, (frame.instance, Some(frame.program)))
+                self.of_program(vm, frame.instance, Some(frame.program))
             }
         }
     }
@@ -78,7 +78,7 @@ impl Targets {
         for (id, instance) in vm.space.loaded() {
             let image = &instance.image;
             if let Some(number) = program_in(image, |file| file == path) {
-                return self.of_program(vm, (id, Some(number)));
+                return self.of_program(vm, id, Some(number));
             }
         }
         self.of_source(path)
@@ -87,17 +87,19 @@ impl Targets {
     fn of_program(
         &mut self,
         vm: &Vm,
-        (id, program): (InstanceId, Option<u16>),
+        id: InstanceId,
+        program: Option<u16>,
     ) -> Result<EvaluationContext, EvaluationError> {
         let instance = vm.space.instance(id).filter(|instance| instance.loaded);
         let image = Arc::clone(&instance.ok_or("the library is no longer in memory")?.image);
         let (application, project) = self.project(&image.path)?;
-        Ok(self.target((application, project), image, program))
+        Ok(self.target(application, project, image, program))
     }
 
     fn target(
         &self,
-        (application, project): (usize, Project),
+        application: usize,
+        project: Project,
         image: Arc<Image>,
         number: Option<u16>,
     ) -> EvaluationContext {
@@ -126,7 +128,7 @@ impl Targets {
         };
         self.images.insert((number, project), Arc::clone(&image));
         let program = program_in(&image, |file| path_key(file) == path_key(path));
-        Ok(self.target((number, project), image, program))
+        Ok(self.target(number, project, image, program))
     }
 
     /// Project from which an image was compiled. An unreferenced library is read from its files.

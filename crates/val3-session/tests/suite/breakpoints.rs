@@ -302,7 +302,7 @@ fn a_condition_in_a_library_that_is_loaded_later_is_compiled_before() {
     assert_eq!(faults, []);
     let context = FragmentContext::Frame(task, 0);
     let sum = evaluator
-        .evaluate(&mut debugger.controller, context, "nSum", (Purpose::Watch, DisplayFormat::default()))
+        .evaluate(&mut debugger.controller, context, "nSum", Purpose::Watch, DisplayFormat::default())
         .unwrap();
     assert_eq!(sum.value.unwrap().shown, "6");
     assert_eq!(run(&mut debugger), None);

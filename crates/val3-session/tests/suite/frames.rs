@@ -251,8 +251,10 @@ fn an_application_without_tasks_has_its_data() {
     assert_eq!(stopped.watch("nCount"), "the stack frame no longer exists");
     let (id, _) = stopped.debugger.controller.vm.space.loaded().next().unwrap();
     let context = FragmentContext::Instance(id);
-    let how = (Purpose::Execute, DisplayFormat::default());
-    let mut evaluate = |text| shown(stopped.evaluator.evaluate(&mut stopped.debugger.controller, context, text, how));
+    let mut evaluate = |text| {
+        let (controller, format) = (&mut stopped.debugger.controller, DisplayFormat::default());
+        shown(stopped.evaluator.evaluate(controller, context, text, Purpose::Execute, format))
+    };
     assert_eq!(evaluate("nCount+1"), "num 3");
     assert_eq!(evaluate("nCount=nCount*2\ncall show()"), "1");
     assert_eq!(evaluate("nCount"), "num 4");
@@ -362,7 +364,7 @@ fn completions_know_the_variables_of_the_frame() {
         (0, "call dou", "double 5..8"),
     ] {
         let context = FragmentContext::Frame(stopped.task, depth);
-        let found = stopped.evaluator.completions(&stopped.debugger.controller, context, (text, text.len())).unwrap();
+        let found = stopped.evaluator.completions(&stopped.debugger.controller, context, text, text.len()).unwrap();
         let mut labels = found.into_iter().take(4).map(|found| format!("{} {:?}", found.insert, found.range));
         assert!(labels.any(|found| found == label), "{text}");
     }

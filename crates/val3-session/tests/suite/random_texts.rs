@@ -88,7 +88,7 @@ fn watched_texts_change_nothing_whatever_they_are() {
         let stopped = &mut *stopped.borrow_mut();
         stopped.watch(&text);
         let context = FragmentContext::Frame(stopped.task, 0);
-        let completions = stopped.evaluator.completions(&stopped.debugger.controller, context, (&text, text.len()));
+        let completions = stopped.evaluator.completions(&stopped.debugger.controller, context, &text, text.len());
         prop_assert!(completions.is_ok());
         prop_assert_eq!(&state(stopped), &before, "{}", text);
         Ok(())

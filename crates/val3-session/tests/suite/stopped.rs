@@ -117,7 +117,7 @@ impl Stopped {
         purpose: Purpose,
     ) -> Result<Evaluation, EvaluationError> {
         let context = FragmentContext::Frame(self.task, depth);
-        self.evaluator.evaluate(&mut self.debugger.controller, context, text, (purpose, DisplayFormat::default()))
+        self.evaluator.evaluate(&mut self.debugger.controller, context, text, purpose, DisplayFormat::default())
     }
 
     /// `type value` of a watched expression, or the error.
@@ -133,7 +133,7 @@ impl Stopped {
     pub(crate) fn assign(&mut self, target: &str, value: &str) -> String {
         let context = FragmentContext::Frame(self.task, 0);
         let assigned =
-            self.evaluator.assign(&mut self.debugger.controller, context, (target, value), DisplayFormat::default());
+            self.evaluator.assign(&mut self.debugger.controller, context, target, value, DisplayFormat::default());
         assigned.map_or_else(|error| error.to_string(), |value| value.shown)
     }
 }

@@ -73,7 +73,7 @@ fn each_number_that_is_shown_can_be_assigned_to() {
     for (inside, value) in all_values(&mut stopped).into_iter().filter(|(_, value)| value.type_name == "num") {
         let controller = &mut stopped.debugger.controller;
         let assigned =
-            stopped.evaluator.assign_child(controller, &inside, (&value.name, "7.5"), DisplayFormat::default());
+            stopped.evaluator.assign_child(controller, &inside, &value.name, "7.5", DisplayFormat::default());
         match assigned {
             Ok(assigned) => {
                 assert_eq!((&assigned.name, assigned.shown.as_str()), (&value.name, "7.5"));

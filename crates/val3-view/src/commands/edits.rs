@@ -92,7 +92,7 @@ impl Edits {
         let mut kept = BTreeSet::new();
         for old in positions::data(from).into_iter().filter(|datum| self.has_changed(datum)) {
             let new = loaded.iter().find(|new| (&new.name, &new.key, new.base) == (&old.name, &old.key, old.base));
-            if new.is_some_and(|new| copy_numbers((&old, from), (new, to)).is_some()) {
+            if new.is_some_and(|new| copy_numbers(&old, from, new, to).is_some()) {
                 kept.insert(PointName { name: old.name, key: old.key });
             }
         }
@@ -116,7 +116,7 @@ fn is_named(datum: &GlobalValue, name: &PointName) -> bool {
 }
 
 /// Copies all numbers of a value, with its configuration; `None` if their counts differ.
-fn copy_numbers((old, from): (&GlobalValue, &Controller), (new, to): (&GlobalValue, &mut Controller)) -> Option<()> {
+fn copy_numbers(old: &GlobalValue, from: &Controller, new: &GlobalValue, to: &mut Controller) -> Option<()> {
     let (from, to) = (&from.vm.space.memory, &mut to.vm.space.memory);
     let count = from.store(old.place.store).ok()?.kind.size.num;
     if to.store(new.place.store).ok()?.kind.size.num != count {

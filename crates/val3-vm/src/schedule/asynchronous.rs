@@ -41,12 +41,12 @@ impl Schedule {
         if let Some(id) = rounds.suspended.take()
             && let Some((id, grant)) = self.suspended_turn(id, vm, end)
         {
-            self.asynchronous_turn(rounds, (id, grant), vm, host)?;
+            self.asynchronous_turn(rounds, id, grant, vm, host)?;
         }
         while self.now < end {
             self.check_limit()?;
             match self.next_turn(vm, end) {
-                Some(turn) => self.asynchronous_turn(rounds, turn, vm, host)?,
+                Some((id, grant)) => self.asynchronous_turn(rounds, id, grant, vm, host)?,
                 None => self.end_round(rounds, end, vm)?,
             }
         }
@@ -56,11 +56,12 @@ impl Schedule {
     fn asynchronous_turn(
         &mut self,
         rounds: &mut Rounds,
-        (id, grant): (TaskNumber, Grant),
+        id: TaskNumber,
+        grant: Grant,
         vm: &mut Vm,
         host: &mut dyn Host,
     ) -> CycleFlow {
-        let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
+        let turn = vm.turn(id, grant, self.now, self.line_cost, host);
         self.now += Time::from(turn.lines) * self.line_cost;
         vm.set_left(id, turn.left);
         let suspension = turn.end.cycle_end();
@@ -102,7 +103,7 @@ impl Schedule {
     fn suspended_turn(&self, id: TaskNumber, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let task = vm.tasks().iter().find(|task| task.id == id && task.can_run())?;
         let lines = self.lines(task)?;
-        Some((id, self.grant(task, (task.left, lines), vm, end)))
+        Some((id, self.grant(task, task.left, lines, vm, end)))
     }
 
     /// Returns the next asynchronous task that can run, with the lines for its turn.
@@ -111,10 +112,10 @@ impl Schedule {
         let from = vm.roster.first_from(self.next);
         let (task, lines) = tasks.iter().skip(from).find_map(|task| Some((task, self.lines(task)?)))?;
         let first = if task.left > 0 { task.left } else { lines };
-        Some((task.id, self.grant(task, (first, lines), vm, end)))
+        Some((task.id, self.grant(task, first, lines, vm, end)))
     }
 
-    fn grant(&self, task: &Task, (first, lines): (u32, u32), vm: &Vm, end: Time) -> Grant {
+    fn grant(&self, task: &Task, first: u32, lines: u32, vm: &Vm, end: Time) -> Grant {
         let limit = self.lines_until(end).min(self.lines_until_stop(task.id, vm));
         let per_turn = if self.is_alone(task, vm.tasks(), end) { lines } else { 0 };
         Grant { first, per_turn, limit }

@@ -83,7 +83,7 @@ impl Schedule {
         while !turn.is_over && can_run(vm, turn.id) {
             self.check_limit()?;
             let lines = turn.lines.min(self.lines_until_stop(turn.id, vm));
-            let report = vm.turn(turn.id, Grant::once(lines), (self.now, self.line_cost), host);
+            let report = vm.turn(turn.id, Grant::once(lines), self.now, self.line_cost, host);
             self.now += Time::from(report.lines) * self.line_cost;
             turn.lines = turn.lines.saturating_sub(report.lines);
             if let Some(end) = report.end.cycle_end() {

@@ -22,7 +22,7 @@ fn count(bench: &Bench) -> f64 {
 }
 
 fn turn(bench: &mut Bench, lines: u32) -> val3_vm::TurnReport {
-    bench.vm.turn(bench.start, Grant::once(lines), (0, LINE), &mut bench.host)
+    bench.vm.turn(bench.start, Grant::once(lines), 0, LINE, &mut bench.host)
 }
 
 #[test]

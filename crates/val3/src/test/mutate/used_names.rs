@@ -68,7 +68,7 @@ impl UsedNames {
         let parse = parse(text);
         let mut tokens = Vec::new();
         if let Some(code) = code(parse.view()) {
-            collect(code, text, &mut (0, 1), &mut tokens);
+            collect(code, text, &mut Position { offset: 0, line: 1 }, &mut tokens);
         }
         for (number, token) in tokens.iter().enumerate() {
             if token.kind != IDENT || !lines.contains(&token.line) {
@@ -135,17 +135,23 @@ pub(super) fn text(file: &str) -> Option<String> {
     Some(encoding::decode(bytes).text)
 }
 
-/// Collects code tokens. `at` is the last offset with its line.
-fn collect<'t>(node: View<'t>, text: &str, at: &mut (usize, u32), tokens: &mut Vec<CodeToken<'t>>) {
+/// An offset in bytes with its line, from 1 on.
+struct Position {
+    offset: usize,
+    line: u32,
+}
+
+/// Collects code tokens. `at` is the end of the text whose lines are counted.
+fn collect<'t>(node: View<'t>, text: &str, at: &mut Position, tokens: &mut Vec<CodeToken<'t>>) {
     for child in node.children_with_tokens() {
         if let Some(node) = child.as_node() {
             collect(*node, text, at, tokens);
         }
         let Some(token) = child.as_token().filter(|token| !token.kind().is_trivia()) else { continue };
         let start = usize::from(token.range().start());
-        let passed = text.get(at.0..start).unwrap_or_default();
-        at.1 += u32::try_from(passed.matches('\n').count()).unwrap_or_default();
-        at.0 = start;
-        tokens.push(CodeToken { kind: token.kind(), text: token.text(), line: at.1 });
+        let passed = text.get(at.offset..start).unwrap_or_default();
+        at.line += u32::try_from(passed.matches('\n').count()).unwrap_or_default();
+        at.offset = start;
+        tokens.push(CodeToken { kind: token.kind(), text: token.text(), line: at.line });
     }
 }
