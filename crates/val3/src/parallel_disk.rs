@@ -1,4 +1,4 @@
-//! The disk, with parallel reading of files and cached folder lists.
+//! The disk, with parallel reading of files, and with cached folder lists and paths.
 
 use std::io;
 use std::sync::{Mutex, PoisonError};
@@ -17,12 +17,16 @@ pub(crate) struct ParallelDisk<'t> {
     threads: &'t ThreadPool,
     /// Cached entries of folders, used first to find projects and then to load them.
     listed: Mutex<FxHashMap<Utf8PathBuf, Vec<String>>>,
+    /// Cached kinds of paths: each project searches the folders above it for its repository and its cell.
+    kinds: Mutex<FxHashMap<Utf8PathBuf, Option<PathKind>>>,
+    /// Cached paths without links.
+    targets: Mutex<FxHashMap<Utf8PathBuf, Utf8PathBuf>>,
 }
 
 impl<'t> ParallelDisk<'t> {
     /// Creates a view of the disk that reads on these threads.
     pub(crate) fn new(threads: &'t ThreadPool) -> Self {
-        Self { threads, listed: Mutex::default() }
+        Self { threads, listed: Mutex::default(), kinds: Mutex::default(), targets: Mutex::default() }
     }
 }
 
@@ -51,18 +55,33 @@ impl System for ParallelDisk<'_> {
     }
 
     fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
-        Disk.kind(path)
+        cached(&self.kinds, path, |path| Disk.kind(path))
     }
 
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
-        Disk.identity(path)
+        self.target(path)
     }
 
     fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
-        Disk.target(path)
+        cached(&self.targets, path, |path| Disk.target(path))
     }
 
     fn is_link(&self, path: &Utf8Path) -> bool {
         Disk.is_link(path)
     }
+}
+
+/// Returns the cached answer for a path, or computes it.
+fn cached<T: Clone>(
+    answers: &Mutex<FxHashMap<Utf8PathBuf, T>>,
+    path: &Utf8Path,
+    compute: impl FnOnce(&Utf8Path) -> T,
+) -> T {
+    let mut answers = answers.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(answer) = answers.get(path) {
+        return answer.clone();
+    }
+    let answer = compute(path);
+    answers.insert(path.to_owned(), answer.clone());
+    answer
 }

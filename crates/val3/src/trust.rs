@@ -6,6 +6,7 @@
 use std::fmt::Display;
 use std::fs;
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use toml_edit::{Array, DocumentMut, Item, Value};
@@ -64,7 +65,8 @@ fn trusts(folder: &Utf8Path) -> bool {
 }
 
 fn is_home(folder: &Utf8Path) -> bool {
-    home().and_then(|home| canonical(&home).ok()).is_some_and(|home| home == folder)
+    static HOME: LazyLock<Option<Utf8PathBuf>> = LazyLock::new(|| canonical(&home()?).ok());
+    HOME.as_ref().is_some_and(|home| home == folder)
 }
 
 /// User's home folder.
