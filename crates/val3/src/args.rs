@@ -36,7 +36,7 @@ pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
 pub(crate) use report_file::ReportOutput;
-pub(crate) use run::{RunArgs, RunTime, START};
+pub(crate) use run::{RunArgs, RunTime, START, SummaryFormat};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
 
@@ -160,6 +160,8 @@ pub(crate) enum CliCommand {
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a type or another word, or search all pages
     Explain(ExplainArgs),
+    /// Print a short primer of VAL 3 and of these commands, for people and for the instructions of an agent
+    Guide,
     /// List arms, print their files, and measure the times of yours
     Arm(ArmArgs),
     /// Run the language server for an editor, on standard input and output

@@ -31,6 +31,9 @@ pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError>
     if args.statistics {
         rule_counts::supports(args.format)?;
     }
+    if args.max_findings.is_some() {
+        supports_limit(args.format)?;
+    }
     if args.explain_config {
         let opened = open(&request)?;
         to_stdout(color, |mut out| explain_config::write(&opened, &request, &mut out))?;
@@ -66,6 +69,16 @@ fn request(args: &CheckArgs) -> Result<OpenRequest, UserError> {
     })
 }
 
+/// Checks that readers of a format do not depend on all findings.
+fn supports_limit(format: ReportFormat) -> Result<(), UserError> {
+    use ReportFormat::{Concise, Human, Json, JsonLines};
+    if matches!(format, Human | Concise | Json | JsonLines) {
+        return Ok(());
+    }
+    let message = "--max-findings cannot be used with this --format, whose readers need every finding";
+    Err(UserError::new(message).with_help("it works with human, concise, json and json-lines"))
+}
+
 /// Rules selected by the arguments. `--motion` adds the rules about the arm.
 fn selection(args: &CheckArgs) -> Result<RuleSelection, UserError> {
     let motion = if args.motion { rules::of_motion().map(|rule| rule.code.to_owned()).to_vec() } else { Vec::new() };
@@ -95,7 +108,7 @@ fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> 
 
 fn check(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
     let found = session.check()?;
-    write_report(args, color, &session.report(found))
+    write_report(args, color, session.report(found))
 }
 
 /// Writes fixes or suppression comments, and reports the findings of a second check.
@@ -115,13 +128,14 @@ fn rewrite(
         false => report.newly_silenced = Some(applied.count),
     }
     written.abandon();
-    write_report(args, color, &report)
+    write_report(args, color, report)
 }
 
-fn write_report(args: &CheckArgs, color: Color, report: &CheckReport) -> Result<ExitCode, UserError> {
-    write_files(args, report)?;
-    write_findings(args, color, report)?;
-    Ok(exit_code(args, report, report.reaches(args.fail_level)))
+fn write_report(args: &CheckArgs, color: Color, mut report: CheckReport) -> Result<ExitCode, UserError> {
+    write_files(args, &report)?;
+    args.max_findings.into_iter().for_each(|most| report.limit(most));
+    write_findings(args, color, &report)?;
+    Ok(exit_code(args, &report, report.reaches(args.fail_level)))
 }
 
 /// Repeats the check after each change. Each round reads all files again. It ends only with an error or with the
@@ -139,7 +153,7 @@ fn watch(args: &CheckArgs, color: Color, request: &OpenRequest) -> Result<ExitCo
             if args.format.is_for_people() {
                 clear_screen();
             }
-            write_report(args, color, &report)?;
+            write_report(args, color, report)?;
             session.folders().iter().try_for_each(|folder| watch.include(folder, false))?;
         }
         hint("Waiting for changes; press Ctrl-C to stop");
@@ -189,6 +203,8 @@ fn write_findings(args: &CheckArgs, color: Color, report: &CheckReport) -> Resul
     }
     if args.format.is_for_people() && !args.quiet {
         to_stderr(|out| summary::write(report, out));
+    } else if let Some(limited) = summary::limited(report) {
+        to_stderr(|out| writeln!(out, "note: not shown: {limited}"));
     }
     Ok(())
 }

@@ -20,6 +20,7 @@ mod fingerprint;
 mod fixing;
 mod fmt;
 mod format;
+mod guide;
 mod history;
 mod in_memory;
 mod internal_error;
@@ -145,6 +146,7 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         CliCommand::Eval(eval) => eval::run(eval, args.color),
         CliCommand::Run(run) => run::run(run, args.color),
         CliCommand::Test(test) => test::run(test, args.color),
+        CliCommand::Guide => guide::run().map(|()| ExitCode::SUCCESS),
         CliCommand::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         CliCommand::Arm(arm) => arm::run(arm, args.color),
         CliCommand::Lsp(lsp) => lsp::run(lsp),

@@ -4,7 +4,8 @@ mod finding;
 #[cfg(test)]
 pub(crate) mod sample;
 
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 
 use clap::ValueEnum;
 use serde::Serialize;
@@ -82,6 +83,8 @@ pub(crate) struct CheckReport {
     pub(crate) applications: Vec<String>,
     /// Findings, sorted by file, range and code: the order is the same on every machine.
     pub(crate) findings: Vec<Finding>,
+    /// Findings beyond the limit of `--max-findings`, which count but are not shown.
+    pub(crate) beyond_limit: Vec<Finding>,
     /// Number of findings that `--fix` has fixed before the report; `None` without `--fix`.
     pub(crate) fixed: Option<usize>,
     /// Number of fixes that were omitted because they would have added errors.
@@ -117,6 +120,7 @@ impl CheckReport {
             statistics,
             applications,
             findings,
+            beyond_limit: Vec::new(),
             fixed: None,
             refused: 0,
             newly_silenced: None,
@@ -129,33 +133,58 @@ impl CheckReport {
         }
     }
 
+    /// Limits the shown findings. The most serious ones remain, in their order.
+    pub(crate) fn limit(&mut self, most: usize) {
+        let mut ranks: Vec<usize> = (0..self.findings.len()).collect();
+        ranks.sort_by_key(|rank| self.findings.get(*rank).map(|finding| Reverse(finding.severity)));
+        let kept: BTreeSet<usize> = ranks.into_iter().take(most).collect();
+        let (shown, omitted): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut self.findings).into_iter().enumerate().partition(|(rank, _)| kept.contains(rank));
+        self.findings = shown.into_iter().map(|(_, finding)| finding).collect();
+        self.beyond_limit.extend(omitted.into_iter().map(|(_, finding)| finding));
+    }
+
+    /// Shown and omitted findings.
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Finding> {
+        self.findings.iter().chain(&self.beyond_limit)
+    }
+
+    /// Number of omitted findings by rule, most frequent first.
+    pub(crate) fn omitted(&self) -> Vec<(&'static str, usize)> {
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        self.beyond_limit.iter().for_each(|finding| *counts.entry(finding.code).or_default() += 1);
+        let mut counts: Vec<_> = counts.into_iter().collect();
+        counts.sort_by_key(|(_, count)| Reverse(*count));
+        counts
+    }
+
     /// Number of findings with this level.
     pub(crate) fn count(&self, severity: FindingSeverity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
-        self.findings.iter().filter(same).count()
+        self.all().filter(same).count()
     }
 
     /// Number of findings with a safe fix, or with an unsafe fix.
     pub(crate) fn fixable(&self, safe: bool) -> usize {
-        let fixes = self.findings.iter().filter_map(|finding| finding.fix.as_ref());
+        let fixes = self.all().filter_map(|finding| finding.fix.as_ref());
         fixes.filter(|fix| fix.safe == safe).count()
     }
 
     /// Number of loaded files with findings.
     pub(crate) fn faulty_files(&self) -> usize {
-        let read = self.findings.iter().filter(|finding| finding.code != UNREAD_ARCHIVE);
+        let read = self.all().filter(|finding| finding.code != UNREAD_ARCHIVE);
         let paths = read.map(|finding| &finding.place.file.path);
         paths.collect::<BTreeSet<_>>().len()
     }
 
     /// Whether all files were read.
     pub(crate) fn is_complete(&self) -> bool {
-        self.unreadable.is_empty() && !self.findings.iter().any(|finding| finding.code == UNREADABLE_FILE)
+        self.unreadable.is_empty() && !self.all().any(|finding| finding.code == UNREADABLE_FILE)
     }
 
     /// Whether a finding reaches a level.
     pub(crate) fn reaches(&self, level: FindingSeverity) -> bool {
-        self.findings.iter().any(|finding| finding.severity >= level)
+        self.all().any(|finding| finding.severity >= level)
     }
 }
 
@@ -182,6 +211,22 @@ mod tests {
         assert_eq!(report.faulty_files(), 2);
         assert!(report.reaches(FindingSeverity::Error));
         assert!(!sample::clean().reaches(FindingSeverity::Info));
+    }
+
+    #[test]
+    fn the_most_serious_findings_remain_below_a_limit() {
+        let mut report = sample::report();
+        let counts = |report: &CheckReport| {
+            let levels = [FindingSeverity::Error, FindingSeverity::Warning, FindingSeverity::Info];
+            (levels.map(|level| report.count(level)), report.faulty_files(), report.fixable(true))
+        };
+        let before = counts(&report);
+        report.limit(1);
+        let shown: Vec<_> = report.findings.iter().map(|finding| finding.severity).collect();
+        assert_eq!((shown, report.omitted().len()), (vec![FindingSeverity::Error], 2));
+        assert_eq!(counts(&report), before, "what is omitted counts");
+        report.limit(9);
+        assert_eq!((report.findings.len(), report.omitted().len()), (1, 2));
     }
 
     #[test]

@@ -20,6 +20,7 @@ mod outside;
 mod record;
 mod recorder;
 mod replay;
+mod result;
 mod silence;
 mod tempo;
 mod unpacked;
@@ -46,6 +47,7 @@ use guide::NoDebugger;
 use observers::Observers;
 use record::Record;
 use replay::RunRecording;
+use result::ResultRecorder;
 use viewers::Viewers;
 
 /// Exit code of a run that reached the limit of `--until`.
@@ -65,7 +67,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     let recording = args.replay.as_deref().map(RunRecording::open).transpose()?;
     let ready = match open(args, AnnouncementReader::Terminal, &mut |write| to_stderr_in_color(color, write))? {
         OpenedApplication::Ready(ready) => *ready,
-        OpenedApplication::Faulty { code, .. } => return refuse(args, code),
+        OpenedApplication::Faulty { code, errors } => return refuse(args, code, &errors),
     };
     if let (Some(_), Some(checked)) = (&written, &ready.checked) {
         to_stderr(|out| writeln!(out, "note: {checked}"));
@@ -108,10 +110,13 @@ fn run_to_end(mut course: Course<'_>, color: Color) -> Result<u8, UserError> {
     }
 }
 
-/// Ends a run that cannot begin. Its event record contains only the end.
-fn refuse(args: &RunArgs, code: ExitCode) -> Result<ExitCode, UserError> {
+/// Ends a run that cannot begin. Its event record and its result contain only the end.
+fn refuse(args: &RunArgs, code: u8, errors: &[String]) -> Result<ExitCode, UserError> {
     let mut record = Record::open(args.events.as_deref())?;
     record.write(&Event { t: 0.0, task: None, at: None, kind: EventKind::End { reason: EndReason::Refused } })?;
     record.flush()?;
-    Ok(code)
+    if let Some(result) = ResultRecorder::open(args)? {
+        result.refuse(code, errors)?;
+    }
+    Ok(ExitCode::from(code))
 }

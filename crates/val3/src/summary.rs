@@ -5,6 +5,9 @@ use std::io::{self, Write};
 use crate::baseline::BaselineResult;
 use crate::report::{CheckReport, FindingSeverity, ReportChanges};
 
+/// Maximum number of rules whose omitted findings are counted separately.
+const LISTED_RULES: usize = 8;
+
 /// Writes the counts and, if there are findings, a reference to the pages.
 pub(crate) fn write(report: &CheckReport, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
@@ -21,7 +24,7 @@ pub(crate) fn write(report: &CheckReport, out: &mut dyn Write) -> io::Result<()>
 /// Note on the check before a run, which only shows errors.
 pub(crate) fn of_checked_run(report: &CheckReport) -> String {
     let found = format!("the check has {} {}", findings(report), files(report));
-    if report.findings.is_empty() { found } else { format!("{found}; `val3 check` shows them") }
+    if report.all().next().is_none() { found } else { format!("{found}; `val3 check` shows them") }
 }
 
 /// Writes the number of unreported findings, and the effect of the baselines.
@@ -29,7 +32,7 @@ fn left_out(report: &CheckReport, out: &mut dyn Write) -> io::Result<()> {
     let BaselineResult { known, gone, written } = &report.baseline;
     let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
     let hidden = hidden.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{} {why}", grouped(*count)));
-    let hidden: Vec<_> = hidden.collect();
+    let hidden: Vec<_> = limited(report).into_iter().chain(hidden).collect();
     if !hidden.is_empty() {
         writeln!(out, "not shown: {}", hidden.join(", "))?;
     }
@@ -40,10 +43,20 @@ fn left_out(report: &CheckReport, out: &mut dyn Write) -> io::Result<()> {
     written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
 
+/// Describes the findings that `--max-findings` omits: `31 findings (V0602: 28, V0109: 3) beyond --max-findings`.
+pub(crate) fn limited(report: &CheckReport) -> Option<String> {
+    let omitted = report.omitted();
+    let count = omitted.iter().map(|(_, count)| count).sum::<usize>();
+    let rules: Vec<String> =
+        omitted.iter().take(LISTED_RULES).map(|(code, count)| format!("{code}: {count}")).collect();
+    let more = if omitted.len() > LISTED_RULES { ", …" } else { "" };
+    (count > 0).then(|| format!("{} ({}{more}) beyond --max-findings", number(count, "finding"), rules.join(", ")))
+}
+
 /// Number of findings that were fixed or can be fixed.
 fn fixes(report: &CheckReport) -> Option<String> {
     if let Some(fixed) = report.fixed {
-        let all = number(fixed + report.findings.len(), "finding");
+        let all = number(fixed + report.all().count(), "finding");
         return Some(format!("{} of {all} fixed{}", grouped(fixed), refused(report.refused)));
     }
     if let Some(silenced) = report.newly_silenced {
@@ -72,7 +85,7 @@ fn refused(count: usize) -> String {
 /// Code of the first finding with the highest level.
 fn most_serious(report: &CheckReport) -> Option<&'static str> {
     let levels = [FindingSeverity::Error, FindingSeverity::Warning, FindingSeverity::Info];
-    let first = |level| report.findings.iter().find(|finding| finding.severity == level);
+    let first = |level| report.all().find(|finding| finding.severity == level);
     levels.into_iter().find_map(first).map(|finding| finding.code)
 }
 

@@ -1,7 +1,7 @@
 //! Applies the entries of a script to a controller.
 
 use val3_lang::call::StoredValue;
-use val3_lang::memory::StoreId;
+use val3_lang::memory::{LinkPlace, StoreId};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_lang::values::number_text::shown;
@@ -142,6 +142,15 @@ impl Controller {
             BaseType::String => Text::read(memory, place).ok().map(|text| text.to_string()),
             _ => None,
         }
+    }
+
+    /// Returns the path of the signal to which a global `dio` or `aio` is linked; `None` for other data, and without a
+    /// link.
+    #[must_use]
+    pub fn linked_signal(&self, name: &str) -> Option<&str> {
+        let (place, base) = self.variable(name)?;
+        let LinkPlace::Port(port) = self.vm.space.memory.link(place, 0).ok()? else { return None };
+        self.devices.port_name(base, port).filter(|_| matches!(base, BaseType::Dio | BaseType::Aio))
     }
 
     pub(super) fn data(&self, name: &str) -> Option<StoreId> {

@@ -147,6 +147,12 @@ impl ScriptAction {
         Self(ScriptEntry { keys: Some(Keys(codes)), ..ScriptEntry::default() })
     }
 
+    /// Action of setting global variables.
+    #[must_use]
+    pub fn setting(set: BTreeMap<String, ScriptValue>) -> Self {
+        Self(ScriptEntry { set, ..ScriptEntry::default() })
+    }
+
     /// Parses an action.
     ///
     /// # Errors

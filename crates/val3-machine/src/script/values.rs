@@ -100,6 +100,19 @@ pub enum ScriptValue {
     Text(String),
 }
 
+impl From<&str> for ScriptValue {
+    /// Converts a value on a command line: `true`, `2.5`, `bolt`. A text in quotes is a text in any case: `"2.5"`.
+    fn from(text: &str) -> Self {
+        let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+        match (quoted, text.parse(), text.parse::<f64>()) {
+            (Some(quoted), ..) => Self::Text(quoted.to_owned()),
+            (None, Ok(truth), _) => Self::Bool(truth),
+            (None, _, Ok(number)) if number.is_finite() => Self::Num(number),
+            _ => Self::Text(text.to_owned()),
+        }
+    }
+}
+
 impl fmt::Display for ScriptValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -28,6 +28,9 @@ pub(crate) struct CheckArgs {
     /// Also write the findings to a file, in a separate format; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE")]
     pub(crate) output: Vec<ReportOutput>,
+    /// Show at most this many findings, the most serious ones, and count the others; all findings determine the exit code
+    #[arg(help_heading = "Output", long, value_name = "N")]
+    pub(crate) max_findings: Option<usize>,
     /// The lowest level at which the check fails
     #[arg(help_heading = "Exit code", long, value_name = "LEVEL", default_value = "error")]
     pub(crate) fail_level: FindingSeverity,

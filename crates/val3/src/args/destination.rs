@@ -34,6 +34,7 @@ impl CliCommand {
             | Self::Dap(_)
             | Self::Trust(_)
             | Self::Man(_)
+            | Self::Guide
             | Self::Version => {
                 return Ok(None);
             }

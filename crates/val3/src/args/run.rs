@@ -2,7 +2,7 @@
 
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
-use val3_machine::script::{key_codes, typed_keys};
+use val3_machine::script::{ScriptValue, key_codes, typed_keys};
 
 use super::{ControllerArgs, OutputArgs};
 use crate::serve::ServeAddress;
@@ -51,6 +51,16 @@ pub(crate) struct RunArgs {
     /// List the time by program line; with a file, as JSON
     #[arg(help_heading = "Output", long, value_name = "FILE.json", num_args = 0..=1, require_equals = true)]
     pub(crate) times: Option<Option<Utf8PathBuf>>,
+    /// Print a summary of the run instead of its output: why it ended, errors, printed lines, screen, moves, waits, signals, and
+    /// what to do next
+    #[arg(help_heading = "Output", long, value_name = "FORMAT", num_args = 0..=1, require_equals = true, default_missing_value = "text", conflicts_with_all = ["interactive", "serve", "debug_port", "screen"])]
+    pub(crate) summary: Option<SummaryFormat>,
+    /// Write the summary of the run to a file, as JSON with up to 1,000 entries in each list
+    #[arg(help_heading = "Output", long, value_name = "FILE.json")]
+    pub(crate) result: Option<Utf8PathBuf>,
+    /// Set a global variable or a field of one before the run begins: nSpeed=50, mFast.leave=20, sNames[1]=bolt
+    #[arg(help_heading = "Surroundings", long, value_name = "NAME=VALUE", value_parser = variable)]
+    pub(crate) set: Vec<(String, ScriptValue)>,
     /// A TOML file with the events outside the application and their times; each variable and signal in it must exist
     #[arg(help_heading = "Surroundings", long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
@@ -100,6 +110,15 @@ impl RunArgs {
     }
 }
 
+/// Form of the summary of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SummaryFormat {
+    /// Lines for people and language models
+    Text,
+    /// A JSON document
+    Json,
+}
+
 /// How time passes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum RunTime {
@@ -107,6 +126,12 @@ pub(crate) enum RunTime {
     Virtual,
     /// In real time
     Real,
+}
+
+/// Parses a variable and its value.
+fn variable(text: &str) -> Result<(String, ScriptValue), String> {
+    let (name, value) = text.split_once('=').ok_or("write NAME=VALUE, such as nSpeed=50")?;
+    Ok((name.trim().to_owned(), ScriptValue::from(value.trim())))
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

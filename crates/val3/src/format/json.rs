@@ -3,7 +3,7 @@
 //! ```json
 //! {"version": 1,
 //!  "summary": {"applications": 1, "files": 3, "programs": 1, "code_lines": 12,
-//!              "errors": 1, "warnings": 0, "infos": 0},
+//!              "errors": 1, "warnings": 0, "infos": 0, "omitted": {}},
 //!  "diagnostics": [{
 //!    "code": "V0203", "name": "argument-type", "severity": "error",
 //!    "message": "…", "label": "…", "help": "…", "file": "pal/pick.pgx",
@@ -14,6 +14,7 @@
 //!    "fix": {"title": "…", "safe": true, "edits": [{"file": "pal/pick.pgx", "range": {}, "text": "…"}]}}]}
 //! ```
 //! - The document contains no time, so that equal files have equal reports.
+//! - `omitted` counts the findings beyond `--max-findings`, by code.
 //! - `severity` is `error`, `warning` or `info`.
 //! - `label` describes the range, and `help` the remedy. Either is empty if it would add nothing.
 //! - `file` and `application` are relative to the requested folder, with `/`. For a file without a project,
@@ -26,6 +27,7 @@
 //!   replaces the range and is encoded like the file: escaped if the code is escaped.
 //! - `code_lines` omits blank lines and comments.
 
+use std::collections::BTreeMap;
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
@@ -63,6 +65,7 @@ struct Summary {
     errors: usize,
     warnings: usize,
     infos: usize,
+    omitted: BTreeMap<&'static str, usize>,
 }
 
 impl Summary {
@@ -76,6 +79,7 @@ impl Summary {
             errors: report.count(FindingSeverity::Error),
             warnings: report.count(FindingSeverity::Warning),
             infos: report.count(FindingSeverity::Info),
+            omitted: report.omitted().into_iter().collect(),
         }
     }
 }
@@ -207,6 +211,6 @@ mod tests {
 
     #[test]
     fn fields_have_a_fixed_order() {
-        insta::assert_snapshot!(rendered(ReportFormat::Json, &sample::clean()), @r#"{"version":1,"summary":{"applications":1,"files":3,"programs":1,"code_lines":1412,"errors":0,"warnings":0,"infos":0},"diagnostics":[]}"#);
+        insta::assert_snapshot!(rendered(ReportFormat::Json, &sample::clean()), @r#"{"version":1,"summary":{"applications":1,"files":3,"programs":1,"code_lines":1412,"errors":0,"warnings":0,"infos":0,"omitted":{}},"diagnostics":[]}"#);
     }
 }

@@ -37,7 +37,7 @@ pub(crate) struct Console {
     pub(super) color: Color,
     /// Whether the standard output may be used for the output of the application.
     speaks: bool,
-    /// Whether a debug client shows the output instead.
+    /// Whether a debug client or the summary shows the output instead.
     pub(super) is_silent: bool,
     is_read: bool,
     /// Whether the application has written output.
@@ -72,6 +72,16 @@ impl Console {
     /// Whether a task has stopped with an unhandled error.
     pub(crate) fn has_unhandled_errors(&self) -> bool {
         !self.failures.is_empty()
+    }
+
+    /// Unhandled errors, and the path that the arm cannot follow.
+    pub(super) fn failures(&self) -> &Failures {
+        &self.failures
+    }
+
+    /// What has touched something else or come too near to it.
+    pub(super) fn encounters(&self) -> &Encounters {
+        &self.encounters
     }
 
     /// Whether something has touched something else.

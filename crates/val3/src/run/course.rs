@@ -19,6 +19,7 @@ use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;
 use super::replay::RunRecording;
+use super::result::{ResultRecorder, RunEnd};
 use super::silence::Silence;
 use super::tempo::Tempo;
 use super::viewers::Viewers;
@@ -41,6 +42,7 @@ pub(super) struct Course<'a> {
     motion: MotionObservers,
     viewers: Option<Viewers>,
     export: Option<Export>,
+    result: Option<ResultRecorder>,
     tempo: Tempo,
     silence: Silence,
     announcements: Rc<Announcements>,
@@ -55,6 +57,7 @@ impl<'a> Course<'a> {
     pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
         let motion = MotionObservers::open(args, &ready.controller)?;
         let export = args.export.as_deref().map(|path| Export::open(path, &ready.controller)).transpose()?;
+        let result = ResultRecorder::open(args)?;
         let tempo = Tempo::new(pace(args, &observers), ready.controller.now());
         let debugger = Debugger::new(ready.controller);
         let evaluator = FrameEvaluator::new(ready.application);
@@ -66,6 +69,7 @@ impl<'a> Course<'a> {
             motion,
             viewers: None,
             export,
+            result,
             tempo,
             silence: Silence::new(Instant::now()),
             announcements: ready.announcements,
@@ -222,6 +226,9 @@ impl<'a> Course<'a> {
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
         self.motion.follow(&events);
+        if let Some(result) = &mut self.result {
+            result.follow(&events);
+        }
         self.observers.notify(&events)?;
         if events.iter().any(|event| is_shown(&event.kind)) {
             self.silence.see_output(Instant::now());
@@ -310,6 +317,9 @@ impl<'a> Course<'a> {
         }
         self.report_test(end, guide)?;
         self.observers.notify_end(end, &events)?;
+        if let Some(result) = &mut self.result {
+            result.follow(&events);
+        }
         let code = self.exit_code(end);
         if let Some(viewers) = &mut self.viewers {
             viewers.see_end(&events, reason(end), code, &self.debugger.controller);
@@ -351,6 +361,7 @@ impl<'a> Course<'a> {
     /// Writes the reports at the end of a run, and explains the end. Returns the served run, unless its server ends with
     /// it.
     pub(super) fn close(self, end: End) -> Result<Option<EndedRun>, UserError> {
+        let code = self.exit_code(end);
         let (args, mut controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;
         let pendant = &controller.devices.state.pendant;
@@ -361,7 +372,10 @@ impl<'a> Course<'a> {
             false => {}
         }
         console.explain(end, args, &controller);
-        self.motion.close()?;
+        let times = self.motion.close()?;
+        if let Some((result, times)) = self.result.zip(times) {
+            result.close(&RunEnd { end, code, controller: &controller, console: &console, times: &times })?;
+        }
         self.export.map_or(Ok(()), Export::close)?;
         let Some(viewers) = self.viewers else { return Ok(None) };
         if matches!(end, End::BrokenOff(_) | End::Left) {

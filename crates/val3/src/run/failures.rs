@@ -73,6 +73,16 @@ impl Failures {
         }
     }
 
+    /// Returns the unhandled error with which a task has stopped at a time in seconds.
+    pub(super) fn unhandled(&self, task: &str, at: f64) -> Option<&Failure> {
+        self.unhandled.iter().find(|failure| failure.task == task && failure.at == at)
+    }
+
+    /// Returns the path that the arm cannot follow.
+    pub(super) fn path(&self) -> Option<&ImpossiblePath> {
+        self.path.as_ref()
+    }
+
     /// Whether every error was handled, and the arm can follow its path.
     pub(super) fn is_empty(&self) -> bool {
         self.unhandled.is_empty() && self.path.is_none()

@@ -16,6 +16,7 @@ use crate::output::to_stderr;
 use crate::user_error::UserError;
 use picture::PictureFile;
 use times::RunTimes;
+pub(super) use times::{TimesReport, TimesRow};
 use trace::TraceWriter;
 
 /// Requested motion observers.
@@ -36,11 +37,12 @@ impl MotionObservers {
         let arm = controller.arm().model();
         let axes = arm.axes();
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
+        let wants_times = args.times.is_some() || args.summary.is_some() || args.result.is_some();
         let picture = args.plot.as_deref().map(|path| PictureFile::open(path, args.plot_accelerations, controller));
         Ok(Self {
             trace: trace.map(|path| TraceWriter::open(path, axes, args.trace_all.is_some())).transpose()?,
             picture: picture.transpose()?,
-            times: args.times.as_ref().map(|file| RunTimes::open(file.as_deref(), arm.times_origin())).transpose()?,
+            times: wants_times.then(|| RunTimes::open(args.times.as_ref(), arm.times_origin())).transpose()?,
             note: arm.times_note().filter(|_| trace.is_some() || args.times.is_some()),
             has_moved: false,
             last: None,
@@ -79,13 +81,13 @@ impl MotionObservers {
         }
     }
 
-    /// Writes the reports at the end of a run.
-    pub(super) fn close(self) -> Result<(), UserError> {
+    /// Writes the reports at the end of a run. Returns the times, if they are observed.
+    pub(super) fn close(self) -> Result<Option<TimesReport>, UserError> {
         if let Some(note) = self.note.filter(|_| self.has_moved) {
             to_stderr(|out| writeln!(out, "note: {note}"));
         }
         self.trace.map_or(Ok(()), TraceWriter::close)?;
         self.picture.map_or(Ok(()), PictureFile::close)?;
-        self.times.map_or(Ok(()), RunTimes::close)
+        self.times.map(RunTimes::close).transpose()
     }
 }

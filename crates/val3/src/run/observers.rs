@@ -31,7 +31,10 @@ impl Observers {
     /// Opens the observers that the arguments name.
     pub(super) fn open(args: &RunArgs, recording: Option<RunRecording>, color: Color) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
-        let console = Console::new(color, !record.takes_stdout())?;
+        let console = match args.summary {
+            Some(_) => Console::silent()?,
+            None => Console::new(color, !record.takes_stdout())?,
+        };
         let live = args.interactive.then(Live::open).transpose()?;
         Ok(Self { record, console, live, recording, for_client: None })
     }

@@ -1,7 +1,6 @@
 //! Opens an application for `val3 run`: from the arguments to a controller with the application in memory.
 
 use std::io;
-use std::process::ExitCode;
 use std::rc::Rc;
 
 use codespan_reporting::term::termcolor::WriteColor;
@@ -28,6 +27,9 @@ use crate::sockets::{AnnouncementReader, Announcements};
 use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
 
+/// Exit code for an application that the controller's compiler rejects.
+const EXIT_REFUSED: u8 = 1;
+
 /// Result of opening an application.
 pub(crate) enum OpenedApplication {
     /// The application is in memory.
@@ -35,7 +37,7 @@ pub(crate) enum OpenedApplication {
     /// The application has faults, which were displayed.
     Faulty {
         /// Exit code of the command.
-        code: ExitCode,
+        code: u8,
         /// Errors of the check: file, line and message.
         errors: Vec<String>,
     },
@@ -87,7 +89,7 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
         Err(error) => {
             show_limit(&error, show)?;
             let errors = vec![format!("this controller cannot load the application: {}", error.limit)];
-            return Ok(OpenedApplication::Faulty { code: ExitCode::FAILURE, errors });
+            return Ok(OpenedApplication::Faulty { code: EXIT_REFUSED, errors });
         }
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
@@ -174,7 +176,7 @@ fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
 /// Result of the check before a run.
 struct Checked {
     /// Exit code, if the controller's compiler rejects the application.
-    refusal: Option<ExitCode>,
+    refusal: Option<u8>,
     /// Note with the number of findings.
     counts: String,
     /// Errors: file, line and message.
@@ -192,7 +194,7 @@ fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> R
     let counts = summary::of_checked_run(&report);
     report.findings.retain(|finding| finding.severity == FindingSeverity::Error);
     show(&|out| human::write(&report, out));
-    let code = if report.is_complete() { ExitCode::FAILURE } else { ExitCode::from(EXIT_USAGE) };
+    let code = if report.is_complete() { EXIT_REFUSED } else { EXIT_USAGE };
     let errors = report.findings.iter().map(located).collect();
     Ok(Checked { refusal: is_refused.then_some(code), counts, errors })
 }

@@ -28,6 +28,13 @@ pub(super) fn arrange(
         check_script(path, &faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
         controller.follow(scenario.script().clone());
     }
+    if !args.set.is_empty() {
+        let set = ScriptAction::setting(args.set.iter().cloned().collect());
+        controller.act(&set).map_err(|problems| {
+            UserError::new(format!("--set: {}", problems.join("; ")))
+                .with_help("name a global variable of the type bool, num or string, or such a field: mFast.leave=20")
+        })?;
+    }
     let keys: Vec<u16> = args.keys.iter().flat_map(|keys| keys.0.iter().copied()).collect();
     if !keys.is_empty() {
         controller.act(&ScriptAction::typing(keys)).map_err(|problems| UserError::new(problems.join("; ")))?;

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::io::Write as _;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8PathBuf;
 use serde::Serialize;
 use val3_files::OutputFile;
 use val3_lang::ports::{CodePlace, Time};
@@ -29,8 +29,7 @@ const NO_MOVE: &str = "no move";
 
 /// Times of a run.
 pub(super) struct RunTimes {
-    /// Output file for the times as JSON; `None` for a table on the console.
-    file: Option<(OutputFile, Utf8PathBuf)>,
+    output: TimesOutput,
     /// Origin of the arm's times: `measured` or `model`.
     origin: &'static str,
     arm: BTreeMap<TimeKey, LimitTimes>,
@@ -45,6 +44,16 @@ pub(super) struct RunTimes {
     nearest: Option<Nearest>,
 }
 
+/// Destination of the times.
+enum TimesOutput {
+    /// The result of the run alone.
+    None,
+    /// A table on the console.
+    Console,
+    /// A JSON file with this path.
+    File(Box<OutputFile>, Utf8PathBuf),
+}
+
 /// A line and an activity.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct TimeKey {
@@ -53,11 +62,13 @@ struct TimeKey {
     program: String,
     line: u32,
     what: String,
+    /// Whether the arm moves.
+    is_moving: bool,
 }
 
 impl TimeKey {
     fn no_move() -> Self {
-        Self { task: String::new(), program: String::new(), line: 0, what: NO_MOVE.to_owned() }
+        Self { task: String::new(), program: String::new(), line: 0, what: NO_MOVE.to_owned(), is_moving: false }
     }
 
     fn of_task(position: TaskPosition) -> Self {
@@ -65,19 +76,21 @@ impl TimeKey {
             Activity::Running => "computing".to_owned(),
             activity => activity.awaited().unwrap_or_else(|| activity.word().to_owned()),
         };
-        Self { task: position.name, program: position.program, line: position.line, what }
+        Self { task: position.name, program: position.program, line: position.line, what, is_moving: false }
     }
 }
 
 /// The times as JSON.
 #[derive(Serialize)]
-struct TimesReport {
+pub(in crate::run) struct TimesReport {
     /// Duration in seconds.
-    duration: f64,
+    pub(in crate::run) duration: f64,
     /// Origin of the arm's times: `measured` or `model`.
     times: &'static str,
-    arm: Vec<TimesRow>,
-    tasks: Vec<TimesRow>,
+    /// Lines of the moves, longest time first.
+    pub(in crate::run) arm: Vec<TimesRow>,
+    /// Lines of the tasks, longest time first.
+    pub(in crate::run) tasks: Vec<TimesRow>,
     /// Limit that applied for most of the time with a move, and a suggestion.
     #[serde(skip_serializing_if = "Option::is_none")]
     advice: Option<String>,
@@ -88,14 +101,20 @@ struct TimesReport {
     nearest: Vec<NearestRow>,
 }
 
+/// Time of an activity at a program line.
 #[derive(Serialize)]
-struct TimesRow {
+pub(in crate::run) struct TimesRow {
+    /// Task name; empty for the arm.
     #[serde(skip_serializing_if = "String::is_empty")]
-    task: String,
-    program: String,
-    line: u32,
-    what: String,
-    seconds: f64,
+    pub(in crate::run) task: String,
+    pub(in crate::run) program: String,
+    pub(in crate::run) line: u32,
+    /// The activity, such as `computing`, or the awaited condition.
+    pub(in crate::run) what: String,
+    /// Whether the arm moves.
+    #[serde(skip)]
+    pub(in crate::run) is_moving: bool,
+    pub(in crate::run) seconds: f64,
     /// Smallest distance while the arm executed this line.
     #[serde(skip_serializing_if = "Option::is_none")]
     nearest: Option<NearestRow>,
@@ -115,10 +134,18 @@ impl TimesRow {
 }
 
 impl RunTimes {
-    pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
-        let file = path.map(|path| file::create(path, OutputFileKind::Json, "times")).transpose()?;
+    /// Opens the output that `--times` requests: a table, or a file.
+    pub(super) fn open(times: Option<&Option<Utf8PathBuf>>, origin: &'static str) -> Result<Self, UserError> {
+        let output = match times {
+            None => TimesOutput::None,
+            Some(None) => TimesOutput::Console,
+            Some(Some(path)) => {
+                let file = file::create(path, OutputFileKind::Json, "times")?;
+                TimesOutput::File(Box::new(file), path.clone())
+            }
+        };
         Ok(Self {
-            file: file.zip(path.map(Utf8Path::to_owned)),
+            output,
             origin,
             arm: BTreeMap::new(),
             tasks: BTreeMap::new(),
@@ -173,10 +200,28 @@ impl RunTimes {
             phase => (self.present, phase.word()),
         };
         let (program, line, _) = place.map(|at| controller.devices.place(at)).unwrap_or_default();
-        TimeKey { task: String::new(), program, line, what: what.to_owned() }
+        let is_moving = arm.sample().phase != MotionPhase::Waiting;
+        TimeKey { task: String::new(), program, line, what: what.to_owned(), is_moving }
     }
 
-    pub(super) fn close(self) -> Result<(), UserError> {
+    /// Writes the times up to the last observed cycle, and returns them.
+    pub(super) fn close(mut self) -> Result<TimesReport, UserError> {
+        let output = std::mem::replace(&mut self.output, TimesOutput::None);
+        let report = self.into_report();
+        match output {
+            TimesOutput::None => {}
+            TimesOutput::Console => to_stderr(|out| out.write_all(report.table().as_bytes())),
+            TimesOutput::File(mut file, path) => {
+                let refused = |reason: &dyn Display| file::refused(&path, "times", reason);
+                let text = serde_json::to_string_pretty(&report).map_err(|error| refused(&error))?;
+                file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
+                file.commit().map_err(|reason| refused(&reason))?;
+            }
+        }
+        Ok(report)
+    }
+
+    fn into_report(self) -> TimesReport {
         let mut all = LimitTimes::default();
         self.arm.values().for_each(|limits| all.extend(limits));
         let arm = self.arm.into_iter().map(|(entry, limits)| (entry, limits.total(), limits.shares()));
@@ -185,7 +230,7 @@ impl RunTimes {
         if let Some(nearest) = &self.nearest {
             arm.iter_mut().for_each(|row| row.nearest = nearest.of_line(&row.program, row.line));
         }
-        let report = TimesReport {
+        TimesReport {
             duration: seconds(self.last),
             times: self.origin,
             arm,
@@ -193,18 +238,6 @@ impl RunTimes {
             advice: all.advice(),
             blends: self.blends.into_lines(),
             nearest: self.nearest.map(|nearest| nearest.of_pairs()).unwrap_or_default(),
-        };
-        match self.file {
-            Some((mut file, path)) => {
-                let refused = |reason: &dyn Display| file::refused(&path, "times", reason);
-                let text = serde_json::to_string_pretty(&report).map_err(|error| refused(&error))?;
-                file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
-                file.commit().map_err(|reason| refused(&reason))
-            }
-            None => {
-                to_stderr(|out| out.write_all(report.table().as_bytes()));
-                Ok(())
-            }
         }
     }
 }
@@ -218,8 +251,8 @@ fn rows(table: impl Iterator<Item = (TimeKey, Time, Vec<LimitShare>)>) -> Vec<Ti
     rows.into_iter().map(|(key, time, limits)| row(key, time, limits)).collect()
 }
 
-fn row(TimeKey { task, program, line, what }: TimeKey, time: Time, limits: Vec<LimitShare>) -> TimesRow {
-    TimesRow { task, program, line, what, seconds: seconds(time), nearest: None, limits }
+fn row(TimeKey { task, program, line, what, is_moving }: TimeKey, time: Time, limits: Vec<LimitShare>) -> TimesRow {
+    TimesRow { task, program, line, what, is_moving, seconds: seconds(time), nearest: None, limits }
 }
 
 impl TimesReport {

@@ -1,0 +1,157 @@
+//! The document. docs/src/result.md describes the stable format.
+
+use serde::Serialize;
+
+use super::listed::Listed;
+
+/// Result of a run.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(super) struct ResultDocument {
+    /// Whether the exit code is 0.
+    pub(super) ok: bool,
+    /// Why the run ended: `finished`, `stopped`, `limit`, `stuck`, `error`, `interrupted` or `refused`.
+    pub(super) reason: &'static str,
+    /// Exit code of the command.
+    pub(super) exit_code: u8,
+    /// Time at the end on the controller's clock.
+    pub(super) seconds: f64,
+    /// Tasks that have not ended.
+    pub(super) tasks: Vec<TaskEntry>,
+    pub(super) errors: Listed<ErrorEntry>,
+    /// What has touched something else, in sentences.
+    pub(super) contacts: Vec<String>,
+    /// The nearest of the near misses, in a sentence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) near_misses: Option<String>,
+    /// Notes of the run itself.
+    pub(super) notes: Listed<String>,
+    /// Lines that `?` has printed.
+    pub(super) prints: Listed<String>,
+    /// Lines of the event log, and messages on the screen.
+    pub(super) log: Listed<String>,
+    /// Lines of the user page at the end, if it has text.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) screen: Vec<String>,
+    pub(super) moves: MovesEntry,
+    /// Waits of tasks, longest first.
+    pub(super) waits: Vec<WaitEntry>,
+    /// Changes of inputs and outputs.
+    pub(super) io: Listed<IoEntry>,
+    /// What to do next, if the run did not end well.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) next: Option<String>,
+}
+
+/// A line of a program.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub(super) struct CodeLine {
+    pub(super) program: String,
+    /// Line in the file, from 1.
+    pub(super) line: u32,
+    pub(super) file: String,
+    /// Code of the line, if the file can be read.
+    #[serde(rename = "code_line", skip_serializing_if = "Option::is_none")]
+    pub(super) code: Option<String>,
+}
+
+/// A task at the end of the run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct TaskEntry {
+    pub(super) name: String,
+    /// Its activity, such as `waits for a condition`.
+    pub(super) activity: String,
+    #[serde(flatten)]
+    pub(super) at: CodeLine,
+}
+
+/// A run-time error, or a path that the arm cannot follow.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct ErrorEntry {
+    /// Seconds on the controller's clock.
+    pub(super) t: f64,
+    /// Number of the run-time error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) code: Option<u16>,
+    pub(super) message: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(super) task: String,
+    #[serde(flatten)]
+    pub(super) at: CodeLine,
+    /// Whether another task has resumed or killed the task.
+    pub(super) handled: bool,
+    /// What the error means, and what helps against it.
+    pub(super) help: String,
+}
+
+/// Moves of the arm.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(super) struct MovesEntry {
+    /// Number of started moves.
+    pub(super) count: usize,
+    /// Time in motion.
+    pub(super) seconds: f64,
+    /// Moves by program, longest time first.
+    pub(super) programs: Vec<ProgramMoves>,
+    /// Moves by line, longest time first.
+    pub(super) lines: Vec<LineMoves>,
+}
+
+/// Moves of a program.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct ProgramMoves {
+    pub(super) program: String,
+    pub(super) count: usize,
+    pub(super) seconds: f64,
+}
+
+/// Moves of a line.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct LineMoves {
+    pub(super) program: String,
+    pub(super) line: u32,
+    pub(super) instruction: &'static str,
+    pub(super) count: usize,
+    pub(super) seconds: f64,
+}
+
+/// Time that a task has waited at a line.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct WaitEntry {
+    pub(super) task: String,
+    pub(super) program: String,
+    pub(super) line: u32,
+    /// The awaited condition or object.
+    pub(super) what: String,
+    pub(super) seconds: f64,
+}
+
+/// Change of an input or output.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct IoEntry {
+    pub(super) t: f64,
+    pub(super) link: String,
+    pub(super) value: f64,
+}
+
+impl CodeLine {
+    /// Program and line: `work:7`.
+    pub(super) fn place(&self) -> String {
+        format!("{}:{}", self.program, self.line)
+    }
+}
+
+impl ResultDocument {
+    /// Keeps at most this many items of each list.
+    pub(super) fn shorten(&mut self, most: usize) {
+        self.tasks.truncate(most);
+        self.contacts.truncate(most);
+        self.waits.truncate(most);
+        self.moves.programs.truncate(most);
+        self.moves.lines.truncate(most);
+        self.errors.shorten(most);
+        self.notes.shorten(most);
+        self.prints.shorten(most);
+        self.log.shorten(most);
+        self.io.shorten(most);
+    }
+}
