@@ -18,7 +18,7 @@ struct Requirement {
 
 const REQUIREMENTS: &[Requirement] = &[
     Requirement {
-        steps: &["dependencies", "workflows", "hooks", "reports", "editors"],
+        steps: &["dependencies", "workflows", "hooks", "reports", "python", "editors"],
         purpose: "Python, which installs tools below target",
         packages: &["python3", "python3-venv"],
         is_met: |_| node::python().is_some(),

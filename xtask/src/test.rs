@@ -86,6 +86,7 @@ const STEPS: &[Step] = &[
     Step { name: "reports", run: StepCommand::Script("tests/tools/reports", &[]) },
     Step { name: "tests", run: StepCommand::Cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]) },
     Step { name: "coverage", run: StepCommand::Script("tests/tools/coverage", &[]) },
+    Step { name: "python", run: StepCommand::Script("tests/python/run", &[]) },
     Step { name: EDITORS, run: StepCommand::Script("tests/editors/run", &[]) },
 ];
 

@@ -1,4 +1,4 @@
-//! The Python wheel with the command. maturin writes its metadata from `pyproject.toml`, and the package `wheel` packs
+//! The Python wheel with the command and the module `val3`. maturin writes its metadata from `pyproject.toml`, and the package `wheel` packs
 //! it. The binary is the same as in the archive, so that it is not built twice.
 
 use std::fs;
@@ -36,11 +36,26 @@ pub(super) fn write(
     fs::create_dir_all(&scripts).with_context(|| format!("cannot make {scripts}"))?;
     let script = scripts.join(build.command());
     fs::copy(binary, &script).with_context(|| format!("cannot copy {binary} to {script}"))?;
+    copy_module(&parts)?;
     describe(build, &scratch.join("THIRD-PARTY.txt"), &parts)?;
     let mut pack = packaging_tools::command(Packages::Wheel, "wheel")?;
     pack.args(["pack", parts.as_str(), "--dest-dir", folder.as_str()]).env("SOURCE_DATE_EPOCH", TIME);
     project::succeed(pack.stdout(std::io::stderr()))?;
     Ok(folder.join(format!("val3-{version}-py3-none-{}.whl", platforms(build)?.join("."))))
+}
+
+/// Copies the Python module.
+fn copy_module(parts: &Utf8Path) -> anyhow::Result<()> {
+    let (source, target) = (project::root().join("python/val3"), parts.join("val3"));
+    fs::create_dir_all(&target).with_context(|| format!("cannot make {target}"))?;
+    for entry in source.read_dir_utf8().with_context(|| format!("cannot list {source}"))? {
+        let file = entry?.into_path();
+        let is_part = matches!(file.extension(), Some("py" | "typed"));
+        if let (true, Some(name)) = (is_part, file.file_name()) {
+            fs::copy(&file, target.join(name)).with_context(|| format!("cannot copy {file} to {target}"))?;
+        }
+    }
+    Ok(())
 }
 
 /// Writes the metadata of the project, the platforms, and the licences.

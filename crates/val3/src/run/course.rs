@@ -372,7 +372,7 @@ impl<'a> Course<'a> {
             false => {}
         }
         console.explain(end, args, &controller);
-        let times = self.motion.close()?;
+        let times = self.motion.close(controller.now())?;
         if let Some((result, times)) = self.result.zip(times) {
             result.close(&RunEnd { end, code, controller: &controller, console: &console, times: &times })?;
         }

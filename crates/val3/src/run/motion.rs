@@ -81,13 +81,13 @@ impl MotionObservers {
         }
     }
 
-    /// Writes the reports at the end of a run. Returns the times, if they are observed.
-    pub(super) fn close(self) -> Result<Option<TimesReport>, UserError> {
+    /// Writes the reports at the end of a run, at this time. Returns the times, if they are observed.
+    pub(super) fn close(self, end: Time) -> Result<Option<TimesReport>, UserError> {
         if let Some(note) = self.note.filter(|_| self.has_moved) {
             to_stderr(|out| writeln!(out, "note: {note}"));
         }
         self.trace.map_or(Ok(()), TraceWriter::close)?;
         self.picture.map_or(Ok(()), PictureFile::close)?;
-        self.times.map(RunTimes::close).transpose()
+        self.times.map(|times| times.close(end)).transpose()
     }
 }

@@ -101,8 +101,8 @@ fn a_fault_is_one_event_and_a_row_of_the_times() {
     let rows: Vec<&str> = run.stderr.lines().filter(|line| line.contains("follow")).collect();
     expect![[r#"
         error: the arm cannot follow the path of this `movel`
-               3.804 s  58.6 %  start:19  resting before a path that the arm cannot follow
-          the arm rests for 3.804 s before a path that it cannot follow: correct the move"#]]
+               3.808 s  58.6 %  start:19  resting before a path that the arm cannot follow
+          the arm rests for 3.808 s before a path that it cannot follow: correct the move"#]]
     .assert_eq(&rows.join("\n"));
 }
 

@@ -131,6 +131,6 @@ fn the_palletiser_runs_in_virtual_time() {
     );
     let run = folder.val3(&["run", "palletiser"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, "log: USR loaded box from Disk://partBox\n"), "{run:?}");
-    assert!(run.stderr.contains("times of 10.996 s") && !run.stderr.contains("real"), "{run:?}");
+    assert!(run.stderr.contains("times of 11.000 s") && !run.stderr.contains("real"), "{run:?}");
     assert!(run.stderr.ends_with("wrote palletiser/palletiser.svg\nwrote palletiser/palletiser.html\n"), "{run:?}");
 }

@@ -111,7 +111,7 @@ fn each_line_has_the_limits_of_its_speed() {
     ));
     expect![[r#"
         arm
-        2.008 s  42.3 %            no move
+        2.012 s  42.4 %            no move
         2.004 s  42.2 %  start:18  nominal  100 % tvel
         0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
         0.192 s   4.0 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
@@ -122,7 +122,7 @@ fn each_line_has_the_limits_of_its_speed() {
         arm
         20.040 s  68.3 %  start:18  nominal  100 % monitor speed
         5.400 s  18.4 %  start:9   nominal  100 % monitor speed
-        2.008 s   6.8 %            no move
+        2.012 s   6.9 %            no move
         1.908 s   6.5 %  start:14  nominal  100 % monitor speed
         0.004 s   0.0 %  ~main            computing
         100 % of the moving time is limited by the monitor speed: raise it to 100 %

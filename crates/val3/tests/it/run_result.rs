@@ -52,7 +52,7 @@ fn a_summary_names_the_end_the_errors_and_the_next_step() {
         prints: 1
           ready 10
         waits, longest first:
-          0.00 s task `work` for a condition at work:5
+          2.00 s task `work` for a condition at work:5
         next: task `work` waits for a condition at work:5 (`wait(diPart)`): set `diPart` in the script (--script): [[at]] t = 1, io = { 'BasicIO-1\%I0' = true }
     "#]]
     .assert_eq(&output.stdout);

@@ -178,6 +178,17 @@ impl RunTimes {
         self.tasks_before = controller.task_positions().into_iter().map(TimeKey::of_task).collect();
     }
 
+    /// Adds the time after the last observed cycle, in which nothing happens.
+    fn rest(&mut self, end: Time) {
+        let passed = end.saturating_sub(self.last);
+        self.last = self.last.max(end);
+        let (arm, limit) = self.arm_before.take().unwrap_or_else(|| (TimeKey::no_move(), SpeedLimit::End));
+        self.arm.entry(arm).or_default().add(limit, passed);
+        for entry in std::mem::take(&mut self.tasks_before) {
+            *self.tasks.entry(entry).or_default() += passed;
+        }
+    }
+
     /// Adds the blends in the events.
     pub(super) fn follow(&mut self, events: &[Event]) {
         self.blends.follow(events);
@@ -204,8 +215,9 @@ impl RunTimes {
         TimeKey { task: String::new(), program, line, what: what.to_owned(), is_moving }
     }
 
-    /// Writes the times up to the last observed cycle, and returns them.
-    pub(super) fn close(mut self) -> Result<TimesReport, UserError> {
+    /// Writes the times up to the end of the run, and returns them.
+    pub(super) fn close(mut self, end: Time) -> Result<TimesReport, UserError> {
+        self.rest(end);
         let output = std::mem::replace(&mut self.output, TimesOutput::None);
         let report = self.into_report();
         match output {
