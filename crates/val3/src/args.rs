@@ -26,7 +26,7 @@ use val3_files::ProcessLimits;
 use crate::color::Color;
 use crate::version::VERSION;
 
-pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, AxisRange};
+pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, ArmUrdfArgs, AxisRange};
 pub(crate) use byte_size::ByteSize;
 pub(crate) use check::CheckArgs;
 pub(crate) use controller::ControllerArgs;

@@ -1,10 +1,11 @@
-//! `val3 arm`: lists and shows arms, and measures their times.
+//! `val3 arm`: lists, shows and converts arms, and measures their times.
 
 mod files;
 mod fit;
 mod list;
 mod measure;
 mod show;
+mod urdf;
 
 use std::process::ExitCode;
 
@@ -17,6 +18,7 @@ pub(crate) fn run(args: &ArmArgs, color: Color) -> Result<ExitCode, UserError> {
     match &args.action {
         ArmAction::List(_) => list::run(color).map(|()| ExitCode::SUCCESS),
         ArmAction::Show(show) => show::run(show, color).map(|()| ExitCode::SUCCESS),
+        ArmAction::Urdf(urdf) => urdf::run(urdf, color).map(|()| ExitCode::SUCCESS),
         ArmAction::Measure(measure) => measure::run(measure).map(|()| ExitCode::SUCCESS),
         ArmAction::Fit(fit) => fit::run(fit, color),
     }

@@ -22,6 +22,8 @@ pub(crate) enum ArmAction {
     List(ArmListArgs),
     /// Print the file of an arm, to copy and change it
     Show(ArmShowArgs),
+    /// Print an arm as URDF, with its shapes, for ROS and other simulators
+    Urdf(ArmUrdfArgs),
     /// Write an application that measures the times of your arm on its controller
     Measure(ArmMeasureArgs),
     /// Compute speeds, accelerations and decelerations from the log of that application, and write an arm file
@@ -40,6 +42,16 @@ pub(crate) struct ArmListArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct ArmShowArgs {
     /// The arm, such as tx2-60l
+    pub(crate) name: String,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+/// Arguments of `val3 arm urdf`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ArmUrdfArgs {
+    /// The arm (tx2-60l) or a file that describes it
     pub(crate) name: String,
     /// The destination of the text
     #[command(flatten)]

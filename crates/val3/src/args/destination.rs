@@ -25,6 +25,7 @@ impl CliCommand {
             Self::Arm(args) => match &args.action {
                 ArmAction::List(args) => (&args.output, OutputFileKind::Text),
                 ArmAction::Show(args) => (&args.output, OutputFileKind::Text),
+                ArmAction::Urdf(args) => (&args.output, OutputFileKind::Text),
                 ArmAction::Measure(_) | ArmAction::Fit(_) => return Ok(None),
             },
             Self::New(_)
