@@ -9,6 +9,7 @@ mod archives;
 mod arm;
 mod attach;
 mod baseline;
+mod cell_distances;
 mod check;
 mod check_motion;
 mod configuration;

@@ -153,6 +153,21 @@ fn the_table_of_times_has_the_smallest_distances() {
 }
 
 #[test]
+fn the_table_of_times_has_the_eight_nearest_pairs() {
+    let folder = folder(200.0);
+    let cell = CELL.replace("WALL", "200");
+    let (_, wall) = cell.split_once("\n\n").unwrap();
+    folder.write("cell.toml", &format!("{cell}\n{}", wall.replace("\"wall\"", "\"other wall\"")));
+    let run = folder.val3(&["run", "--times"]);
+    let (_, table) = run.stderr.split_once("  nearest by pair\n").unwrap();
+    assert_eq!(table.lines().count(), 9, "{table}");
+    assert_eq!(table.lines().last(), Some("  and 6 more: `--times FILE` writes all"));
+    folder.val3(&["run", "--times=times.json"]);
+    let times: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    assert_eq!(times["nearest"].as_array().unwrap().len(), 14);
+}
+
+#[test]
 fn the_record_has_each_encounter() {
     let folder = folder(150.0);
     folder.val3(&["run", "--events", "events.jsonl"]);
