@@ -82,7 +82,8 @@ fn pairs_of_shapes_have_the_distances_of_other_programs() {
     for case in &cases {
         let folder = Folder::with("cls()");
         // With all joints at zero, the frame of link 1 is `world`.
-        let [a, b] = [("a", "link1"), ("b", "world")].map(|(name, carrier)| object(name, carrier, &case[name], &folder));
+        let [a, b] =
+            [("a", "link1"), ("b", "world")].map(|(name, carrier)| object(name, carrier, &case[name], &folder));
         folder.write("cell.toml", &format!("clearance = 5000\n{a}{b}"));
         let found = distances(&folder, "tx2-60l", &serde_json::json!([0, 0, 0, 0, 0, 0]));
         let depth = case.get("depth").map(|depth| -depth.as_f64().unwrap());
@@ -132,7 +133,9 @@ fn arms_in_24_positions_have_the_distances_of_other_programs() {
         for (pair, expected) in case["distances"].as_object().unwrap() {
             let (a, b) = pair.split_once(' ').unwrap();
             match expected.as_f64().unwrap() {
-                0.0 => assert!(found.iter().any(|((one, other), depth)| (one.as_str(), other.as_str()) == (a, b) && *depth <= 0.0)),
+                0.0 => assert!(
+                    found.iter().any(|((one, other), depth)| (one.as_str(), other.as_str()) == (a, b) && *depth <= 0.0)
+                ),
                 expected => assert_distance(&found, a, b, expected, name),
             }
             compared += 1;

@@ -168,6 +168,18 @@ fn the_table_of_times_has_the_eight_nearest_pairs() {
 }
 
 #[test]
+fn a_picture_has_the_smallest_distance_over_time() {
+    let folder = folder(200.0);
+    folder.write("cell.toml", &format!("clearance = 45\n{}", CELL.replace("WALL", "200")));
+    folder.val3(&["run", "--plot", "picture.svg"]);
+    let picture = folder.read("picture.svg");
+    assert!(picture.contains(">smallest distance (mm)<") && picture.contains(">clearance 45<"), "{picture}");
+    assert!(picture.contains(">link6 - wall: 8.5 mm<"), "{picture}");
+    folder.val3(&["run", "--cell", "none", "--plot", "empty.svg"]);
+    assert!(!folder.read("empty.svg").contains("smallest distance"));
+}
+
+#[test]
 fn the_record_has_each_encounter() {
     let folder = folder(150.0);
     folder.val3(&["run", "--events", "events.jsonl"]);
