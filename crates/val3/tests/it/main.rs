@@ -17,6 +17,7 @@ mod configuration;
 mod damage;
 mod dap;
 mod dap_client;
+mod dap_contacts;
 mod dap_overlay;
 mod dap_replay;
 mod dap_test;
