@@ -287,7 +287,7 @@ mod tests {
         let marked = MarkedListing::new(&format!("{APPLICATION}{cell}"));
         let mut found = completions(marked.db(), marked.at());
         found.extend(mesh_completions(marked.db(), &marked.system, marked.at()));
-        let lines = found.iter().map(|item| format!("{} -> {}\n", item.label, item.plain.escape_debug()));
+        let lines = found.iter().map(|item| format!("{} -> {}\n", item.label, item.plain.trim_end().escape_debug()));
         expected.assert_eq(&lines.collect::<String>());
     }
 
@@ -326,7 +326,7 @@ mod tests {
         check(
             "cl$0",
             expect![[r#"
-            clearance -> clearance = 
+            clearance -> clearance =
         "#]],
         );
         check(
@@ -338,7 +338,7 @@ mod tests {
         check(
             "[[object]]\nshapes = [{ sphere = { ra$0",
             expect![[r#"
-            radius -> radius = 
+            radius -> radius =
         "#]],
         );
         check(
