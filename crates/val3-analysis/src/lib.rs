@@ -28,6 +28,7 @@ pub mod problem;
 pub mod project_check;
 pub mod reach;
 pub mod resizing;
+pub mod surroundings;
 pub mod system;
 pub mod targets;
 pub mod test_applications;

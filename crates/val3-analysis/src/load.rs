@@ -14,6 +14,7 @@ mod pages;
 mod references;
 mod refresh;
 mod search;
+mod surroundings;
 mod unlisted;
 
 use std::sync::Arc;
@@ -197,9 +198,19 @@ impl<'s> Loader<'s> {
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, &reach, prefix));
         let beside = self.names_in(&folder);
         let pages = self.pages(&folder, &beside);
+        let surroundings = self.surroundings(&folder, &manifest, configuration);
         let is_below_tests = self.is_below_tests(&folder, &roots, configuration);
-        let input =
-            known_inputs::ProjectInput { file, roots, cell, beside, pages, outside, configuration, is_below_tests };
+        let input = known_inputs::ProjectInput {
+            file,
+            roots,
+            cell,
+            beside,
+            pages,
+            surroundings,
+            outside,
+            configuration,
+            is_below_tests,
+        };
         let project = self.project_input(&key, input);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));

@@ -17,13 +17,16 @@ pub use self::texts::elements as page_elements;
 use crate::body::body;
 use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};
-use crate::pages;
+use crate::{pages, surroundings};
 
 /// Returns every resolved name in `file` as a part of `project`, in source order.
 #[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     if project.pages(db).contains(&file) {
         return pages::occurrences(db, project, file);
+    }
+    if project.surroundings(db) == Some(file) {
+        return surroundings::occurrences(db, project, file);
     }
     let mut found = xml_names::names(db, project, file);
     if program_files(db, project).contains(&file) {
@@ -83,11 +86,12 @@ pub fn occurrence_at(db: &dyn Db, project: Project, file: File, offset: TextSize
     covering.max_by_key(|occurrence| occurrence.range.start())
 }
 
-/// Returns the files of a project: the `.pjx`, data, programs and files of user pages.
+/// Returns the files of a project: the `.pjx`, data, programs, files of user pages, and `cell.toml`.
 pub fn project_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
     let data = data_files(db, project).iter().copied();
     std::iter::once(project.manifest(db))
         .chain(data)
         .chain(program_files(db, project).iter().copied())
         .chain(project.pages(db).iter().copied())
+        .chain(project.surroundings(db))
 }

@@ -264,8 +264,8 @@ mod tests {
         refused(
             &mesh("no.stl", "mm"),
             expect![[r#"
-            object[0].mesh: cannot read `no.stl`: it does not exist
-            help: name an existing STL file of at most 32 MB"#]],
+                object[0].mesh: cannot read `no.stl`: it does not exist
+                help: name an existing STL or GLB file of at most 32 MB"#]],
         );
     }
 

@@ -17,7 +17,7 @@
 
 use std::borrow::Cow;
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
@@ -125,11 +125,11 @@ pub struct ShapeKeys {
     /// The points within a radius of a line: a cylinder with round ends.
     #[schemars(with = "CapsuleKey")]
     pub capsule: Option<CapsuleKey>,
-    /// An STL file (mm, z up), relative to the folder of this file. A thing that stands keeps its surface, so that
+    /// An STL file (mm, z up) or a GLB file (m, y up), relative to the folder of this file. A thing that stands keeps its surface, so that
     /// something can be inside of it; of a thing that the arm carries, the convex hull is used.
     #[schemars(with = "String")]
     pub mesh: Option<Utf8PathBuf>,
-    /// The unit of lengths in the mesh; `mm` by default.
+    /// The unit of lengths in the mesh: `mm` by default, `m` for a GLB file.
     #[schemars(with = "MeshUnit")]
     pub unit: Option<MeshUnit>,
     /// Whether the convex hull of the mesh is used (`true`), or its surface (`false`).
@@ -214,6 +214,12 @@ pub enum MeshUnit {
 }
 
 impl MeshUnit {
+    /// Returns the usual unit of a mesh file.
+    pub(crate) fn of(path: &Utf8Path) -> Self {
+        let is_glb = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("glb"));
+        if is_glb { Self::M } else { Self::Mm }
+    }
+
     /// Returns the unit in mm.
     pub(crate) const fn length(self) -> f64 {
         match self {

@@ -4,7 +4,7 @@
 //! reads meshes, and states where the frames and tools of a program are.
 //!
 //! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each
-//! other, and [`Minima`] records the smallest distances.
+//! other, [`Minima`] records the smallest distances, and [`Profile`] computes the smallest distance at each cycle.
 
 mod allowed;
 mod build;
@@ -18,6 +18,7 @@ mod names;
 mod observation;
 mod pairs;
 mod poses;
+mod profile;
 mod reach;
 mod scene;
 mod solids;
@@ -35,6 +36,7 @@ pub use self::file::{AllowedPair, CellFile, ObjectEntry, ShapeEntry, ShapeKeys};
 pub use self::measure::Measured;
 pub use self::mesh::{Mesh, MeshError};
 pub use self::minima::{Minima, Minimum};
+pub use self::profile::{Profile, Proximity};
 pub use self::scene::Scene;
 pub use self::solids::{Solid, SolidForm};
 pub use self::step::Sight;

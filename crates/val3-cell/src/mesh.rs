@@ -1,4 +1,6 @@
-//! Reading of STL files: triangles, as text or binary.
+//! Reading of STL files, as text or binary, and of GLB files: triangles.
+
+mod glb;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -28,6 +30,8 @@ pub struct Mesh {
 pub enum MeshError {
     /// It is neither form of STL.
     Form,
+    /// It is a GLB file that cannot be used, for this reason.
+    Glb(&'static str),
     /// The text form ends within a triangle, or has a corner that is not three numbers, at this line (from 1).
     Line(usize),
     /// It has no triangle.
@@ -40,6 +44,7 @@ impl fmt::Display for MeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Form => write!(f, "it is not an STL file, or it is cut off"),
+            Self::Glb(reason) => write!(f, "it cannot be used as a GLB file: {reason}"),
             Self::Line(line) => write!(f, "its line {line} is not a corner of a triangle: `vertex x y z`"),
             Self::Empty => write!(f, "it has no triangle"),
             Self::TooMany(count) => write!(f, "it has {count} triangles, and at most {MOST_TRIANGLES} are accepted"),
@@ -50,11 +55,14 @@ impl fmt::Display for MeshError {
 impl std::error::Error for MeshError {}
 
 impl Mesh {
-    /// Reads an STL file.
+    /// Reads an STL file in its unit, or a GLB file in metres with z up.
     ///
     /// # Errors
     /// The bytes are not one, or too many triangles.
     pub fn read(bytes: &[u8]) -> Result<Self, MeshError> {
+        if bytes.starts_with(glb::MAGIC) {
+            return glb::read(bytes).and_then(Self::checked);
+        }
         let corners = match binary(bytes) {
             Some(corners) => corners?,
             None => text(bytes)?,
@@ -71,7 +79,11 @@ impl Mesh {
             let triangle = triangle.each_ref().map(number);
             mesh.triangles.push(triangle);
         }
-        if mesh.triangles.is_empty() { Err(MeshError::Empty) } else { Ok(mesh) }
+        mesh.checked()
+    }
+
+    fn checked(self) -> Result<Self, MeshError> {
+        if self.triangles.is_empty() { Err(MeshError::Empty) } else { Ok(self) }
     }
 
     /// Returns the mesh with lengths multiplied by a factor.

@@ -23,7 +23,7 @@ pub struct Solid {
     pub shape: Shape,
     /// Its pose in the frame of the thing.
     pub pose: IsometryMatrix3<f64>,
-    /// The shape as it was described, for pictures.
+    /// The shape for pictures: as it was described, or the hull of a mesh if that is compared.
     pub form: SolidForm,
 }
 
@@ -102,14 +102,26 @@ pub(crate) fn solid(
             [0.0; 3],
         )
     } else if let Some(path) = mesh {
-        (SolidForm::Mesh(mesh_in_mm(path, unit.unwrap_or(MeshUnit::Mm), &key, maker.surroundings)?), [0.0; 3])
+        (
+            SolidForm::Mesh(mesh_in_mm(path, unit.unwrap_or_else(|| MeshUnit::of(path)), &key, maker.surroundings)?),
+            [0.0; 3],
+        )
     } else {
         return Ok(None);
     };
     let shape = shape_of(&form, hull.unwrap_or(maker.is_carried))
         .map_err(|error| CellError::new(&key, format!("it is no shape: {error}"), ""))?;
+    let form = drawn(form, &shape);
     let pose = place * Trsf::new(offset, [0.0; 3]).isometry();
     Ok(Some(Solid { shape, pose, form }))
+}
+
+/// Replaces a mesh by its hull, if the shape is the hull.
+fn drawn(form: SolidForm, shape: &Shape) -> SolidForm {
+    match (form, shape.hull_triangles()) {
+        (SolidForm::Mesh(_), Some((points, triangles))) => SolidForm::Mesh(Mesh { points, triangles }),
+        (form, _) => form,
+    }
 }
 
 /// Size and centre of a box.
@@ -133,7 +145,7 @@ fn mesh_in_mm(
 ) -> Result<Mesh, CellError> {
     let mesh = surroundings
         .mesh(path)
-        .map_err(|message| CellError::new(key, message, "name an existing STL file of at most 32 MB"))?;
+        .map_err(|message| CellError::new(key, message, "name an existing STL or GLB file of at most 32 MB"))?;
     let mesh = mesh.scaled(unit.length());
     let extent = mesh.extent();
     let help = match unit {
@@ -152,5 +164,25 @@ fn shape_of(form: &SolidForm, hull: bool) -> Result<Shape, ShapeError> {
         SolidForm::Capsule { from, to, radius } => Shape::capsule(Vector3::from(*from), Vector3::from(*to), *radius),
         SolidForm::Mesh(mesh) if hull => Shape::hull(&mesh.points),
         SolidForm::Mesh(mesh) => Shape::surface(&mesh.points, &mesh.triangles),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mesh_is_drawn_as_its_hull_if_that_is_compared() {
+        let corner = |number: u32| [number & 1, number >> 1 & 1, number >> 2].map(|side| f64::from(side) * 10.0).into();
+        let mut points: Vec<Vector3<f64>> = (0..8).map(corner).collect();
+        let inside = Vector3::new(5.0, 5.0, 5.0);
+        points.push(inside);
+        let mesh = Mesh { points, triangles: (0..7).map(|first| [first, first + 1, 8]).collect() };
+        let surface = Shape::surface(&mesh.points, &mesh.triangles).unwrap();
+        assert_eq!(drawn(SolidForm::Mesh(mesh.clone()), &surface), SolidForm::Mesh(mesh.clone()));
+        let hull = Shape::hull(&mesh.points).unwrap();
+        let SolidForm::Mesh(drawn) = drawn(SolidForm::Mesh(mesh), &hull) else { panic!("no mesh") };
+        assert!(!drawn.points.contains(&inside) && drawn.points.len() == 8);
+        assert_eq!(drawn.triangles.len(), 12);
     }
 }

@@ -132,6 +132,14 @@ impl Shape {
         Ok(Self { form: Form::Surface(SharedShape::new(mesh)), reach: reach(points) })
     }
 
+    /// Corners and triangles of a convex hull; `None` for other shapes.
+    #[must_use]
+    pub fn hull_triangles(&self) -> Option<(Vec<Vector3<f64>>, Vec<[u32; 3]>)> {
+        let Form::Convex(shape, _) = &self.form else { return None };
+        let (points, triangles) = shape.as_convex_polyhedron()?.to_trimesh();
+        Some((points.iter().map(|point| Vector3::new(point.x, point.y, point.z)).collect(), triangles))
+    }
+
     /// Whether the shape is a surface: something inside of it does not touch it.
     #[must_use]
     pub fn is_surface(&self) -> bool {

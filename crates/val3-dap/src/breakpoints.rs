@@ -11,7 +11,7 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::assertions;
-use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS, filters};
+use crate::capabilities::{ALL_ERRORS, ASSERTIONS, CONTACTS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS, filters};
 use crate::condition_text::ConditionText;
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
@@ -237,6 +237,7 @@ impl BreakpointTable {
             ALL_ERRORS => self.errors.all = true,
             UNHANDLED_ERRORS => self.errors.unhandled = true,
             MOTION_ERRORS => self.errors.motion = true,
+            CONTACTS => self.errors.contacts = true,
             ASSERTIONS => self.stops_at_assertions = true,
             LISTED_ERRORS => self.errors.numbers.extend(numbers(condition.unwrap_or_default())?),
             _ => return Err(Unverified(format!("there is no filter `{filter}`"))),

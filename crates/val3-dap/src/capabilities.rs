@@ -8,6 +8,8 @@ pub(crate) const ALL_ERRORS: &str = "all";
 pub(crate) const UNHANDLED_ERRORS: &str = "unhandled";
 /// The filter of the run-time errors of motion.
 pub(crate) const MOTION_ERRORS: &str = "motion";
+/// The filter of contacts with things around the arm.
+pub(crate) const CONTACTS: &str = "contacts";
 /// The filter of run-time errors with certain numbers.
 pub(crate) const LISTED_ERRORS: &str = "codes";
 
@@ -82,6 +84,7 @@ pub(crate) fn filters() -> Vec<ExceptionBreakpointsFilter> {
             "Motion errors",
             "Stop at run-time errors of move instructions, and when the arm rests before a path that it cannot follow",
         ),
+        filter(CONTACTS, "Contacts", "Stop when the arm or something that it carries touches a thing of cell.toml"),
         ExceptionBreakpointsFilter {
             supports_condition: Some(true),
             condition_description: Some("Numbers of run-time errors, such as 20, 70".to_owned()),

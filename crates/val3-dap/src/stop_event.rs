@@ -1,6 +1,6 @@
 //! Event `stopped`, for each kind of stop.
 
-use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames, unlinked};
+use val3_debug::{Contact, DataChange, DataStop, MotionStop, Stop, frames, unlinked};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
@@ -34,6 +34,7 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             }
         }
         Stop::PathFault(fault) => path_fault(fault, controller),
+        Stop::Contacts(contacts) => contact(contacts, controller),
         Stop::Exit { task } => StoppedEvent {
             description: Some("Paused before the end of the application".to_owned()),
             text: Some("the last task is before its end; the next step or continue ends the run".to_owned()),
@@ -159,6 +160,16 @@ fn path_fault(fault: &MotionFault, controller: &Controller) -> StoppedEvent {
         description: Some("Paused on motion error".to_owned()),
         text: Some(format!("the arm cannot follow the path{}: {}", place.unwrap_or_default(), fault.text)),
         ..event(StoppedEventReason::Exception, task.or_else(|| first_task(controller)))
+    }
+}
+
+/// The arm, or a thing that it carries, touches something.
+fn contact(contacts: &[Contact], controller: &Controller) -> StoppedEvent {
+    let text: Vec<String> = contacts.iter().map(Contact::to_string).collect();
+    StoppedEvent {
+        description: Some("Paused on contact".to_owned()),
+        text: Some(text.join("; ")),
+        ..event(StoppedEventReason::Exception, first_task(controller))
     }
 }
 

@@ -6,6 +6,7 @@ use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::RunStatus;
 use val3_vm::CycleWatch;
 
+use crate::contacts::Contact;
 use crate::debugger::{Debugger, Stop};
 use crate::history::{History, HistoryExtent, Moment, PastLimits, SnapshotReason};
 use crate::step::{Step, StepKind};
@@ -20,9 +21,11 @@ pub enum Goal {
 }
 
 /// Result of [`Debugger::replay`].
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Replayed {
     pub(crate) status: RunStatus,
+    /// Contacts that have begun and stop the run.
+    contacts: Vec<Contact>,
     /// Whether the arm came to rest before a path that it cannot follow, which stops the run.
     is_path_fault: bool,
 }
@@ -95,7 +98,7 @@ impl Debugger {
             return self.back_to_last(self.watch_of_data(), watcher, |debugger, replayed| match replayed.status {
                 RunStatus::AtStop(task) => debugger.stop_before(task),
                 RunStatus::Seen(task) => debugger.follow_data(Some(task), true),
-                _ => debugger.follow_data(None, true).or_else(|| debugger.stop_at_path_fault(replayed)),
+                _ => debugger.follow_data(None, true).or_else(|| debugger.stop_of_arm(replayed)),
             });
         };
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
@@ -104,12 +107,15 @@ impl Debugger {
             RunStatus::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm, &[]) => {
                 Some(Stop::Step { task })
             }
-            _ => debugger.stop_at_path_fault(replayed),
+            _ => debugger.stop_of_arm(replayed),
         })
     }
 
-    /// Returns the stop for a path that the arm cannot follow, if the arm has just come to rest before it.
-    fn stop_at_path_fault(&self, replayed: Replayed) -> Option<Stop> {
+    /// Returns the stop for contacts, or for a path that the arm cannot follow, if the arm has just come to it.
+    fn stop_of_arm(&self, replayed: Replayed) -> Option<Stop> {
+        if !replayed.contacts.is_empty() {
+            return Some(Stop::Contacts(replayed.contacts));
+        }
         let fault = self.controller.motion_fault().filter(|_| replayed.is_path_fault)?;
         Some(Stop::PathFault(Box::new(fault)))
     }
@@ -182,7 +188,8 @@ impl Debugger {
     ) -> Option<Stop> {
         let task = self.history.as_ref()?.changed_at(moment)?;
         self.go_to(moment);
-        let stop = is_wanted(self, Replayed { status: RunStatus::AtStop(task), is_path_fault: false })?;
+        let stop =
+            is_wanted(self, Replayed { status: RunStatus::AtStop(task), contacts: Vec::new(), is_path_fault: false })?;
         self.controller.vm.pass_stop(task);
         Some(stop)
     }
@@ -204,6 +211,7 @@ impl Debugger {
     /// Records the present moment in the history before the run goes back.
     fn leave_present(&mut self) {
         let present = Moment::of(&self.controller);
+        self.contacts.clear();
         if let Some(history) = &mut self.history {
             history.leave(present);
         }
@@ -259,14 +267,16 @@ impl Debugger {
         self.controller.set_limit(Some(end.time));
         let status = self.controller.step();
         self.controller.set_limit(None);
-        drop(self.controller.devices.take_events());
+        let events = self.controller.devices.take_events();
+        let contacts = if self.errors.contacts { Contact::all(&events) } else { Vec::new() };
         let is_path_fault = !had_fault && has_fault(self);
         if let RunStatus::Waiting(wake) = status
             && !is_path_fault
+            && contacts.is_empty()
         {
             self.pass_idle_time(wake, end.time);
         }
-        Some(Replayed { status, is_path_fault })
+        Some(Replayed { status, contacts, is_path_fault })
     }
 
     /// Skips the time without any activity. If a waiting line may receive external input, no time is skipped, so that

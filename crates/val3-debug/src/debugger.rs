@@ -7,6 +7,7 @@ use val3_machine::controller::{Controller, MotionFault, RunStatus};
 use val3_vm::{CycleWatch, TaskState};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
+use crate::contacts::Contact;
 use crate::data_breakpoints::{DataBreakpoints, DataStop};
 use crate::errors::StopErrors;
 use crate::history::History;
@@ -25,6 +26,8 @@ pub struct Debugger {
     pub controller: Controller,
     pub(crate) breakpoints: Breakpoints,
     pub(crate) errors: StopErrors,
+    /// Contacts that have not stopped the run yet.
+    pub(crate) contacts: Vec<Contact>,
     pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
     pub(crate) data: DataBreakpoints,
@@ -97,6 +100,8 @@ pub enum Stop {
     },
     /// The arm has come to rest before a path that it cannot follow.
     PathFault(Box<MotionFault>),
+    /// Contacts have begun in a cycle.
+    Contacts(Vec<Contact>),
     /// The arm has arrived at the end of the motion that a line in step mode or [`Debugger::step_motion`] released, or
     /// does not move.
     Motion(Box<MotionStop>),
@@ -110,7 +115,7 @@ impl Stop {
             Self::Breakpoints { task, .. } | Self::Step { task } | Self::Error { task, .. } => Some(*task),
             Self::Data(stop) => stop.task,
             Self::Motion(stop) => stop.task,
-            Self::Pause { .. } | Self::Exit { .. } | Self::PathFault(_) | Self::Beginning => None,
+            Self::Pause { .. } | Self::Exit { .. } | Self::PathFault(_) | Self::Contacts(_) | Self::Beginning => None,
         }
     }
 }
@@ -124,6 +129,7 @@ impl Debugger {
             controller,
             breakpoints: Breakpoints::default(),
             errors: StopErrors::default(),
+            contacts: Vec::new(),
             step: None,
             history: None,
             data: DataBreakpoints::default(),
@@ -240,12 +246,24 @@ impl Debugger {
             self.step = None;
             return AdvanceResult::Stopped(stop);
         }
+        if let Some(stop) = self.take_contacts() {
+            self.step = None;
+            return AdvanceResult::Stopped(stop);
+        }
         let was_stuck = self.controller.motion_fault().is_some();
+        let reported = self.controller.devices.pending_events().len();
         let progress = self.advance_travel().unwrap_or_else(|| {
             let revision = self.controller.arm().motion().revision();
             let progress = self.advance_tasks();
             self.follow_motion(revision, progress)
         });
+        self.follow_contacts(reported);
+        if matches!(progress, AdvanceResult::Ran(_))
+            && let Some(stop) = self.take_contacts()
+        {
+            self.step = None;
+            return AdvanceResult::Stopped(stop);
+        }
         match (&progress, self.controller.motion_fault()) {
             (AdvanceResult::Ran(RunStatus::Busy | RunStatus::Waiting(_)), Some(fault))
                 if !was_stuck && self.errors.contain_path_faults() =>
@@ -255,6 +273,19 @@ impl Debugger {
             }
             _ => progress,
         }
+    }
+
+    /// Stores the contacts among the pending events, without the first `reported` events. If the cycle has stopped at a
+    /// breakpoint, they stop the run afterwards.
+    fn follow_contacts(&mut self, reported: usize) {
+        if self.errors.contacts {
+            let events = self.controller.devices.pending_events().get(reported..).unwrap_or_default();
+            self.contacts.extend(Contact::all(events));
+        }
+    }
+
+    fn take_contacts(&mut self) -> Option<Stop> {
+        (!self.contacts.is_empty()).then(|| Stop::Contacts(std::mem::take(&mut self.contacts)))
     }
 
     fn advance_tasks(&mut self) -> AdvanceResult {

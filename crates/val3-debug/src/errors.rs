@@ -17,6 +17,8 @@ pub struct StopErrors {
     pub unhandled: bool,
     /// Errors of moves and motion descriptors ([`runtime_errors::is_motion`]), and paths that the arm cannot follow.
     pub motion: bool,
+    /// Contacts of the arm, or of a thing that it carries, with a thing around it.
+    pub contacts: bool,
     /// Errors with these numbers.
     pub numbers: BTreeSet<u16>,
 }

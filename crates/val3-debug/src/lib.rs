@@ -7,6 +7,7 @@ mod arguments;
 mod backwards;
 mod breakpoints;
 mod conditions;
+mod contacts;
 mod data_breakpoints;
 mod debugger;
 mod errors;
@@ -34,6 +35,7 @@ pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
 pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
+pub use contacts::Contact;
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
 pub use debugger::{AdvanceResult, Debugger, Stop};
 pub use errors::{StopErrors, handler};

@@ -1,5 +1,6 @@
 //! Completions at the cursor.
 
+mod cell_file;
 mod code;
 mod comments;
 mod context;
@@ -18,12 +19,14 @@ use val3_lang::{page, statements};
 
 use crate::FilePosition;
 use crate::hover;
-use crate::owner::{is_page, owner};
+use crate::owner::{is_cell_file, is_page, owner};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 use context::{Context, context};
 use list::CompletionList;
 
+pub(crate) use cell_file::carrier_paths;
+pub use cell_file::mesh_completions;
 pub use list::{Completion, CompletionKind};
 
 /// Completions at a position, the most probable first.
@@ -35,6 +38,9 @@ pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
 pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Completion> {
     if is_page(db, at.file) {
         return Vec::new();
+    }
+    if is_cell_file(db, at.file) {
+        return cell_file::complete(db, at);
     }
     let (context, range) = context(db, project, at);
     let mut found = CompletionList::new(db, project, at, range);

@@ -15,7 +15,7 @@ use val3_syntax::{TextEdit, TextRange, TextSize};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
-use crate::owner::is_page;
+use crate::owner::{is_cell_file, is_page};
 
 /// Characters after which [`format_on_type`] may return edits.
 pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
@@ -102,7 +102,7 @@ pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &CodeStyle
 /// Edits after a character was typed directly before the position.
 pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &CodeStyle) -> Vec<FileEdit> {
     let text: &str = at.file.text(db);
-    if at.offset > TextSize::of(text) || is_page(db, at.file) {
+    if at.offset > TextSize::of(text) || is_page(db, at.file) || is_cell_file(db, at.file) {
         return Vec::new();
     }
     of_file(at.file, val3_fmt::on_type(text, &parse(db, at.file), style, at.offset, typed))

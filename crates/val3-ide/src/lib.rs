@@ -7,6 +7,7 @@ mod access;
 mod add_reference;
 mod assists;
 mod call_hierarchy;
+mod cell_faults;
 mod change_signature;
 mod code_lens;
 mod code_text;
@@ -58,12 +59,13 @@ pub use add_reference::{
 };
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
+pub use cell_faults::{CellFault, cell_faults};
 pub use change_signature::{NewLocal, NewParameter, NewVariables, SignatureError, change_signature};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use code_text::code_text;
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
-    documentation,
+    documentation, mesh_completions,
 };
 pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
 pub use data_poses::{DataPose, data_poses};

@@ -12,7 +12,7 @@ use val3_analysis::ty::Base;
 use val3_syntax::{TextRange, TextSize};
 
 use crate::FilePosition;
-use crate::owner::owner;
+use crate::owner::{owner, surrounded};
 
 /// Target of a navigation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,8 +73,10 @@ fn is_declaration(found: &Occurrence, file: File, project: Project, db: &dyn Db)
 
 /// Name at a position, and the project in which it is resolved.
 pub(crate) fn name_at(db: &dyn Db, at: FilePosition) -> Option<(Project, &Occurrence)> {
-    let project = owner(db, at.file)?;
-    Some((project, occurrence_at(db, project, at.file, at.offset)?))
+    // Several applications can share a `cell.toml`, and not every one has all its frames and tools.
+    let sharing = surrounded(db, at.file);
+    let mut projects = owner(db, at.file).into_iter().chain(sharing);
+    projects.find_map(|project| Some((project, occurrence_at(db, project, at.file, at.offset)?)))
 }
 
 /// Location of a symbol's declaration; `None` for built-in symbols.

@@ -28,6 +28,16 @@ pub(crate) fn is_page(db: &dyn Db, file: File) -> bool {
     projects_of(db, file).iter().any(|project| project.pages(db).contains(&file))
 }
 
+/// Applications whose `cell.toml` the file is.
+pub(crate) fn surrounded(db: &dyn Db, file: File) -> impl Iterator<Item = Project> {
+    projects_of(db, file).iter().copied().filter(move |project| project.surroundings(db) == Some(file))
+}
+
+/// Whether the file is the `cell.toml` of an application. It contains names of data, but no XML.
+pub(crate) fn is_cell_file(db: &dyn Db, file: File) -> bool {
+    surrounded(db, file).next().is_some()
+}
+
 /// Project in which a file is displayed: preferably the project in the file's own folder.
 pub fn owner(db: &dyn Db, file: File) -> Option<Project> {
     let projects = projects_of(db, file);

@@ -19,6 +19,7 @@ use val3_ide as ide;
 use val3_lines::LineIndex;
 
 use crate::lines::PositionConverter;
+use crate::overlay;
 use crate::snapshot::Snapshot;
 
 /// Source name of diagnostics.
@@ -41,7 +42,19 @@ pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Ve
             None => files.push((file, vec![converted])),
         }
     }
-    files.into_iter().map(|(file, found)| (snapshot.uri(file), found)).collect()
+    let files = files.into_iter().map(|(file, found)| (snapshot.uri(file), found));
+    files.chain(cell_faults(snapshot, project)).collect()
+}
+
+/// Faults in the `cell.toml` of an application. Of several applications that share it, the first reports them.
+fn cell_faults(snapshot: &Snapshot, project: Project) -> Option<(Url, Vec<Diagnostic>)> {
+    let file = project.surroundings(&snapshot.db)?;
+    let mut sharing = ide::projects_of(snapshot.db(), file).iter().filter(|other| snapshot.projects.contains(other));
+    if sharing.next() != Some(&project) {
+        return None;
+    }
+    let faults = ide::cell_faults(snapshot.db(), &overlay::files_of(snapshot), file);
+    Some((snapshot.uri(file), faults.iter().map(|fault| configuration_fault(snapshot, fault)).collect()))
 }
 
 /// Diagnostics of one program in a project, available before the other programs are checked. `None` without settings or

@@ -204,6 +204,12 @@ impl Devices {
         self.state.record.push_outside(now, kind);
     }
 
+    /// The events since the last [`take_events`](Self::take_events), which remain.
+    #[must_use]
+    pub fn pending_events(&self) -> &[Event] {
+        self.state.record.pending()
+    }
+
     /// The events since the last call.
     pub fn take_events(&mut self) -> Vec<Event> {
         self.state.record.take()

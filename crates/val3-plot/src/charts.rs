@@ -1,6 +1,7 @@
-//! Charts of joints and speeds over time.
+//! Charts of joints, speeds and distances over time.
 
 mod chart;
+mod distances;
 mod limited_by;
 mod positions;
 mod rates;
@@ -30,7 +31,9 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     let top = top + if picture.only_program().is_some() { LINES } else { LABELS };
     let rates = Rate::all(picture);
     let strips = picture.axes.len() as f64;
-    let bottom = top + strips * (positions::HEIGHT + GAP) + rates.len() as f64 * (rates::HEIGHT + NAME);
+    let has_distances = distances::has_distances(picture);
+    let charts = rates.len() + usize::from(has_distances);
+    let bottom = top + strips * (positions::HEIGHT + GAP) + charts as f64 * (rates::HEIGHT + NAME);
     time.starts(picture, canvas, [top, bottom]);
     if let Some(deviation) = &picture.deviation {
         canvas.rule([time.x(deviation.t), top], [time.x(deviation.t), bottom], "deviation");
@@ -42,6 +45,10 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     }
     for rate in rates {
         rate.draw(picture, canvas, &time, y + NAME - GAP);
+        y += rates::HEIGHT + NAME;
+    }
+    if has_distances {
+        distances::draw(picture, canvas, &time, y + NAME - GAP);
         y += rates::HEIGHT + NAME;
     }
     if let Some(strip) = LimitedBy::of(picture, &time) {

@@ -1,4 +1,4 @@
-//! Pictures of motion: the path of the tool centre point in three views, and joints and speeds over time.
+//! Pictures of motion: the path of the tool centre point in three views; joints, speeds and distances over time.
 //!
 //! A picture is one SVG file without scripts or external references. Long recordings are thinned to visible details.
 
@@ -16,7 +16,7 @@ mod views;
 
 pub use val3_motion::{MotionPhase, SpeedLimit};
 
-pub use picture::{Deviation, MoveLimits, MoveMark, Picture, PictureAxis, Sample};
+pub use picture::{Deviation, DistanceSample, MoveLimits, MoveMark, Picture, PictureAxis, Sample};
 pub use thinning::significant;
 
 use canvas::Canvas;

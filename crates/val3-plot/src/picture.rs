@@ -15,6 +15,8 @@ pub struct Picture {
     pub samples: Vec<Sample>,
     /// Moves, in the order in which they were recorded.
     pub moves: Vec<MoveMark>,
+    /// Smallest distances between things; empty without things around the arm.
+    pub distances: Vec<DistanceSample>,
     /// Recorded motion for comparison; empty without a comparison.
     pub reference: Vec<Sample>,
     /// Largest deviation from the recorded motion.
@@ -23,6 +25,19 @@ pub struct Picture {
     pub has_accelerations: bool,
     /// Note on the times, drawn below the charts; `None` if the times come from a measured arm.
     pub times_note: Option<String>,
+}
+
+/// Smallest distance between things at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DistanceSample {
+    /// Time in seconds.
+    pub t: f64,
+    /// Distance in mm, negative for an overlap; `None` if it is too large to matter.
+    pub distance: Option<f64>,
+    /// Distance in mm below which these things are too near to each other.
+    pub clearance: f64,
+    /// Names of the things, for example `gripper - rack`.
+    pub pair: String,
 }
 
 /// A point on a motion's path and the nearest point on the other path.

@@ -101,6 +101,22 @@ fn a_line_with_many_targets_has_one_label_a_view() {
 }
 
 #[test]
+fn the_smallest_distance_is_a_curve_with_a_label() {
+    let distance = |index: u32| DistanceSample {
+        t: f64::from(index) * 0.004,
+        distance: (index != 8).then(|| 100.0 - f64::from(index) * 9.0),
+        clearance: 40.0,
+        pair: "gripper - rack".to_owned(),
+    };
+    let svg = Picture { distances: (0..=10).map(distance).collect(), ..line() }.to_svg();
+    assert_sound(&svg);
+    assert!(svg.contains(">gripper - rack: 10.0 mm<") && svg.contains(">clearance 40<"), "{svg}");
+    // A distance that is unknown divides the curve.
+    assert_eq!(svg.matches("stroke:#0b6e4f;stroke-width:1.6").count(), 2);
+    assert!(!line().to_svg().contains("smallest distance"));
+}
+
+#[test]
 fn an_hour_of_motion_is_a_small_file() {
     let samples = (0..900_000).step_by(10).map(sample_of_circle).collect();
     let svg = Picture { axes: axes(4), samples, ..line() }.to_svg();

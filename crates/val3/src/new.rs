@@ -6,6 +6,7 @@ mod files;
 mod name;
 mod place;
 mod positions;
+mod things;
 
 use std::fs;
 use std::process::ExitCode;
@@ -44,6 +45,12 @@ pub(crate) fn run(args: &NewArgs, color: Color) -> Result<ExitCode, UserError> {
     if let Some(settings) = &controller.settings {
         write(settings.folder(), &[(settings.file_name().to_owned(), settings.text())], &paths)?;
         say(&paths.shown(&settings.path));
+        let things = settings.folder().join(things::FILE_NAME);
+        if !things.exists() {
+            let file = (things::FILE_NAME.to_owned(), things::text(&positions, &controller.arm));
+            write(settings.folder(), &[file], &paths)?;
+            say(&paths.shown(&things));
+        }
     }
     let assertions = place.folder(library::NAME);
     for (folder, files) in [(&folder, application.files(&controller.arm)), (&tests, application.test_files())] {

@@ -91,6 +91,19 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
       await shot(tab);
     }
     assert.ok((await page.textContent(".point-table")).includes(HOSTILE));
+    await page.locator("input[type=range]").fill("20");
+    await page.click("#tab-tasks");
+    await page.click("[role=tab]:text-is('Distances')");
+    for (const [kind, text, time] of [["near", "gripper – fence12.1 mm", "15.8"], ["contact", "gripper – pallet", "17.4"]]) {
+      const row = page.locator(`.clearances tr.${kind}`);
+      assert.ok((await row.textContent()).startsWith(text), await row.textContent());
+      await row.locator("[title='Show this time']").click();
+      assert.equal(await page.locator("input[type=range]").inputValue(), time);
+      await page.waitForSelector(`.name.${kind}:visible`);
+      await shot(kind);
+      await page.locator("input[type=range]").fill("20");
+      await page.waitForTimeout(300);
+    }
     await page.close();
   }
 }

@@ -28,6 +28,9 @@ const LANGUAGES = ["val3", "val3-data", "val3-project"];
 /** Files of user pages: a rename changes them, and their unsaved text counts. */
 const PAGES = { scheme: "file", pattern: "**/interface/*.{bindings.json,html}" };
 
+/** Things around the arm, with names of frames and tools. */
+const CELL = { scheme: "file", pattern: "**/cell.toml" };
+
 /** Suppresses notifications before the server runs, because `Client` reports these errors itself. */
 class QuietClient extends LanguageClient {
   override error(message: string, data?: unknown, showNotification?: boolean | "force"): void {
@@ -201,7 +204,7 @@ export class Client implements vscode.Disposable {
   private options(serverProcess: ServerProcess): LanguageClientOptions {
     const files = LANGUAGES.flatMap((language) => ["file", "untitled"].map((scheme) => ({ scheme, language })));
     return {
-      documentSelector: [...files, PAGES, { scheme: SCHEME, language: "val3-code" }],
+      documentSelector: [...files, PAGES, CELL, { scheme: SCHEME, language: "val3-code" }],
       initializationOptions: {
         ...vscode.workspace.getConfiguration("val3"),
         commands: [...COMMANDS, ...(vscode.workspace.isTrusted ? EXECUTING : [])],

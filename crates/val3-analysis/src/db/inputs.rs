@@ -59,6 +59,9 @@ pub struct Project {
     /// HTML files and binding files of the user pages, sorted.
     #[returns(ref)]
     pub pages: Vec<File>,
+    /// `cell.toml` with the things around the arm of an application.
+    #[returns(copy)]
+    pub surroundings: Option<File>,
     /// References in the project file to paths outside of the cell, as written. Their files are not read.
     #[returns(ref)]
     pub outside: Vec<SmolStr>,

@@ -101,6 +101,12 @@ impl Loader<'_> {
         self.folder(parent).spelling(name).map_or_else(|| path.to_owned(), |name| parent.join(name))
     }
 
+    /// Whether a file at `path` is open in an editor, or its folder lists the name in any letter case.
+    pub(super) fn is_listed(&mut self, path: &Utf8Path) -> bool {
+        let (Some(parent), Some(name)) = (path.parent(), path.file_name()) else { return false };
+        self.system.edited(path).is_some() || self.folder(parent).spelling(name).is_some()
+    }
+
     /// Returns the sorted names in a folder, as spelt on the disk.
     pub(super) fn names_in(&mut self, folder: &Utf8Path) -> Vec<SmolStr> {
         let mut names: Vec<SmolStr> = self.folder(folder).spellings().map(SmolStr::from).collect();

@@ -39,6 +39,7 @@ pub(super) struct ProjectInput {
     pub(super) cell: Option<CellFolder>,
     pub(super) beside: Vec<SmolStr>,
     pub(super) pages: Vec<File>,
+    pub(super) surroundings: Option<File>,
     pub(super) outside: Vec<SmolStr>,
     pub(super) configuration: Option<Configuration>,
     pub(super) is_below_tests: bool,
@@ -106,9 +107,20 @@ impl Loader<'_> {
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {
-        let ProjectInput { file, roots, cell, beside, pages, outside, configuration, is_below_tests } = described;
+        let ProjectInput { file, roots, cell, beside, pages, surroundings, outside, configuration, is_below_tests } =
+            described;
         let Some(project) = self.known.projects.get(key).copied() else {
-            let input = Project::builder(file, roots, cell, beside, pages, outside, configuration, is_below_tests);
+            let input = Project::builder(
+                file,
+                roots,
+                cell,
+                beside,
+                pages,
+                surroundings,
+                outside,
+                configuration,
+                is_below_tests,
+            );
             return input.durability(STORED).new(&self.db);
         };
         let db = &mut self.db;
@@ -126,6 +138,9 @@ impl Loader<'_> {
         }
         if *project.pages(db) != pages {
             project.set_pages(db).to(pages);
+        }
+        if project.surroundings(db) != surroundings {
+            project.set_surroundings(db).to(surroundings);
         }
         if *project.outside(db) != outside {
             project.set_outside(db).to(outside);

@@ -63,7 +63,7 @@ pub(crate) fn task_of(stop: &Stop) -> Option<TaskNumber> {
         }
         Stop::Pause { task } => *task,
         Stop::Data(stop) => stop.task,
-        Stop::Beginning | Stop::Motion(_) | Stop::PathFault(_) => None,
+        Stop::Beginning | Stop::Motion(_) | Stop::PathFault(_) | Stop::Contacts(_) => None,
     }
 }
 
@@ -81,6 +81,7 @@ pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
         Some(Stop::Data(_)) => return "data".to_owned(),
         Some(Stop::Beginning) => return "beginning".to_owned(),
         Some(Stop::Motion(_)) => return "motion".to_owned(),
+        Some(Stop::Contacts(contacts)) => return format!("contacts: {contacts:?}"),
         Some(Stop::PathFault(fault)) => return format!("path fault: {}", fault.text),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),
     };

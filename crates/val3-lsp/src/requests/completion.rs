@@ -7,6 +7,7 @@ use val3_ide::{Completion, CompletionKind, FileEdit, SourceChange};
 
 use super::execute_command::apply;
 use crate::convert::{completion_kind, documentation, edits, workspace_edit};
+use crate::overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Position of the completion, for a later lookup of the documentation.
@@ -27,7 +28,8 @@ pub(crate) fn completion(
     }
     let offered = CompletionItemData { uri: place.text_document.uri.clone(), position: place.position };
     let data = serde_json::to_value(offered).ok();
-    let found = val3_ide::completions(snapshot.db(), at);
+    let mut found = val3_ide::completions(snapshot.db(), at);
+    found.extend(val3_ide::mesh_completions(snapshot.db(), &overlay::files_of(snapshot), at));
     let items = found.iter().enumerate().filter_map(|(rank, found)| item(snapshot, at.file, rank, found, data.clone()));
     // The list is incomplete, because further letters may match items that were omitted for short input.
     Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: true, items: items.collect() })))

@@ -19,6 +19,7 @@ mod pages;
 mod project_items;
 mod requests;
 mod session;
+mod surroundings;
 mod test_list;
 mod torture;
 mod variables;

@@ -62,6 +62,11 @@ impl Record {
         self.events.push(event);
     }
 
+    /// Events since the last [`take`](Self::take).
+    pub(super) fn pending(&self) -> &[Event] {
+        &self.events
+    }
+
     /// Approximate size of the events, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.bytes

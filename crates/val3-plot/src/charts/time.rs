@@ -32,6 +32,11 @@ impl Time {
         LEFT + (t - self.from) * self.scale
     }
 
+    /// Whether the axis contains a time in seconds.
+    pub(super) fn contains(&self, t: f64) -> bool {
+        (self.from..=self.to).contains(&t)
+    }
+
     /// Returns the x coordinate of a time in seconds, clipped to the charts.
     pub(super) fn x_within(&self, t: f64) -> f64 {
         self.x(t).clamp(LEFT, RIGHT)

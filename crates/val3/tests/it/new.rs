@@ -52,6 +52,7 @@ fn a_new_cell_has_the_default_arm_and_the_next_commands() {
     assert_eq!(run.stdout, "");
     expect![[r#"
         wrote app/val3.toml
+        wrote app/cell.toml
         wrote app/usr/usrapp/app
         wrote app/usr/usrapp/appTest
         wrote app/usr/usrapp/val3assert

@@ -41,7 +41,7 @@ box = { min = [300, WALL, -1000], max = [2000, 999, 320] }
 ";
 
 /// A folder with the application and the wall at this y coordinate.
-fn folder(wall: f64) -> Folder {
+pub(crate) fn folder_with_wall(wall: f64) -> Folder {
     let folder = Folder::with(CODE);
     folder.write("val3.toml", "[run]\npower = true\n");
     folder.write("cell.toml", &CELL.replace("WALL", &wall.to_string()));
@@ -50,7 +50,7 @@ fn folder(wall: f64) -> Folder {
 
 #[test]
 fn a_contact_is_shown_with_its_line_and_fails() {
-    let run = folder(150.0).val3(&["run"]);
+    let run = folder_with_wall(150.0).val3(&["run"]);
     expect![[r#"
         note: no arm is named: this run has a TX2-90; name yours with --arm, in val3.toml or in arm.cfx
         error: `link5` overlaps `wall` by 6.0 mm at 0.680 s, in move 2 (movel, start:15)
@@ -84,7 +84,7 @@ fn a_contact_is_shown_with_its_line_and_fails() {
 
 #[test]
 fn a_near_miss_is_a_note() {
-    let folder = folder(200.0);
+    let folder = folder_with_wall(200.0);
     folder.write("cell.toml", &format!("clearance = 45\n{}", CELL.replace("WALL", "200")));
     let run = folder.val3(&["run"]);
     expect![[r#"
@@ -103,7 +103,7 @@ const BARE_ARM: &str = "name = \"bare\"\nkind = \"six-axis\"\n\
 
 #[test]
 fn unknown_distances_are_noted() {
-    let folder = folder(200.0);
+    let folder = folder_with_wall(200.0);
     folder.write("bare.toml", BARE_ARM);
     folder.write("val3.toml", "arm = \"bare.toml\"\n[run]\npower = true\n");
     folder.write(
@@ -121,7 +121,7 @@ fn unknown_distances_are_noted() {
 
 #[test]
 fn a_cell_can_be_chosen() {
-    let folder = folder(150.0);
+    let folder = folder_with_wall(150.0);
     let code = |arguments: &[&str]| folder.val3(arguments).code;
     assert_eq!(code(&["run", "--cell", "none"]), 0);
     folder.write("far.toml", &CELL.replace("WALL", "300"));
@@ -134,7 +134,7 @@ fn a_cell_can_be_chosen() {
 
 #[test]
 fn the_table_of_times_has_the_smallest_distances() {
-    let run = folder(200.0).val3(&["run", "--times"]);
+    let run = folder_with_wall(200.0).val3(&["run", "--times"]);
     let table = run.stderr.split_once("  nearest by line\n").map_or(run.stderr.as_str(), |(_, table)| table);
     let table: String = table.lines().map(|line| format!("{}\n", line.trim())).collect();
     expect![[r#"
@@ -153,8 +153,35 @@ fn the_table_of_times_has_the_smallest_distances() {
 }
 
 #[test]
+fn the_table_of_times_has_the_eight_nearest_pairs() {
+    let folder = folder_with_wall(200.0);
+    let cell = CELL.replace("WALL", "200");
+    let (_, wall) = cell.split_once("\n\n").unwrap();
+    folder.write("cell.toml", &format!("{cell}\n{}", wall.replace("\"wall\"", "\"other wall\"")));
+    let run = folder.val3(&["run", "--times"]);
+    let (_, table) = run.stderr.split_once("  nearest by pair\n").unwrap();
+    assert_eq!(table.lines().count(), 9, "{table}");
+    assert_eq!(table.lines().last(), Some("  and 6 more: `--times FILE` writes all"));
+    folder.val3(&["run", "--times=times.json"]);
+    let times: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    assert_eq!(times["nearest"].as_array().unwrap().len(), 14);
+}
+
+#[test]
+fn a_picture_has_the_smallest_distance_over_time() {
+    let folder = folder_with_wall(200.0);
+    folder.write("cell.toml", &format!("clearance = 45\n{}", CELL.replace("WALL", "200")));
+    folder.val3(&["run", "--plot", "picture.svg"]);
+    let picture = folder.read("picture.svg");
+    assert!(picture.contains(">smallest distance (mm)<") && picture.contains(">clearance 45<"), "{picture}");
+    assert!(picture.contains(">link6 - wall: 8.5 mm<"), "{picture}");
+    folder.val3(&["run", "--cell", "none", "--plot", "empty.svg"]);
+    assert!(!folder.read("empty.svg").contains("smallest distance"));
+}
+
+#[test]
 fn the_record_has_each_encounter() {
-    let folder = folder(150.0);
+    let folder = folder_with_wall(150.0);
     folder.val3(&["run", "--events", "events.jsonl"]);
     let events = folder.read("events.jsonl");
     let mut states = events.lines().filter(|line| line.contains("\"clearance\"") && line.contains("\"rod\""));
@@ -224,24 +251,24 @@ fn errors_of_a_cell_have_their_places() {
     refused(
         "[[object]]\nname = \"wall\"\nat = [0, -200, 0]\nmesh = \"../wall.stl\"\n",
         &expect![[r#"
-        error: `../wall.stl` is not in the folder of this file
-         --> cell.toml:4
-          |
-        4 | mesh = "../wall.stl"
-          | ^^^^
-          help: name an existing STL file of at most 32 MB
-    "#]],
+            error: `../wall.stl` is not in the folder of this file
+             --> cell.toml:4
+              |
+            4 | mesh = "../wall.stl"
+              | ^^^^
+              help: name an existing STL or GLB file of at most 32 MB
+        "#]],
     );
     refused(
         "[[object]]\nname = \"wall\"\nmesh = \"wall.stl\"\n",
         &expect![[r#"
-        error: cannot read `wall.stl`: it does not exist
-         --> cell.toml:3
-          |
-        3 | mesh = "wall.stl"
-          | ^^^^
-          help: name an existing STL file of at most 32 MB
-    "#]],
+            error: cannot read `wall.stl`: it does not exist
+             --> cell.toml:3
+              |
+            3 | mesh = "wall.stl"
+              | ^^^^
+              help: name an existing STL or GLB file of at most 32 MB
+        "#]],
     );
 }
 

@@ -11,6 +11,9 @@ use val3_machine::event::seconds;
 
 use super::{TimeKey, TimesRow};
 
+/// Largest number of pairs in the table.
+const SHOWN_PAIRS: usize = 8;
+
 /// Smallest distances of a run.
 pub(super) struct Nearest {
     minima: Minima<(String, u32)>,
@@ -72,7 +75,10 @@ pub(super) fn table(arm: &[TimesRow], pairs: &[NearestRow]) -> String {
     }
     lines.sort_by(|(_, one), (_, other)| one.distance.total_cmp(&other.distance));
     part(&mut table, "nearest by line", lines.into_iter());
-    part(&mut table, "nearest by pair", pairs.iter().map(|pair| (String::new(), pair)));
+    part(&mut table, "nearest by pair", pairs.iter().take(SHOWN_PAIRS).map(|pair| (String::new(), pair)));
+    if pairs.len() > SHOWN_PAIRS {
+        let _ = writeln!(table, "  and {} more: `--times FILE` writes all", pairs.len() - SHOWN_PAIRS);
+    }
     table
 }
 

@@ -1,0 +1,409 @@
+//! Reading of GLB files (glTF 2.0, binary): positions and indices of triangles, and the transformations of nodes.
+//!
+//! Compressed and sparse data, external buffers, strips and fans are rejected.
+
+use serde::Deserialize;
+use val3_geometry::Vector3;
+
+use super::{MOST_TRIANGLES, Mesh, MeshError};
+
+/// First bytes of a file.
+pub(super) const MAGIC: &[u8; 4] = b"glTF";
+
+/// Bytes of the file's head, and of a chunk's head.
+const HEAD: usize = 12;
+const CHUNK_HEAD: usize = 8;
+
+const JSON: &[u8; 4] = b"JSON";
+const BINARY: &[u8; 4] = b"BIN\0";
+
+/// Component types of accessors.
+const BYTE: u32 = 5121;
+const SHORT: u32 = 5123;
+const INT: u32 = 5125;
+const FLOAT: u32 = 5126;
+
+/// Primitive mode of separate triangles.
+const TRIANGLES: u32 = 4;
+
+/// Nesting limit and maximum number of placed nodes.
+const DEEPEST: usize = 64;
+const MOST_NODES: usize = 100_000;
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+struct Document {
+    extensions_required: Vec<String>,
+    scene: Option<usize>,
+    scenes: Vec<GltfScene>,
+    nodes: Vec<GltfNode>,
+    meshes: Vec<GltfMesh>,
+    accessors: Vec<Accessor>,
+    buffer_views: Vec<BufferView>,
+    buffers: Vec<GltfBuffer>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct GltfScene {
+    nodes: Vec<usize>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct GltfNode {
+    mesh: Option<usize>,
+    children: Vec<usize>,
+    /// Columns of four numbers.
+    matrix: Option<[f64; 16]>,
+    translation: Option<[f64; 3]>,
+    /// Quaternion x, y, z, w.
+    rotation: Option<[f64; 4]>,
+    scale: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct GltfMesh {
+    primitives: Vec<Primitive>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct Primitive {
+    attributes: Attributes,
+    indices: Option<usize>,
+    mode: Option<u32>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct Attributes {
+    #[serde(rename = "POSITION")]
+    position: Option<usize>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+struct Accessor {
+    buffer_view: Option<usize>,
+    byte_offset: usize,
+    component_type: u32,
+    count: usize,
+    #[serde(rename = "type")]
+    form: String,
+    sparse: Option<serde_json::Value>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+struct BufferView {
+    buffer: usize,
+    byte_offset: usize,
+    byte_length: usize,
+    byte_stride: Option<usize>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct GltfBuffer {
+    uri: Option<String>,
+}
+
+/// A linear map, as the images of the axes, and a shift.
+#[derive(Clone, Copy)]
+struct Placement {
+    axes: [Vector3<f64>; 3],
+    shift: Vector3<f64>,
+}
+
+impl Placement {
+    fn identity() -> Self {
+        Self { axes: [Vector3::x(), Vector3::y(), Vector3::z()], shift: Vector3::zeros() }
+    }
+
+    fn of(node: &GltfNode) -> Self {
+        if let Some([a, b, c, _, d, e, f, _, g, h, i, _, x, y, z, _]) = node.matrix {
+            return Self { axes: [[a, b, c].into(), [d, e, f].into(), [g, h, i].into()], shift: [x, y, z].into() };
+        }
+        let [x, y, z] = turn(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
+        let [along_x, along_y, along_z] = node.scale.unwrap_or([1.0; 3]);
+        let shift = node.translation.unwrap_or_default().into();
+        Self { axes: [x * along_x, y * along_y, z * along_z], shift }
+    }
+
+    fn then(&self, inner: &Self) -> Self {
+        Self { axes: inner.axes.map(|axis| self.direction(&axis)), shift: self.point(&inner.shift) }
+    }
+
+    fn direction(&self, direction: &Vector3<f64>) -> Vector3<f64> {
+        let [x, y, z] = self.axes;
+        x * direction.x + y * direction.y + z * direction.z
+    }
+
+    fn point(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        self.direction(point) + self.shift
+    }
+}
+
+/// Images of the axes under the rotation of a unit quaternion.
+fn turn([x, y, z, w]: [f64; 4]) -> [Vector3<f64>; 3] {
+    [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)].into(),
+        [2.0 * (x * y - z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + x * w)].into(),
+        [2.0 * (x * z + y * w), 2.0 * (y * z - x * w), 1.0 - 2.0 * (x * x + y * y)].into(),
+    ]
+}
+
+/// A file in memory.
+struct Glb<'b> {
+    document: Document,
+    binary: &'b [u8],
+}
+
+/// Returns the triangles of a file with z up, in the file's unit: metres.
+pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let glb = Glb::parse(bytes)?;
+    let mut mesh = Mesh::default();
+    let mut open: Vec<(usize, Placement, usize)> =
+        glb.roots().into_iter().map(|node| (node, Placement::identity(), 0)).collect();
+    let mut placed = 0;
+    while let Some((number, around, depth)) = open.pop() {
+        placed += 1;
+        if depth > DEEPEST || placed > MOST_NODES {
+            return Err(MeshError::Glb("its nodes are nested too deeply, or in a circle"));
+        }
+        let node = glb.document.nodes.get(number).ok_or(MeshError::Glb("a node does not exist"))?;
+        let here = around.then(&Placement::of(node));
+        if let Some(of_node) = node.mesh {
+            glb.add(of_node, &here, &mut mesh)?;
+        }
+        open.extend(node.children.iter().map(|child| (*child, here, depth + 1)));
+    }
+    Ok(mesh)
+}
+
+impl<'b> Glb<'b> {
+    fn parse(bytes: &'b [u8]) -> Result<Self, MeshError> {
+        let mut rest = bytes.get(HEAD..).ok_or(MeshError::Glb("it is cut off"))?;
+        let (mut document, mut binary) = (None, &[] as &[u8]);
+        while let Some((head, behind)) = rest.split_at_checked(CHUNK_HEAD) {
+            let (length, kind) = head.split_at_checked(4).unwrap_or_default();
+            let length = number(length).ok_or(MeshError::Glb("it is cut off"))?;
+            let (chunk, next) = behind.split_at_checked(length).ok_or(MeshError::Glb("it is cut off"))?;
+            if kind == JSON && document.is_none() {
+                let parsed = serde_json::from_slice(chunk);
+                document = Some(parsed.map_err(|_| MeshError::Glb("its description is no glTF 2.0"))?);
+            } else if kind == BINARY && binary.is_empty() {
+                binary = chunk;
+            }
+            rest = next;
+        }
+        let document: Document = document.ok_or(MeshError::Glb("it has no description"))?;
+        if !document.extensions_required.is_empty() {
+            return Err(MeshError::Glb("it is compressed or needs another extension: export it without"));
+        }
+        if document.buffers.iter().any(|buffer| buffer.uri.is_some()) {
+            return Err(MeshError::Glb("its data are in another file: export it as one file"));
+        }
+        Ok(Self { document, binary })
+    }
+
+    /// Nodes of the scene; without scenes, all nodes that are no children.
+    fn roots(&self) -> Vec<usize> {
+        let Document { scene, scenes, nodes, .. } = &self.document;
+        match scenes.get(scene.unwrap_or_default()) {
+            Some(scene) => scene.nodes.clone(),
+            None => {
+                let is_child = |number: &usize| nodes.iter().any(|node| node.children.contains(number));
+                (0..nodes.len().min(MOST_NODES)).filter(|number| !is_child(number)).collect()
+            }
+        }
+    }
+
+    /// Adds the triangles of a mesh at a placement.
+    fn add(&self, number: usize, placement: &Placement, mesh: &mut Mesh) -> Result<(), MeshError> {
+        let of_node = self.document.meshes.get(number).ok_or(MeshError::Glb("a mesh does not exist"))?;
+        for Primitive { attributes, indices, mode } in &of_node.primitives {
+            if mode.is_some_and(|mode| mode != TRIANGLES) {
+                return Err(MeshError::Glb("it has lines, points, strips or fans: export it as triangles"));
+            }
+            let Some(position) = attributes.position else { continue };
+            let first = u32::try_from(mesh.points.len()).map_err(|_| MeshError::TooMany(mesh.points.len()))?;
+            let points = self.positions(position)?;
+            let numbers = match indices {
+                Some(indices) => self.indices(*indices)?,
+                None => (0..u32::try_from(points.len()).unwrap_or(u32::MAX)).collect(),
+            };
+            if numbers.iter().any(|number| usize::try_from(*number).is_ok_and(|number| number >= points.len())) {
+                return Err(MeshError::Glb("a triangle has a corner that does not exist"));
+            }
+            // From y up to z up.
+            let up = |point: Vector3<f64>| Vector3::new(point.x, -point.z, point.y);
+            mesh.points.extend(points.iter().map(|point| up(placement.point(point))));
+            let triangles = numbers.as_chunks::<3>().0;
+            mesh.triangles.extend(triangles.iter().map(|corners| corners.map(|corner| first.saturating_add(corner))));
+            if mesh.triangles.len() > MOST_TRIANGLES {
+                return Err(MeshError::TooMany(mesh.triangles.len()));
+            }
+        }
+        Ok(())
+    }
+
+    fn positions(&self, accessor: usize) -> Result<Vec<Vector3<f64>>, MeshError> {
+        let entries = self.entries(accessor, "VEC3", &[FLOAT])?;
+        let coordinate = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
+        let point = |entry: &[u8]| {
+            let coordinates: Vec<f64> = entry.as_chunks::<4>().0.iter().map(coordinate).collect();
+            <[f64; 3]>::try_from(coordinates).unwrap_or_default().into()
+        };
+        Ok(entries.into_iter().map(point).collect())
+    }
+
+    fn indices(&self, accessor: usize) -> Result<Vec<u32>, MeshError> {
+        let entries = self.entries(accessor, "SCALAR", &[BYTE, SHORT, INT])?;
+        Ok(entries
+            .into_iter()
+            .map(|entry| number(entry).and_then(|number| number.try_into().ok()).unwrap_or(u32::MAX))
+            .collect())
+    }
+
+    /// Bytes of each entry of an accessor.
+    fn entries(&self, accessor: usize, form: &str, types: &[u32]) -> Result<Vec<&'b [u8]>, MeshError> {
+        let Document { accessors, buffer_views, .. } = &self.document;
+        let accessor = accessors.get(accessor).ok_or(MeshError::Glb("a list of numbers does not exist"))?;
+        if accessor.sparse.is_some() || accessor.form != form || !types.contains(&accessor.component_type) {
+            return Err(MeshError::Glb("its numbers have a form that is not supported: export it without compression"));
+        }
+        let cut = MeshError::Glb("its data are cut off");
+        let view = accessor.buffer_view.and_then(|view| buffer_views.get(view)).filter(|view| view.buffer == 0);
+        let BufferView { byte_offset, byte_length, byte_stride, .. } = view.ok_or(cut)?;
+        let bytes =
+            byte_offset.checked_add(*byte_length).and_then(|end| self.binary.get(*byte_offset..end)).ok_or(cut)?;
+        let size = if form == "VEC3" { 3 } else { 1 } * size_of_component(accessor.component_type);
+        let stride = byte_stride.unwrap_or(size).max(1);
+        if accessor.count > bytes.len() {
+            return Err(cut);
+        }
+        let entry = |index: usize| {
+            let start = index.checked_mul(stride)?.checked_add(accessor.byte_offset)?;
+            bytes.get(start..start.checked_add(size)?)
+        };
+        (0..accessor.count).map(|index| entry(index).ok_or(cut)).collect()
+    }
+}
+
+const fn size_of_component(component: u32) -> usize {
+    match component {
+        BYTE => 1,
+        SHORT => 2,
+        _ => 4,
+    }
+}
+
+/// Whole number of one, two or four bytes.
+fn number(bytes: &[u8]) -> Option<usize> {
+    let value = match *bytes {
+        [a] => u32::from(a),
+        [a, b] => u32::from(u16::from_le_bytes([a, b])),
+        [a, b, c, d] => u32::from_le_bytes([a, b, c, d]),
+        _ => return None,
+    };
+    usize::try_from(value).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A file with this description and these bytes.
+    fn glb(description: &str, binary: &[u8]) -> Vec<u8> {
+        let chunk = |kind: &[u8; 4], content: &[u8]| {
+            let length = u32::try_from(content.len()).unwrap().to_le_bytes();
+            [&length, kind.as_slice(), content].concat()
+        };
+        let chunks = [chunk(JSON, description.as_bytes()), chunk(BINARY, binary)].concat();
+        let length = u32::try_from(HEAD + chunks.len()).unwrap().to_le_bytes();
+        [MAGIC.as_slice(), &2u32.to_le_bytes(), &length, &chunks].concat()
+    }
+
+    /// A triangle with corners at (1, 0, 0), (0, 2, 0), (0, 0, 3), and its indices.
+    fn triangle() -> Vec<u8> {
+        let corners: [f32; 9] = [1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0];
+        let indices: [u16; 3] = [2, 1, 0];
+        let corners = corners.iter().flat_map(|number| number.to_le_bytes());
+        corners.chain(indices.iter().flat_map(|number| number.to_le_bytes())).collect()
+    }
+
+    const PARTS: &str = r#""meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+                     {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],
+        "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],"buffers":[{"byteLength":42}]"#;
+
+    fn file(nodes: &str) -> Vec<u8> {
+        glb(&format!("{{\"scene\":0,\"scenes\":[{{\"nodes\":[0]}}],\"nodes\":[{nodes}],{PARTS}}}"), &triangle())
+    }
+
+    fn corners(nodes: &str) -> Vec<[f64; 3]> {
+        let mesh = Mesh::read(&file(nodes)).unwrap();
+        assert_eq!(mesh.triangles, [[2, 1, 0]]);
+        mesh.points.iter().map(|point| (*point).into()).collect()
+    }
+
+    #[test]
+    fn y_becomes_z() {
+        assert_eq!(corners("{\"mesh\":0}"), [[1.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, -3.0, 0.0]]);
+    }
+
+    #[test]
+    fn nodes_place_their_children() {
+        let turned = "{\"children\":[1],\"translation\":[10,0,0]},{\"mesh\":0,\"scale\":[2,1,1]}";
+        assert_eq!(corners(turned), [[12.0, 0.0, 0.0], [10.0, 0.0, 2.0], [10.0, -3.0, 0.0]]);
+        // A half turn around y, as quaternion and as matrix.
+        let half = [[-1.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 3.0, 0.0]];
+        assert_eq!(corners("{\"mesh\":0,\"rotation\":[0,1,0,0]}"), half);
+        assert_eq!(corners("{\"mesh\":0,\"matrix\":[-1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1]}"), half);
+    }
+
+    #[test]
+    fn files_that_cannot_be_used_are_rejected() {
+        let reason = |bytes: &[u8]| Mesh::read(bytes).unwrap_err().to_string();
+        let description = |parts: &str| glb(&format!("{{\"nodes\":[{{\"mesh\":0}}],{parts}}}"), &triangle());
+        assert!(
+            reason(&description(&PARTS.replace("\"count\":3,\"type\":\"VEC3\"", "\"count\":4,\"type\":\"VEC3\"")))
+                .contains("cut off")
+        );
+        assert!(reason(&description(&PARTS.replace("5126", "5122"))).contains("not supported"));
+        assert!(reason(&description(&PARTS.replace("\"indices\":1", "\"indices\":1,\"mode\":5"))).contains("strips"));
+        assert!(
+            reason(&description(&format!("\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],{PARTS}")))
+                .contains("compressed")
+        );
+        assert!(
+            reason(&description(&PARTS.replace("{\"byteLength\":42}", "{\"uri\":\"a.bin\"}"))).contains("another file")
+        );
+        assert!(reason(&file("{\"mesh\":0,\"children\":[0]}")).contains("circle"));
+        assert!(reason(&file("{\"children\":[7]}")).contains("a node"));
+        assert!(reason(&file("{}")).contains("no triangle"));
+        assert!(reason(&glb("{", &[])).contains("no glTF"));
+        assert!(reason(b"glTF").contains("cut off"));
+        let mut indices = triangle();
+        indices[36] = 3;
+        let description = format!("{{\"nodes\":[{{\"mesh\":0}}],{PARTS}}}");
+        assert!(reason(&glb(&description, &indices)).contains("corner"));
+    }
+
+    proptest! {
+        #[test]
+        fn damaged_files_are_rejected_or_read(at in 0usize..700, byte in any::<u8>(), cut in 0usize..700) {
+            let mut bytes = file("{\"children\":[1],\"translation\":[10,0,0]},{\"mesh\":0,\"scale\":[2,1,1]}");
+            let (at, cut) = (at % bytes.len(), cut % bytes.len());
+            bytes[at] = byte;
+            let _ = Mesh::read(&bytes);
+            bytes.truncate(cut);
+            let _ = Mesh::read(&bytes);
+        }
+    }
+}
