@@ -115,6 +115,6 @@ fn an_expression(bencher: Bencher<'_, '_>) {
     bencher.bench_local(|| {
         number += 1;
         let text = format!("l_n+{number}");
-        evaluator.evaluate(&mut debugger.controller, context, &text, (Purpose::Watch, DisplayFormat::default()))
+        evaluator.evaluate(&mut debugger.controller, context, &text, Purpose::Watch, DisplayFormat::default())
     });
 }
