@@ -1,6 +1,7 @@
 //! The rules, one per file.
 //!
-//! A new rule is a file in `rules/`, its name in the list below, and an arm that maps a fault to it.
+//! A new rule is a file in `rules/`, its name in the list below, and, unless it is a lint, an arm that maps a fault
+//! to it.
 
 use val3_analysis::problem::ProblemKind;
 use val3_syntax::error::{Expected, SyntaxErrorKind};
