@@ -16,4 +16,4 @@ mod testing;
 
 pub use self::bounds::Bounds;
 pub use self::nearest::{Closest, Nearness, Overlap, PlacedShape, nearest};
-pub use self::shape::{Shape, ShapeError};
+pub use self::shape::{Shape, ShapeError, Triangles};

@@ -8,6 +8,9 @@ use crate::bounds::Bounds;
 use crate::capsules::Capsule;
 use crate::convert;
 
+/// Points, and triangles as numbers of them.
+pub type Triangles = (Vec<Vector3<f64>>, Vec<[u32; 3]>);
+
 /// A shape in its own frame.
 #[derive(Clone)]
 pub struct Shape {
@@ -134,7 +137,7 @@ impl Shape {
 
     /// Corners and triangles of a convex hull; `None` for other shapes.
     #[must_use]
-    pub fn hull_triangles(&self) -> Option<(Vec<Vector3<f64>>, Vec<[u32; 3]>)> {
+    pub fn hull_triangles(&self) -> Option<Triangles> {
         let Form::Convex(shape, _) = &self.form else { return None };
         let (points, triangles) = shape.as_convex_polyhedron()?.to_trimesh();
         Some((points.iter().map(|point| Vector3::new(point.x, point.y, point.z)).collect(), triangles))
