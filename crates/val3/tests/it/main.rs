@@ -109,4 +109,5 @@ mod trust;
 #[cfg(target_os = "linux")]
 mod unreadable;
 mod usage;
+mod waiting;
 mod watch;
