@@ -13,7 +13,7 @@ use val3_vm::CYCLE;
 
 use crate::motion::{self, MotionKey};
 use crate::positions::PositionComputer;
-use crate::samples::{Batch, NO_SOURCE};
+use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
 use crate::signals::SignalStates;
 use crate::wire::{
     CellPoint, DataMessage, End, EventsMessage, JointValue, PageMessage, Rewind, Role, Source, StateMessage, Tool,
@@ -45,6 +45,8 @@ pub enum ViewerMessage {
 #[derive(Debug)]
 pub struct Feed {
     batch: Batch,
+    /// Whether other messages may overtake samples, so that batches are long.
+    is_recorded: bool,
     /// Time of the last sample, the sample, and whether it is in a batch.
     last: Option<(Time, (Sample, SpeedLimit), bool)>,
     tools: Vec<[f64; 6]>,
@@ -69,8 +71,10 @@ impl Feed {
     /// complete state.
     #[must_use]
     pub fn new(controller: &Controller, role: Role) -> Self {
+        let is_recorded = role == Role::Recording;
         let mut feed = Self {
-            batch: Batch::new(controller.arm().model().axes()),
+            batch: Batch::new(controller.arm().model().axes(), is_recorded),
+            is_recorded,
             last: None,
             tools: Vec::new(),
             sources: BTreeMap::new(),
@@ -130,6 +134,7 @@ impl Feed {
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
         if now < self.seen {
+            self.flush_samples();
             self.tell(&wire::Message::Rewind(Rewind { t: seconds(now) }));
             self.forget();
             self.last = None;
@@ -144,12 +149,13 @@ impl Feed {
     pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) {
         let now = controller.now();
         self.look(now, controller);
+        self.flush_samples();
         self.tell(&wire::Message::End(End { t: seconds(now), reason, exit_code }));
     }
 
     fn look(&mut self, time: Time, controller: &Controller) {
         (self.next_look, self.seen) = (time + LOOK, self.seen.max(time));
-        self.flush_samples();
+        self.release_samples();
         self.see_signals(time, controller);
         self.see_motion(time, controller);
         self.see_state(seconds(time), controller);
@@ -217,13 +223,20 @@ impl Feed {
 
     /// Adds a message of the caller, such as the pace of the run.
     pub fn tell(&mut self, message: &wire::Message) {
-        self.flush_samples();
+        self.release_samples();
         self.messages.push(ViewerMessage::Object(json!(message)));
     }
 
     fn see_signals(&mut self, time: Time, controller: &Controller) {
         if let Some(changes) = self.signals.changes(seconds(time), &controller.devices.state.io) {
             self.tell(&wire::Message::Io(changes));
+        }
+    }
+
+    /// Sends the samples of a run that is watched before other messages. Those of a recording wait for a full batch.
+    fn release_samples(&mut self) {
+        if !self.is_recorded {
+            self.flush_samples();
         }
     }
 
@@ -266,7 +279,8 @@ impl Feed {
                 self.number_of(piece.and_then(|piece| piece.source).as_ref())
             }
         };
-        self.batch.add(time, sample, *limit, tool, source);
+        let origin = SampleOrigin { phase: sample.phase as u8, tool, source, limit: samples::number_of(*limit) };
+        self.batch.add(time, sample, origin);
     }
 
     /// Number of a tool. New tools are sent to pages.

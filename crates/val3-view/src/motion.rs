@@ -13,8 +13,9 @@ const PIECES: usize = 60;
 /// Maximum deviation of the drawn path, in mm.
 const TOLERANCE: f64 = 0.2;
 
-/// Resolution of coordinates, in mm.
-const PRECISION: f64 = 0.01;
+/// Units of the coordinates of the path and of poses in a mm or degree: more digits take half of a recording.
+const PATH_UNITS: f64 = 100.0;
+const POSE_UNITS: f64 = 10_000.0;
 
 /// Properties that determine the message, except the progress on the current piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,14 +50,14 @@ pub(crate) fn message(t: f64, controller: &Controller, mut number: impl FnMut(&R
 }
 
 fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
-    let pose = |corner: &BlendPoint| coordinates(&corner.pose);
+    let pose = |corner: &BlendPoint| rounded(coordinates(&corner.pose), POSE_UNITS);
     let distance = |corner: &BlendPoint| corner.distance.0;
     QueueEntry {
         id: queued.id,
         instruction: queued.source.as_ref().map(|source| source.instruction.to_owned()),
         source,
         phase: queued.stage.word().to_owned(),
-        target: coordinates(&queued.target),
+        target: rounded(coordinates(&queued.target), POSE_UNITS),
         leave: queued.leave.as_ref().map(pose),
         reach: queued.reach.as_ref().map(pose),
         leave_distance: queued.leave.as_ref().map(distance),
@@ -70,14 +71,17 @@ fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
 fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     let pieces = controller.arm().motion().way_ahead(PIECES);
     let pieces = pieces.iter().map(|PieceAhead { phase, points }| {
-        let points = simplified(points, TOLERANCE).iter().map(rounded).collect();
+        let points = simplified(points, TOLERANCE);
+        let points = points.iter().map(|point| rounded((*point).into(), PATH_UNITS)).collect();
         WayPiece { phase: phase.word().to_owned(), points }
     });
     pieces.collect()
 }
 
-fn rounded(point: &Vector3<f64>) -> [f64; 3] {
-    point.map(|number| (number / PRECISION).round() * PRECISION).into()
+/// Rounds numbers to whole units. The quotient has the shortest text, unlike a product with the size of a unit.
+fn rounded<const N: usize>(numbers: [f64; N], units: f64) -> [f64; N] {
+    // The sum is a zero without a sign.
+    numbers.map(|number| (number * units).round() / units + 0.0)
 }
 
 /// Simplifies a curve by removing points that are within the tolerance of the lines between the other points
@@ -107,6 +111,12 @@ fn distance_to_chord(point: &Vector3<f64>, first: &Vector3<f64>, last: &Vector3<
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rounded_numbers_have_short_texts() {
+        let texts = rounded([187.171_234, -57.158_9, 0.001, -0.001], PATH_UNITS).map(|number| number.to_string());
+        assert_eq!(texts, ["187.17", "-57.16", "0", "0"]);
+    }
 
     #[test]
     fn points_on_straight_lines_are_left_out() {

@@ -11,6 +11,9 @@ const AGAIN = 1000;
 /** Milliseconds without a message after which the server counts as silent. It sends the clock each second. */
 const SILENCE = 3000;
 
+/** Milliseconds for which a recording is read before the page is drawn. */
+const READING = 400;
+
 interface Editor {
   postMessage: (message: object) => void;
 }
@@ -30,14 +33,25 @@ export function connect(store: Store): void {
 async function playRecording(store: Store, encoded: string): Promise<void> {
   try {
     const inbox = new Inbox(store);
-    for await (const frame of framesOf(encoded)) {
+    let begun = performance.now();
+    for (const frame of await framesOf(encoded)) {
       inbox.add("text" in frame ? frame.text : frame.samples);
+      if (performance.now() - begun > READING) {
+        inbox.empty();
+        await drawn();
+        begun = performance.now();
+      }
     }
     inbox.empty();
-    store.chosen.value = 0;
+    store.chosen.value = store.chosen.peek() ?? 0;
   } catch (fault) {
     store.lost.value = `The recording cannot be read: ${fault instanceof Error ? fault.message : String(fault)}`;
   }
+}
+
+/** Waits until the browser has drawn the page. */
+function drawn(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
 }
 
 function followEditor(store: Store, editor: Editor): void {

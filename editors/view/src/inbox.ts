@@ -11,12 +11,12 @@ import type { Store } from "./store";
 const DELAY = 15;
 
 export class Inbox {
-  private waiting: (string | ArrayBuffer | Message)[] = [];
+  private waiting: (string | ArrayBuffer | Uint8Array | Message)[] = [];
   private isScheduled = false;
 
   constructor(private readonly store: Store) {}
 
-  add(message: string | ArrayBuffer | Message): void {
+  add(message: string | ArrayBuffer | Uint8Array | Message): void {
     this.waiting.push(message);
     if (!this.isScheduled) {
       this.isScheduled = true;
@@ -31,7 +31,7 @@ export class Inbox {
     this.isScheduled = false;
     batch(() => {
       for (const message of waiting) {
-        if (message instanceof ArrayBuffer) {
+        if (message instanceof ArrayBuffer || message instanceof Uint8Array) {
           store.takeSamples(message);
         } else {
           const read = typeof message === "string" ? messageFrom(message) : message;

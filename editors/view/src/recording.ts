@@ -1,18 +1,33 @@
 // Recorded run in the page: frames, compressed with gzip, in base64. A frame is `u8 type` (0 text, 1 samples), `u32
 // length`, and its bytes.
 
-export type Frame = { text: string } | { samples: ArrayBuffer };
+export type Frame = { text: string } | { samples: Uint8Array };
 
-export async function* framesOf(encoded: string): AsyncGenerator<Frame> {
-  const packed = Uint8Array.from(atob(encoded.trim()), (character) => character.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const bytes = await new Response(stream).arrayBuffer();
-  const view = new DataView(bytes);
+const DECODER = new TextDecoder();
+
+/** Returns the frames of a recording. Samples are views of one buffer, so that they need no memory of their own. */
+export async function framesOf(encoded: string): Promise<Generator<Frame>> {
+  const stream = new Blob([decoded(encoded.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return split(new Uint8Array(await new Response(stream).arrayBuffer()));
+}
+
+function* split(bytes: Uint8Array): Generator<Frame> {
+  const view = new DataView(bytes.buffer);
   let at = 0;
-  while (at + 5 <= bytes.byteLength) {
+  while (at + 5 <= bytes.length) {
     const [type, length] = [view.getUint8(at), view.getUint32(at + 1, true)];
-    const content = bytes.slice(at + 5, at + 5 + length);
-    yield type === 0 ? { text: new TextDecoder().decode(content) } : { samples: content };
+    const content = bytes.subarray(at + 5, at + 5 + length);
+    yield type === 0 ? { text: DECODER.decode(content) } : { samples: content };
     at += 5 + length;
   }
+}
+
+/** Decodes base64. `Uint8Array.from` with a function needed 2 s for an hour. */
+function decoded(base64: string): Uint8Array<ArrayBuffer> {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let index = 0; index < text.length; index += 1) {
+    bytes[index] = text.charCodeAt(index);
+  }
+  return bytes;
 }

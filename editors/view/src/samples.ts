@@ -1,13 +1,10 @@
 // Samples of the arm, in chronological order.
 
-/** Source of a sample without a line. */
-const NO_SOURCE = 65535;
-const HEADER = 8;
+import { columnsOf, firstTime, headOf, type SampleColumns, timesOf } from "./sampleBatch";
 
 export interface Sample {
   t: number;
   joints: readonly number[];
-  moveId: number;
   speed: number;
   phase: number;
   tool: number;
@@ -27,30 +24,35 @@ export interface Rest {
 /** Shortest time without samples that is a rest: more than a few cycles, in s. */
 const SHORTEST_REST = 0.02;
 
-/** Batches of samples as received; a sample is decoded when it is read. */
+/**
+ * Batches of samples as received: an hour of motion has about 10 MB. A batch is decoded when it is read, and the last
+ * decoded one is kept.
+ */
 export class Samples {
   private readonly batches: Batch[] = [];
+  private decoded: { batch: Batch; columns: SampleColumns } | undefined;
   count = 0;
 
-  /** Adds a batch. Other messages than samples are ignored. */
-  add(buffer: ArrayBuffer): number | undefined {
-    const batch = Batch.from(buffer);
+  /** Adds a batch, and returns its last time. Other messages than samples are ignored. */
+  add(message: ArrayBuffer | Uint8Array): number | undefined {
+    const batch = Batch.from(message instanceof ArrayBuffer ? new Uint8Array(message) : message);
     if (batch === undefined || batch.count === 0) {
       return undefined;
     }
     this.batches.push(batch);
     this.count += batch.count;
-    return batch.time(batch.count - 1);
+    return batch.end;
   }
 
   clear(): void {
     this.batches.length = 0;
+    this.decoded = undefined;
     this.count = 0;
   }
 
   /** Discards the samples after a time. */
   cut(t: number): void {
-    while ((this.batches.at(-1)?.time(0) ?? -Infinity) > t) {
+    while ((this.batches.at(-1)?.start ?? -Infinity) > t) {
       this.batches.pop();
     }
     this.batches.at(-1)?.cut(t);
@@ -59,123 +61,131 @@ export class Samples {
 
   /** Returns the time in the middle of the samples. */
   middle(): number {
-    return this.batches[this.batches.length >> 1]?.time(0) ?? 0;
+    return this.batches[this.batches.length >> 1]?.start ?? 0;
   }
 
   /** Discards the batches before the batch that is valid at a time. */
   drop(t: number): void {
-    const first = this.batches.findIndex((_, index) => (this.batches[index + 1]?.time(0) ?? Infinity) > t);
+    const first = this.batches.findIndex((_, index) => (this.batches[index + 1]?.start ?? Infinity) > t);
     this.batches.splice(0, first);
     this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
   }
 
   /** Returns the sample at a time: the last one up to it, otherwise the first one. */
   at(t: number): Sample | undefined {
-    let [low, high] = [0, this.batches.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if ((this.batches[middle]?.time(0) ?? Infinity) <= t) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
+    const batch = this.batches[Math.max(0, upTo(this.batches.length, (index) => this.batches[index]?.start ?? Infinity, t) - 1)];
+    if (batch === undefined) {
+      return undefined;
     }
-    const batch = this.batches[Math.max(0, low - 1)];
-    return batch?.sample(batch.lastUpTo(t));
+    const { times } = this.columns(batch);
+    return this.sample(batch, Math.max(0, upTo(batch.count, (index) => times[index] ?? Infinity, t) - 1));
   }
 
   /** Returns the rests of the arm, for which no samples are sent. */
   *rests(): Generator<Rest> {
     for (const [index, batch] of this.batches.entries()) {
-      yield* batch.rests();
-      const [start, end] = [batch.time(batch.count - 1), this.batches[index + 1]?.time(0) ?? Infinity];
+      yield* this.restsIn(batch);
+      const [start, end] = [batch.end, this.batches[index + 1]?.start ?? Infinity];
       if (end - start > SHORTEST_REST) {
-        yield { start, end, limit: batch.sample(batch.count - 1).limit };
+        yield { start, end, limit: this.sample(batch, batch.count - 1).limit };
       }
     }
   }
 
-  all(): Generator<Sample> {
-    return this.from(0);
+  /** Returns all samples without their joints. */
+  *all(): Generator<Omit<Sample, "joints">> {
+    for (const { sample } of this.columnsFrom(0)) {
+      yield sample;
+    }
   }
 
-  /** Returns the samples after the first `skipped` ones. */
-  *from(skipped: number): Generator<Sample> {
+  /** Returns the samples after the first `skipped` ones. The joints are columns, in which a sample has this index. */
+  *columnsFrom(skipped: number): Generator<{ sample: Omit<Sample, "joints">; joints: readonly Float64Array[]; index: number }> {
     let left = skipped;
     for (const batch of this.batches) {
-      for (let index = left; index < batch.count; index += 1) {
-        yield batch.sample(index);
+      if (left < batch.count) {
+        const { joints } = this.columns(batch);
+        for (let index = left; index < batch.count; index += 1) {
+          yield { sample: this.properties(batch, index), joints, index };
+        }
       }
       left = Math.max(0, left - batch.count);
     }
   }
+
+  /** Returns the rests between the samples of a batch. */
+  private restsIn(batch: Batch): readonly Rest[] {
+    if (batch.rests === undefined) {
+      const { times } = this.columns(batch);
+      batch.rests = [];
+      for (let index = 1; index < batch.count; index += 1) {
+        const [start, end] = [times[index - 1] ?? 0, times[index] ?? 0];
+        if (end - start > SHORTEST_REST) {
+          batch.rests.push({ start, end, limit: this.sample(batch, index - 1).limit });
+        }
+      }
+    }
+    return batch.rests;
+  }
+
+  private sample(batch: Batch, index: number): Sample {
+    const { joints } = this.columns(batch);
+    return { ...this.properties(batch, index), joints: joints.map((column) => column[index] ?? 0) };
+  }
+
+  private properties(batch: Batch, index: number): Omit<Sample, "joints"> {
+    const { times, speeds, origins } = this.columns(batch);
+    const { phase = 0, tool = 0, limit = 0, source } = origins.find(({ end }) => index < end) ?? {};
+    return { t: times[index] ?? 0, speed: speeds[index] ?? 0, phase, tool, source, limit };
+  }
+
+  private columns(batch: Batch): SampleColumns {
+    if (this.decoded?.batch !== batch) {
+      this.decoded = { batch, columns: batch.columns() };
+    }
+    return this.decoded.columns;
+  }
 }
 
-/** Batch: `u8 1, u8 axes, u16, u32 count`, then the samples, little endian. */
+/** Batch in the form of the connection, with the times of its first and its last sample. */
 class Batch {
-  private readonly size: number;
-  private found: Rest[] | undefined;
+  readonly start: number;
+  end: number;
+  /** Rests between the samples, if they were computed. */
+  rests: Rest[] | undefined;
 
-  private constructor(private readonly view: DataView, private readonly axes: number, public count: number) {
-    this.size = 8 + 8 * axes + 8 + 4 + 1 + 1 + 2 + 1;
+  private constructor(private readonly bytes: Uint8Array, private readonly axes: number, public count: number) {
+    this.start = firstTime(bytes);
+    this.end = timesOf(bytes, count).at(-1) ?? this.start;
   }
 
-  static from(buffer: ArrayBuffer): Batch | undefined {
-    const view = new DataView(buffer);
-    if (buffer.byteLength < HEADER || view.getUint8(0) !== 1) {
-      return undefined;
-    }
-    const batch = new Batch(view, view.getUint8(1), view.getUint32(4, true));
-    batch.count = Math.min(batch.count, Math.floor((buffer.byteLength - HEADER) / batch.size));
-    return batch;
+  static from(bytes: Uint8Array): Batch | undefined {
+    const head = headOf(bytes);
+    return head && new Batch(bytes, head.axes, head.count);
   }
 
-  time(index: number): number {
-    return this.view.getFloat64(HEADER + index * this.size, true);
-  }
-
-  /** Returns the rests between the samples of the batch. */
-  rests(): readonly Rest[] {
-    this.found ??= Array.from({ length: Math.max(0, this.count - 1) }, (_, index) => index)
-      .filter((index) => this.time(index + 1) - this.time(index) > SHORTEST_REST)
-      .map((index) => ({ start: this.time(index), end: this.time(index + 1), limit: this.sample(index).limit }));
-    return this.found;
+  columns(): SampleColumns {
+    return columnsOf(this.bytes, this.count, this.axes);
   }
 
   cut(t: number): void {
-    this.found = undefined;
-    while (this.count > 0 && this.time(this.count - 1) > t) {
-      this.count -= 1;
+    const times = timesOf(this.bytes, this.count);
+    this.rests = undefined;
+    this.count = upTo(this.count, (index) => times[index] ?? Infinity, t);
+    this.end = times[this.count - 1] ?? this.start;
+  }
+}
+
+/** Returns how many of `count` ascending times are up to a time. */
+function upTo(count: number, time: (index: number) => number, t: number): number {
+  let [low, high] = [0, count];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (time(middle) <= t) {
+      low = middle + 1;
+    } else {
+      high = middle;
     }
   }
-
-  lastUpTo(t: number): number {
-    let [low, high] = [0, this.count];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.time(middle) <= t) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return Math.max(0, low - 1);
-  }
-
-  sample(index: number): Sample {
-    const start = HEADER + index * this.size;
-    const { view, axes } = this;
-    const rest = start + 8 + 8 * axes;
-    const source = view.getUint16(rest + 14, true);
-    return {
-      t: this.time(index),
-      joints: Array.from({ length: axes }, (_, axis) => view.getFloat64(start + 8 + 8 * axis, true)),
-      moveId: view.getFloat64(rest, true),
-      speed: view.getFloat32(rest + 8, true),
-      phase: view.getUint8(rest + 12),
-      tool: view.getUint8(rest + 13),
-      source: source === NO_SOURCE ? undefined : source,
-      limit: view.getUint8(rest + 16),
-    };
-  }
+  return low;
 }

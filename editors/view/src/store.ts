@@ -8,6 +8,8 @@ import { PanelModel } from "./panels/shared/PanelModel";
 import type { TimedPhase } from "./panels/tasks/times";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
 import { type Sample, Samples } from "./samples";
+import { shared } from "./sharing";
+import type { MotionMessage } from "./wire";
 
 /** Selected object, which the drawing and the panels highlight. */
 export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
@@ -52,6 +54,7 @@ export class Store {
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
   private readonly log: RunMessage[] = [];
+  private lastMotion: MotionMessage | undefined;
 
   constructor() {
     this.panels = new PanelModel({
@@ -74,7 +77,11 @@ export class Store {
   }
 
   /** Processes a message. Messages of the run are stored, so that a step back can repeat them. */
-  take(message: Message): void {
+  take(received: Message): void {
+    const message: Message = received.kind === "motion" ? { ...received, ...shared(received, this.lastMotion) } : received;
+    if (message.kind === "motion") {
+      this.lastMotion = message;
+    }
     if (message.kind === "answer") {
       this.answer(message);
     } else if (message.kind === "rewind") {
@@ -94,8 +101,8 @@ export class Store {
     }
   }
 
-  takeSamples(buffer: ArrayBuffer): void {
-    const t = this.samples.add(buffer);
+  takeSamples(bytes: ArrayBuffer | Uint8Array): void {
+    const t = this.samples.add(bytes);
     if (t !== undefined) {
       this.sampleCount.value += 1;
       this.advance(t);

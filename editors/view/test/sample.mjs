@@ -1,6 +1,7 @@
 // A synthetic run of a palletiser: its messages, and the page with them as a recording.
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
+import { encoded } from "./sampleBatch.mjs";
 
 const AXES = [180, 130, 145, 270, 120, 270].map((limit) => ({ isLinear: false, min: -limit, max: limit, speed: 300 }));
 const LINKS = [[0, 0, 478, "z"], [50, 0, 0, "y"], [0, 0, 425, "y"], [0, 50, 0, "z"], [0, 0, 425, "y"], [0, 0, 100, "z"]]
@@ -80,22 +81,11 @@ export function messages(role) {
 
 function samples(start, duration) {
   const count = Math.round(duration / CYCLE);
-  const buffer = Buffer.alloc(8 + count * 73);
-  buffer.writeUInt8(1, 0);
-  buffer.writeUInt8(6, 1);
-  buffer.writeUInt32LE(count, 4);
-  for (let index = 0; index < count; index += 1) {
-    const [at, t] = [8 + index * 73, start + (index + 1) * CYCLE];
-    buffer.writeDoubleLE(t, at);
-    [40 * Math.sin(t), 20 + 10 * Math.sin(2 * t), 80, 0, 80 - 10 * Math.sin(2 * t), 40 * t / DURATION].forEach((joint, axis) => buffer.writeDoubleLE(joint, at + 8 + 8 * axis));
-    buffer.writeDoubleLE(Math.floor(start / 0.5), at + 56);
-    buffer.writeFloatLE(250, at + 64);
-    buffer.writeUInt8(index > count * 0.8 ? 1 : 0, at + 68);
-    buffer.writeUInt8(1, at + 69);
-    buffer.writeUInt16LE(1, at + 70);
-    buffer.writeUInt8(index % LIMITS.length, at + 72);
-  }
-  return buffer;
+  return encoded(Array.from({ length: count }, (_, index) => {
+    const t = Number((start + (index + 1) * CYCLE).toFixed(3));
+    const joints = [40 * Math.sin(t), 20 + 10 * Math.sin(2 * t), 80, 0, 80 - 10 * Math.sin(2 * t), 40 * t / DURATION];
+    return { t, joints, speed: 250, phase: index > count * 0.8 ? 1 : 0, tool: 1, source: 1, limit: index % LIMITS.length };
+  }));
 }
 
 /** Returns the content of the element `recording` in an exported page. */

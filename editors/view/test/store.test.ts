@@ -3,7 +3,9 @@ import { test } from "node:test";
 import type { Message, Scene } from "../src/protocol";
 import { framesOf } from "../src/recording";
 import { Samples } from "../src/samples";
+import { shared } from "../src/sharing";
 import { Store } from "../src/store";
+import type { MotionMessage } from "../src/wire";
 import { messages, recording } from "./sample.mjs";
 
 const LIST = messages("operator") as (Message | Buffer)[];
@@ -87,7 +89,7 @@ test("a command gets its answer, or the reason of a lost connection", async () =
 
 test("a recording holds all messages and samples", async () => {
   let [texts, samples] = [0, 0];
-  for await (const frame of framesOf(recording())) {
+  for (const frame of await framesOf(recording())) {
     if ("text" in frame) {
       texts += 1;
     } else {
@@ -103,4 +105,13 @@ test("an editor selects points and frames by name", () => {
   assert.deepEqual(store.selection.value, { kind: "point", point: { name: "pHome", key: null } });
   store.take({ kind: "select", name: "fPallet" });
   assert.deepEqual(store.selection.value, { kind: "frame", name: "fPallet" });
+});
+
+test("equal parts of successive motion messages are stored once", () => {
+  const piece = (x: number): MotionMessage["path"][number] => ({ phase: "nominal", points: [[x, 0, 0], [x, 1, 0]] });
+  const message = (...path: MotionMessage["path"]): MotionMessage => ({ t: 1, queue: [], path });
+  const first = message(piece(1), piece(2));
+  const second = shared(message(piece(2), piece(3)), first);
+  assert.equal(second.path[0], first.path[1]);
+  assert.deepEqual(second, message(piece(2), piece(3)));
 });

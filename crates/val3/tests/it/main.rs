@@ -112,4 +112,5 @@ mod trust;
 #[cfg(target_os = "linux")]
 mod unreadable;
 mod usage;
+mod waiting;
 mod watch;

@@ -1,8 +1,7 @@
 //! `val3 run --serve`: a run in the browser, with clients that know the addresses from its output.
 
-use std::io::{BufRead as _, BufReader, Read as _};
 use std::net::TcpStream;
-use std::process::{Child, ChildStderr, Stdio};
+use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, kill_process};
@@ -11,6 +10,7 @@ use tungstenite::http::Request;
 use tungstenite::{Message, WebSocket};
 
 use crate::support::Folder;
+use crate::waiting::{OutputLines, Wait, ended};
 
 /// A program that prints 25 times a second.
 const PRINTING: &str = "num nCount\nwhile true\n  nCount=nCount+1\n  ? nCount\n  delay(0.04)\nendWhile\n";
@@ -18,7 +18,7 @@ const PRINTING: &str = "num nCount\nwhile true\n  nCount=nCount+1\n  ? nCount\n 
 /// A run that is served.
 pub(crate) struct ServedRun {
     process: Child,
-    stderr: BufReader<ChildStderr>,
+    stderr: OutputLines,
     pub(crate) operator: String,
     pub(crate) guest: String,
     pub(crate) folder: Folder,
@@ -35,16 +35,10 @@ impl ServedRun {
         let mut command = folder.command(&[&run, options].concat());
         let mut process =
             command.envs(variables.iter().copied()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
-        let mut stderr = BufReader::new(process.stderr.take().unwrap());
-        let [operator, guest] = [(), ()].map(|()| {
-            // Findings of the application come first.
-            let mut note = String::new();
-            while !note.contains("http://") {
-                note.clear();
-                assert_ne!(stderr.read_line(&mut note).unwrap(), 0, "the run has ended");
-            }
-            note.trim().rsplit(' ').next().unwrap().to_owned()
-        });
+        let stderr = OutputLines::of(process.stderr.take().unwrap());
+        // Findings of the application come first.
+        let [operator, guest] =
+            [(), ()].map(|()| stderr.wait_for("http://").trim().rsplit(' ').next().unwrap().to_owned());
         assert!(operator.starts_with("http://127.0.0.1:"), "{operator}");
         Self { process, stderr, operator, guest, folder }
     }
@@ -54,20 +48,16 @@ impl ServedRun {
     }
 
     /// Waits for a line of the error output that contains a text.
+    #[track_caller]
     pub(crate) fn wait_for(&mut self, text: &str) {
-        let mut line = String::new();
-        while !line.contains(text) {
-            line.clear();
-            assert_ne!(self.stderr.read_line(&mut line).unwrap(), 0, "no `{text}`");
-        }
+        self.stderr.wait_for(text);
     }
 
     /// The exit code and the rest of the error output.
+    #[track_caller]
     pub(crate) fn ending(&mut self) -> (i32, String) {
-        let code = self.process.wait().unwrap().code().unwrap();
-        let mut text = String::new();
-        self.stderr.read_to_string(&mut text).unwrap();
-        (code, text)
+        let code = ended(&mut self.process).code().unwrap();
+        (code, self.stderr.rest())
     }
 }
 
@@ -108,17 +98,28 @@ impl Viewer {
     }
 
     /// Returns the next message `clock` of a paused run.
+    #[track_caller]
     pub(crate) fn paused_clock(&mut self) -> Value {
-        std::iter::repeat_with(|| self.next_of("clock")).find(|clock| clock["isPaused"] == true).unwrap()
+        let mut wait = Wait::new("clock of a paused run");
+        loop {
+            let clock = self.next_of("clock");
+            if clock["isPaused"] == true {
+                return clock;
+            }
+            wait.saw(clock.to_string());
+        }
     }
 
-    /// The next message of a kind.
+    /// The next message of a kind. A clock message each second keeps a connection alive that has no other messages.
+    #[track_caller]
     pub(crate) fn next_of(&mut self, kind: &str) -> Value {
+        let mut wait = Wait::new(format!("message `{kind}`"));
         loop {
             let message = self.next();
             if message["kind"] == kind {
                 return message;
             }
+            wait.saw(message["kind"].to_string());
         }
     }
 
@@ -129,13 +130,16 @@ impl Viewer {
     }
 
     /// The next printed text and its time.
+    #[track_caller]
     pub(crate) fn next_print(&mut self) -> (f64, String) {
+        let mut wait = Wait::new("printed text");
         loop {
             let events = self.next_of("events");
             let print = events["events"].as_array().unwrap().iter().find(|event| event["kind"] == "print");
             if let Some(print) = print {
                 return (print["t"].as_f64().unwrap(), print["text"].as_str().unwrap().to_owned());
             }
+            wait.saw(events.to_string());
         }
     }
 }

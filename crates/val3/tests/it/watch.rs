@@ -1,21 +1,16 @@
 //! `--watch` repeats the check when a file changes.
 
-use std::io::{BufRead, BufReader};
-use std::process::{Child, ChildStderr, Command, Stdio};
-use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
+use std::process::{Child, Command, Stdio};
 
 use crate::support::{CLEAN, FAULTY, Folder};
 #[cfg(unix)]
 use crate::terminal::Terminal;
-
-/// Timeout far above the duration on any machine.
-const TIMEOUT: Duration = Duration::from_secs(60);
+use crate::waiting::OutputLines;
 
 /// A command with `--watch`, killed on drop.
 pub(crate) struct Watching {
     child: Child,
-    lines: Receiver<String>,
+    lines: OutputLines,
 }
 
 impl Watching {
@@ -28,20 +23,14 @@ impl Watching {
     /// Starts a command whose error output is read.
     pub(crate) fn of(mut command: Command) -> Self {
         let mut child = command.stdin(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
-        let lines = lines(child.stderr.take().unwrap());
+        let lines = OutputLines::of(child.stderr.take().unwrap());
         Self { child, lines }
     }
 
     /// Waits for a line with `text`.
     #[track_caller]
     pub(crate) fn wait_for(&self, text: &str) {
-        let mut seen = Vec::new();
-        while !seen.last().is_some_and(|line: &String| line.contains(text)) {
-            match self.lines.recv_timeout(TIMEOUT) {
-                Ok(line) => seen.push(line),
-                Err(error) => panic!("no `{text}`: {error}, {seen:#?}"),
-            }
-        }
+        self.lines.wait_for(text);
     }
 
     /// Waits for the end of a round with these counts.
@@ -57,19 +46,6 @@ impl Drop for Watching {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
-}
-
-/// Lines as they arrive.
-fn lines(stderr: ChildStderr) -> Receiver<String> {
-    let (sender, receiver) = channel();
-    std::thread::spawn(move || {
-        for line in BufReader::new(stderr).lines().map_while(Result::ok) {
-            if sender.send(line).is_err() {
-                return;
-            }
-        }
-    });
-    receiver
 }
 
 const PROGRAM: &str = "usrapp/main/start.pgx";

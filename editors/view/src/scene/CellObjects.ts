@@ -37,7 +37,7 @@ export class CellObjects {
       }
       return { carrier, name, part, meshes, material };
     });
-    this.group.add(...this.parts.map(({ part }) => part));
+    this.parts.forEach(({ part }) => this.group.add(part));
   }
 
   /** Places the things. A thing whose carrier has no place is hidden. */

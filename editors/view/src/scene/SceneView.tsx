@@ -1,6 +1,6 @@
 // Drawing of the cell with its buttons, its legend, and the selected object.
 
-import { effect } from "@preact/signals";
+import { effect, untracked } from "@preact/signals";
 import type { JSX, TargetedPointerEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { armFrames } from "../kinematics";
@@ -168,7 +168,8 @@ function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElemen
       const cell = store.scene.value;
       const dark = isDark.value;
       if (cell !== undefined) {
-        view.build(cell, dark);
+        // The drawing depends on the shown time, its static parts do not.
+        untracked(() => view.build(cell, dark));
       }
     }),
     effect(() => {

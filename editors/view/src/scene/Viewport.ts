@@ -59,6 +59,8 @@ export class Viewport {
   private isWaiting = false;
   /** Whether the picture shows everything, because the user has not changed its view. */
   private isFirst = false;
+  /** Growth of the path for which everything is shown. */
+  private fitted = -1;
   private length = 1000;
   private floor = 0;
 
@@ -143,6 +145,10 @@ export class Viewport {
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
     this.showLayers();
+    if (this.trail.growth !== this.fitted) {
+      this.fitted = this.trail.growth;
+      this.fitAgain();
+    }
     this.request();
   }
 

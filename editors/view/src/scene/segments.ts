@@ -28,11 +28,20 @@ export class Segments {
     this.changed = Math.min(this.changed, this.count - 1);
   }
 
-  /** Removes the first segments. */
-  drop(segments: number): void {
-    this.positions.copyWithin(0, segments * SIZE);
-    this.colours.copyWithin(0, segments * SIZE);
-    this.count -= segments;
+  /** Joins the first segments: a segment that is marked extends the segment before it. */
+  join(isJoined: readonly boolean[]): void {
+    let kept = 0;
+    for (let index = 0; index < this.count; index += 1) {
+      const at = index * SIZE;
+      if (isJoined[index] === true) {
+        this.positions.copyWithin(kept * SIZE - 3, at + 3, at + SIZE);
+      } else {
+        this.positions.copyWithin(kept * SIZE, at, at + SIZE);
+        this.colours.copyWithin(kept * SIZE, at, at + SIZE);
+        kept += 1;
+      }
+    }
+    this.count = kept;
     this.changed = 0;
   }
 

@@ -2,10 +2,11 @@
 
 import { signal } from "@preact/signals";
 import { Color } from "three";
-import { armFrames, type Chain } from "../kinematics";
-import { composed, type Frame, frameOf } from "../panels/pendant/pose";
+import type { Chain } from "../kinematics";
+import type { Frame } from "../panels/pendant/pose";
 import { countUpTo } from "../panels/tasks/upTo";
 import type { Sample, Samples } from "../samples";
+import { ToolPositions } from "../toolPositions";
 import { Lines } from "./lines";
 import { phaseColour } from "./palette";
 import type { Colour, Segments } from "./segments";
@@ -15,7 +16,7 @@ import { ThinLines } from "./thinLines";
 const LONGEST = 0.2;
 const NEAR = 0.2;
 
-/** Largest number of drawn pieces. Above it the oldest half is omitted. */
+/** Largest number of drawn pieces. Above it, pairs of pieces in the older half become one piece. */
 const MOST = 60_000;
 
 /**
@@ -24,7 +25,13 @@ const MOST = 60_000;
  */
 const WIDE = 800;
 
+/** Distance by which the box around the path is larger, so that it grows seldom, in mm. */
+const MARGIN = 20;
+
 type Position = readonly [number, number, number];
+
+/** Properties of a sample that the path shows. */
+type PathSample = Omit<Sample, "joints">;
 
 /** Straight piece of the path, from one time to another. */
 export interface Piece {
@@ -46,10 +53,13 @@ export class Trail {
   readonly occurring = signal<ReadonlySet<number>>(new Set());
   /** Number of completely shown pieces. */
   shown = 0;
+  /** Number of times that the box around the path has grown. */
+  growth = 0;
+  private readonly box: { min: number[]; max: number[] } = { min: [], max: [] };
   private readonly pieces: Piece[] = [];
   private phases: readonly string[] = [];
   private taken = 0;
-  private last: { sample: Sample; position: Position } | undefined;
+  private last: { sample: PathSample; position: Position } | undefined;
   /** Positions that the last piece represents. */
   private straight: Position[] = [];
 
@@ -59,9 +69,12 @@ export class Trail {
     if (samples.count < this.taken) {
       this.clear();
     }
-    for (const sample of samples.from(this.taken)) {
-      const { flange } = armFrames(arm, base, sample.joints);
-      this.add(sample, composed(flange, frameOf(toolOf(sample.tool))).position);
+    if (samples.count === this.taken) {
+      return;
+    }
+    const positions = new ToolPositions(arm, base);
+    for (const { index, joints, sample } of samples.columnsFrom(this.taken)) {
+      this.add(sample, positions.at(joints, index, toolOf(sample.tool)));
     }
     this.taken = samples.count;
   }
@@ -73,6 +86,8 @@ export class Trail {
     this.taken = 0;
     this.last = undefined;
     this.straight = [];
+    this.box.min = [];
+    this.box.max = [];
   }
 
   /** Shows the path up to a time. */
@@ -102,7 +117,7 @@ export class Trail {
     return [r, g, b];
   }
 
-  private add(sample: Sample, position: Position): void {
+  private add(sample: PathSample, position: Position): void {
     const { last } = this;
     if (last?.sample.tool === sample.tool) {
       const from = this.straight[0] ?? last.position;
@@ -117,7 +132,8 @@ export class Trail {
         this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed, limit: sample.limit });
         this.straight = [last.position, position];
         this.mention(sample.phase);
-        this.forget();
+        this.surround(position);
+        this.thin();
       }
     } else {
       this.straight = [];
@@ -134,17 +150,42 @@ export class Trail {
     }
   }
 
+  private surround(position: Position): void {
+    const { min, max } = this.box;
+    const isOutside = position.some((value, axis) => value < (min[axis] ?? Infinity) || value > (max[axis] ?? -Infinity));
+    if (isOutside) {
+      this.box.min = position.map((value, axis) => Math.min(value, min[axis] ?? Infinity) - MARGIN);
+      this.box.max = position.map((value, axis) => Math.max(value, max[axis] ?? -Infinity) + MARGIN);
+      this.growth += 1;
+    }
+  }
+
   private mention(phase: number): void {
     if (!this.occurring.peek().has(phase)) {
       this.occurring.value = new Set([...this.occurring.peek(), phase]);
     }
   }
 
-  private forget(): void {
-    if (this.pieces.length > MOST) {
-      this.pieces.splice(0, MOST / 2);
-      this.segments.drop(MOST / 2);
+  /** Bounds the number of pieces: the older half keeps half of its pieces. The whole path remains visible. */
+  private thin(): void {
+    if (this.pieces.length <= MOST) {
+      return;
     }
+    const joined: boolean[] = [];
+    const older = this.pieces.splice(0, MOST / 2);
+    const kept: Piece[] = [];
+    for (const piece of older) {
+      const before = kept.at(-1);
+      const isJoined = joined.at(-1) === false && before?.t === piece.from && before.phase === piece.phase;
+      joined.push(isJoined);
+      if (isJoined) {
+        kept[kept.length - 1] = { ...piece, from: before.from };
+      } else {
+        kept.push(piece);
+      }
+    }
+    this.pieces.unshift(...kept);
+    this.segments.join(joined);
   }
 }
 
@@ -154,11 +195,15 @@ function distance(from: Position, to: Position): number {
 
 /** Whether all positions are near the line between two positions. */
 function isStraight(from: Position, to: Position, between: readonly Position[]): boolean {
-  const way = [to[0] - from[0], to[1] - from[1], to[2] - from[2]] as const;
-  const square = way[0] ** 2 + way[1] ** 2 + way[2] ** 2;
-  return between.every((position) => {
-    const along = ((position[0] - from[0]) * way[0] + (position[1] - from[1]) * way[1] + (position[2] - from[2]) * way[2]) / Math.max(square, 1e-12);
-    const share = Math.min(Math.max(along, 0), 1);
-    return distance(position, [from[0] + way[0] * share, from[1] + way[1] * share, from[2] + way[2] * share]) < NEAR;
-  });
+  const [x, y, z] = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+  const square = Math.max(x * x + y * y + z * z, 1e-12);
+  for (const position of between) {
+    const [dx, dy, dz] = [position[0] - from[0], position[1] - from[1], position[2] - from[2]];
+    const share = Math.min(Math.max((dx * x + dy * y + dz * z) / square, 0), 1);
+    const [ox, oy, oz] = [dx - x * share, dy - y * share, dz - z * share];
+    if (ox * ox + oy * oy + oz * oz >= NEAR * NEAR) {
+      return false;
+    }
+  }
+  return true;
 }

@@ -1,10 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Vector3 } from "three";
-import { armFrames } from "../../src/kinematics";
-import { IDENTITY } from "../../src/panels/pendant/pose";
+import { armFrames, type Chain } from "../../src/kinematics";
+import { composed, frameOf, IDENTITY } from "../../src/panels/pendant/pose";
 import { Samples } from "../../src/samples";
 import { Trail } from "../../src/scene/trail";
+import { ToolPositions } from "../../src/toolPositions";
+import { scene } from "../sample.mjs";
+import { encoded } from "../sampleBatch.mjs";
 
 /** An arm with two linear axes, x and y. */
 const ARM = {
@@ -15,20 +18,8 @@ const ARM = {
 
 /** Returns samples at intervals of 4 ms with joints and a phase. */
 function samples(list: readonly (readonly [number, number, number])[]): Samples {
-  const size = 8 + 16 + 8 + 4 + 4 + 1;
-  const view = new DataView(new ArrayBuffer(8 + list.length * size));
-  view.setUint8(0, 1);
-  view.setUint8(1, 2);
-  view.setUint32(4, list.length, true);
-  list.forEach(([first, second, phase], index) => {
-    const at = 8 + index * size;
-    view.setFloat64(at, index * 0.004, true);
-    view.setFloat64(at + 8, first, true);
-    view.setFloat64(at + 16, second, true);
-    view.setUint8(at + 36, phase);
-  });
   const made = new Samples();
-  made.add(view.buffer);
+  made.add(encoded(list.map(([first, second, phase], index) => ({ t: index * 0.004, joints: [first, second], phase }))));
   return made;
 }
 
@@ -72,4 +63,28 @@ void test("the path is shown up to the middle of a piece", () => {
   assert.equal(made.shown, 0);
   made.showUpTo(0.04);
   assert.equal(made.shown, 1);
+});
+
+void test("a long path keeps its ends and its last pieces, and has fewer pieces in its older half", () => {
+  const count = 70_000;
+  const zigzag = Array.from({ length: count }, (_, index): [number, number, number] => [index / 10, index % 2 === 0 ? 0 : 5, 0]);
+  const made = trail(zigzag);
+  assert.ok(made.segments.count <= 60_000 && made.segments.count > 30_000, `${made.segments.count}`);
+  const last = made.segments.count - 1;
+  assert.equal(made.piece(0)?.from, 0);
+  assert.equal(made.piece(last)?.from, (count - 2) * 0.004);
+  for (let index = 1; index <= last; index += 1) {
+    assert.equal(made.piece(index)?.from, made.piece(index - 1)?.t);
+    assert.deepEqual([...made.segments.at(index)[0]], [...made.segments.at(index - 1)[1]]);
+  }
+});
+
+void test("positions without poses of the links are those of the poses", () => {
+  const cell = scene() as { arm: Chain };
+  const base = frameOf([10, 20, 30, 5, 10, 15]);
+  const joints = [12, -34, 56, 78, -90, 123];
+  const columns = joints.map((joint) => [0, joint]);
+  const expected = composed(armFrames(cell.arm, base, joints).flange, frameOf([1, 2, 120, 40, 50, 60])).position;
+  const position = new ToolPositions(cell.arm, base).at(columns, 1, [1, 2, 120, 40, 50, 60]);
+  assert.ok(Math.hypot(...position.map((value, axis) => value - (expected[axis] ?? 0))) < 1e-9, position.join());
 });
