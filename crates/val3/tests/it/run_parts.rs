@@ -85,10 +85,11 @@ fn handling(folder: &Folder, args: &[&str]) -> String {
 #[test]
 fn a_part_is_gripped_carried_and_released() {
     expect![[r#"
-        {"t":0.544,"kind":"grip","gripper":"tGrip","part":"carton[0]","nearest":"carton[0]","distance":0.9999990000001989,"within":5.0}
+        {"t":0.544,"kind":"grip","gripper":"tGrip","part":"carton[0]","nearest":"carton[0]","distance":1.0,"within":5.0}
         {"t":0.688,"kind":"sensor","sensor":"end","on":true,"detects":"carton[0]"}
         {"t":0.832,"kind":"release","gripper":"tGrip","part":"carton[0]"}
-    "#]].assert_eq(&handling(&folder(1.0), &[]));
+    "#]]
+    .assert_eq(&handling(&folder(1.0), &[]));
 }
 
 #[test]
@@ -111,11 +112,12 @@ fn a_script_takes_the_part_away() {
     );
     expect![[r#"
         {"t":0.1,"kind":"part","part":"carton[1]","state":"placed"}
-        {"t":0.544,"kind":"grip","gripper":"tGrip","part":"carton[0]","nearest":"carton[0]","distance":0.9999990000001989,"within":5.0}
+        {"t":0.544,"kind":"grip","gripper":"tGrip","part":"carton[0]","nearest":"carton[0]","distance":1.0,"within":5.0}
         {"t":0.688,"kind":"sensor","sensor":"end","on":true,"detects":"carton[0]"}
         {"t":0.744,"kind":"part","part":"carton[0]","state":"removed"}
         {"t":0.748,"kind":"sensor","sensor":"end","on":false}
-    "#]].assert_eq(&handling(&folder, &["--script", "script.toml"]));
+    "#]]
+    .assert_eq(&handling(&folder, &["--script", "script.toml"]));
 }
 
 #[test]
