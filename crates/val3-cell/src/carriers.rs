@@ -7,7 +7,6 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 use crate::error::CellError;
 use crate::file::ObjectEntry;
 use crate::names::link_number;
-use crate::pairs::Chain;
 use crate::poses::pose;
 use crate::surroundings::{ArmBase, DataKind, Surroundings};
 
@@ -25,6 +24,10 @@ pub enum Carrier {
     /// A tool of the program, by name.
     Tool(String),
 }
+
+/// Place of a body in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what
+/// the flange carries; `None` for what stands.
+pub(crate) type Chain = Option<usize>;
 
 impl Carrier {
     /// Whether the arm carries it.

@@ -1,6 +1,7 @@
 //! Pairs of bodies whose distances are measured.
 
 use crate::build::{Cell, Thing};
+use crate::carriers::Chain;
 use crate::names::body_names;
 use crate::part::Part;
 
@@ -48,10 +49,6 @@ pub(crate) enum Comparison {
     /// no proof of a contact.
     Arm,
 }
-
-/// Place of a body in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what
-/// the flange carries; `None` for what stands.
-pub(crate) type Chain = Option<usize>;
 
 /// Returns how two bodies of an arm with this number of axes are compared; `None` if they are not.
 pub(crate) fn comparison(first: Chain, second: Chain, axes: usize) -> Option<Comparison> {

@@ -7,9 +7,9 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints, LinkCapsule};
 
 use crate::build::{Cell, Thing};
-use crate::carriers::Carrier;
+use crate::carriers::{Carrier, Chain};
 use crate::names::body_names;
-use crate::pairs::{Chain, Comparison, Pair, comparison, pairs};
+use crate::pairs::{Comparison, Pair, comparison, pairs};
 use crate::part::{Part, PartHolder, PartPlace};
 use crate::reach::Reach;
 

@@ -8,7 +8,7 @@ use std::fmt;
 use serde::Deserialize;
 
 use super::comparison::{Comparison, LevelComparison};
-use super::parts::Names;
+use super::part_values::Names;
 use super::values::ScriptValue;
 pub use evaluation::Mismatch;
 

@@ -9,7 +9,7 @@ use serde_json::{Map, Value as Json};
 use val3_lang::ports::Time;
 
 use super::bytes::LineBytes;
-use super::parts::{Names, PartPose};
+use super::part_values::{Names, PartPose};
 use super::values::{
     FaultEntry, Force, JointPosition, Keys, Locks, Mode, PendantKey, Percent, SafetyFault, ScriptValue, Seconds,
     SignalPaths, SignalValue,
