@@ -125,6 +125,16 @@ impl Handling {
         self.grippers.get(gripper).is_some_and(|state| state.is_controlled)
     }
 
+    /// Whether [`Self::see`] would have no effect, whatever has moved.
+    #[must_use]
+    pub fn is_idle(&self, commands: &[Option<GripperCommand>]) -> bool {
+        let follows = |(state, command): (&GripperState, &Option<GripperCommand>)| match command {
+            Some(command) => state.follows(*command),
+            None => true,
+        };
+        self.has_begun && self.sensors.is_empty() && self.grippers.iter().zip(commands).all(follows)
+    }
+
     /// Grips, releases, and evaluates sensors at the end of a cycle. `commands` are the outputs of the grippers, in the
     /// order of the cell; `None` without an output.
     pub fn see(&mut self, scene: &Scene, sight: &Sight<'_>, commands: &[Option<GripperCommand>]) -> Vec<HandlingEvent> {

@@ -37,6 +37,13 @@ pub(super) struct GripperState {
     pub(super) is_controlled: bool,
 }
 
+impl GripperState {
+    /// Whether the output is as before, and its last change has taken effect.
+    pub(super) fn follows(&self, command: GripperCommand) -> bool {
+        self.commanded == Some(command.holds) && self.due.is_none()
+    }
+}
+
 impl Handling {
     /// Follows the output of a gripper.
     pub(super) fn command(

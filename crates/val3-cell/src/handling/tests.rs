@@ -114,6 +114,17 @@ fn an_output_takes_effect_after_its_time() {
 }
 
 #[test]
+fn nothing_is_to_do_until_the_output_changes() {
+    let mut bench = bench(0.0);
+    let is_idle = |bench: &Bench, holds: bool| bench.handling.is_idle(&[Some(GripperCommand { holds, delay: 0.01 })]);
+    assert!(is_idle(&bench, false) && !is_idle(&bench, true));
+    bench.see(true, 0.01);
+    assert!(!is_idle(&bench, true), "the change has not taken effect");
+    (0..3).for_each(|_| drop(bench.see(true, 0.01)));
+    assert!(bench.handling.is_held(0) && is_idle(&bench, true) && !is_idle(&bench, false));
+}
+
+#[test]
 fn a_short_pulse_of_the_output_has_no_effect() {
     let mut bench = bench(0.0);
     assert_eq!(bench.see(true, 0.01), []);

@@ -65,6 +65,10 @@ impl Controller {
         let Some(scene) = self.cell_scene() else { return };
         let Some(mut handling) = self.devices.state.handling.take() else { return };
         let commands: Vec<_> = scene.cell().grippers.iter().map(|gripper| self.command(gripper)).collect();
+        if handling.is_idle(&commands) {
+            self.devices.state.handling = Some(handling);
+            return;
+        }
         let mut sight = self.sight(&scene, seconds(now));
         sight.parts = Arc::clone(handling.parts());
         let events = handling.see(&scene, &sight, &commands);
