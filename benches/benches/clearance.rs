@@ -14,7 +14,8 @@ use camino::Utf8Path;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use val3_cell::{
-    ArmBase, Cell, CellFile, DataKind, Mesh, ObjectEntry, Profile, Scene, ShapeKeys, Sight, Surroundings, Watch,
+    ArmBase, Cell, CellFile, DataKind, Mesh, ObjectEntry, Profile, Scene, ShapeKeys, Sight, SignalClass, Surroundings,
+    Watch,
 };
 use val3_geometry::degrees::{cos, sin};
 use val3_kinematics::{Arm, Joints};
@@ -55,6 +56,10 @@ impl Surroundings for Application {
     }
 
     fn carrier(&self, _: &str) -> Result<DataKind, Option<String>> {
+        Err(None)
+    }
+
+    fn signal(&self, _: &str) -> Result<SignalClass, Option<String>> {
         Err(None)
     }
 }
@@ -148,7 +153,8 @@ fn scene(clearance: f64) -> (Scene, Vec<Joints>, Arc<Arm>) {
 /// Calls `see` for each sample of the path.
 fn replay(path: &[Joints], arm: &Arc<Arm>, mut see: impl FnMut(&Sight<'_>)) {
     for (index, joints) in path.iter().enumerate() {
-        see(&Sight { arm, joints: *joints, placement: 0, places: Vec::new(), time: index as f64 * CYCLE });
+        let time = index as f64 * CYCLE;
+        see(&Sight { arm, joints: *joints, placement: 0, places: Vec::new(), parts: Arc::default(), time });
     }
 }
 

@@ -3,7 +3,7 @@
 use globset::{GlobBuilder, GlobMatcher};
 
 use crate::error::CellError;
-use crate::file::{AllowedPair, ObjectEntry};
+use crate::file::AllowedPair;
 use crate::names::body_names;
 
 /// Pairs that may touch.
@@ -11,19 +11,11 @@ use crate::names::body_names;
 pub(crate) struct Allowed(Vec<[GlobMatcher; 2]>);
 
 impl Allowed {
-    pub(crate) fn build(entries: &[AllowedPair], objects: &[ObjectEntry], axes: usize) -> Result<Self, CellError> {
-        let names: Vec<String> = body_names(objects.iter().map(|object| object.name.as_str()), axes).collect();
+    /// Builds the pairs. `bodies` are the names of all things and parts in the file.
+    pub(crate) fn build(entries: &[AllowedPair], bodies: &[String], axes: usize) -> Result<Self, CellError> {
+        let names = AllNames::new(bodies, axes);
         let pairs = entries.iter().enumerate().map(|(index, AllowedPair { names: pair, .. })| {
-            let matcher = |name: &String| {
-                let key = format!("allow[{index}]");
-                let matcher = pattern(name).ok_or_else(|| CellError::new(&key, format!("`{name}` is no name"), ""))?;
-                if names.iter().any(|body| is_named(&matcher, body)) {
-                    return Ok(matcher);
-                }
-                let help =
-                    format!("it has {}", names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "));
-                Err(CellError::new(key, format!("the cell has nothing with the name `{name}`"), help))
-            };
+            let matcher = |name: &String| names.matcher(name, &format!("allow[{index}]"));
             let [first, second] = pair;
             Ok([matcher(first)?, matcher(second)?])
         });
@@ -38,6 +30,27 @@ impl Allowed {
     }
 }
 
+/// Names of all bodies, for patterns.
+pub(crate) struct AllNames(Vec<String>);
+
+impl AllNames {
+    /// Adds the links to the names of all things and parts in the file.
+    pub(crate) fn new(bodies: &[String], axes: usize) -> Self {
+        Self(body_names(bodies.iter().map(String::as_str), axes).collect())
+    }
+
+    /// Returns the matcher for a name that matches at least one body.
+    pub(crate) fn matcher(&self, name: &str, key: &str) -> Result<GlobMatcher, CellError> {
+        let matcher = pattern(name).ok_or_else(|| CellError::new(key, format!("`{name}` is no name"), ""))?;
+        if self.0.iter().any(|body| is_named(&matcher, body)) {
+            return Ok(matcher);
+        }
+        let known: Vec<String> = self.0.iter().map(|name| format!("`{name}`")).collect();
+        let help = format!("it has {}", known.join(", "));
+        Err(CellError::new(key, format!("the cell has nothing with the name `{name}`"), help))
+    }
+}
+
 /// Returns the matcher for a name, in which only `*` has a meaning.
 fn pattern(name: &str) -> Option<GlobMatcher> {
     let literal = |letter: char| if letter == '*' { letter.to_string() } else { globset::escape(&letter.to_string()) };
@@ -45,6 +58,6 @@ fn pattern(name: &str) -> Option<GlobMatcher> {
     Some(GlobBuilder::new(&text).build().ok()?.compile_matcher())
 }
 
-fn is_named(matcher: &GlobMatcher, body: &str) -> bool {
+pub(crate) fn is_named(matcher: &GlobMatcher, body: &str) -> bool {
     matcher.is_match(body) || (matcher.is_match("arm") && (body == "base" || body.starts_with("link")))
 }

@@ -1,13 +1,22 @@
-//! Construction of a cell from its file: things with their shapes and carriers.
+//! Construction of a cell from its file: things, parts, grippers, sensors.
+
+mod grippers;
+mod parts;
+mod sensors;
+mod signals;
 
 use val3_geometry::IsometryMatrix3;
 
 use crate::allowed::Allowed;
-use crate::carriers::{Carried, Carrier, carriers};
+use crate::carriers::{Carried, Carrier, Carriers};
 use crate::error::CellError;
 use crate::file::{CellFile, ObjectEntry};
+use crate::gripper::Gripper;
+use crate::names::GivenNames;
+use crate::part::Part;
 use crate::poses::{check_colour, distance};
-use crate::solids::{Solid, SolidMaker, solid};
+use crate::sensor::Sensor;
+use crate::solids::{ShapedEntry, Solid, SolidMaker, solids};
 use crate::surroundings::{ArmBase, Surroundings};
 
 /// A cell.
@@ -17,7 +26,13 @@ pub struct Cell {
     pub clearance: f64,
     /// The things.
     pub things: Vec<Thing>,
-    /// Names of things whose frame or tool the application lacks.
+    /// The parts.
+    pub parts: Vec<Part>,
+    /// The grippers.
+    pub grippers: Vec<Gripper>,
+    /// The sensors.
+    pub sensors: Vec<Sensor>,
+    /// Names of things whose frame, tool or signal the application lacks.
     pub missing: Vec<String>,
     pub(crate) allowed: Allowed,
 }
@@ -43,28 +58,57 @@ impl Cell {
     /// Builds the cell that a file describes.
     ///
     /// # Errors
-    /// A name, a carrier, a shape, or a mesh cannot be used.
+    /// A name, a carrier, a shape, a signal, or a mesh cannot be used.
     pub fn build(file: &CellFile, arm: ArmBase, surroundings: &mut dyn Surroundings) -> Result<Self, CellError> {
         let clearance = distance(file.clearance, "clearance")?;
-        let carriers = carriers(&file.objects, arm, surroundings)?;
-        let entries = file.objects.iter().zip(carriers).enumerate();
-        let (mut things, mut missing) = (Vec::new(), Vec::new());
-        for (index, (entry, carried)) in entries {
-            match carried {
+        check_names(file)?;
+        let carriers = Carriers::build(&file.objects, arm, surroundings)?;
+        let mut missing = Vec::new();
+        let mut things = Vec::new();
+        for (index, entry) in file.objects.iter().enumerate() {
+            match carriers.of_object(index) {
                 Some(carried) => things.push(thing(entry, &format!("object[{index}]"), carried, &mut *surroundings)?),
                 None => missing.push(entry.name.clone()),
             }
         }
-        let allowed = Allowed::build(&file.allow, &file.objects, arm.axes)?;
-        Ok(Self { clearance, things, missing, allowed })
+        let mut maker = CellMaker { carriers: &carriers, surroundings, missing: &mut missing };
+        let parts = maker.parts(&file.parts)?;
+        let names: Vec<&str> = file.objects.iter().map(|object| object.name.as_str()).collect();
+        let grippers = maker.grippers(&file.grippers, &things, &names)?;
+        let bodies = names.into_iter().map(str::to_owned).chain(file.parts.iter().flat_map(parts::names)).collect();
+        let bodies: Vec<String> = bodies;
+        let sensors = maker.sensors(&file.sensors, &bodies, arm.axes)?;
+        let allowed = Allowed::build(&file.allow, &bodies, arm.axes)?;
+        Ok(Self { clearance, things, parts, grippers, sensors, missing, allowed })
+    }
+
+    /// Names of the things, then of the parts.
+    pub(crate) fn body_names(&self) -> impl Iterator<Item = &str> {
+        let things = self.things.iter().map(|thing| thing.name.as_str());
+        things.chain(self.parts.iter().map(|part| part.name.as_str()))
+    }
+
+    /// Number of the part with a name.
+    #[must_use]
+    pub fn part(&self, name: &str) -> Option<usize> {
+        self.parts.iter().position(|part| part.name == name)
     }
 }
 
-impl Cell {
-    /// Names of the things.
-    pub(crate) fn thing_names(&self) -> impl Iterator<Item = &str> {
-        self.things.iter().map(|thing| thing.name.as_str())
-    }
+/// Context in which parts, grippers and sensors are built.
+pub(crate) struct CellMaker<'m> {
+    carriers: &'m Carriers<'m>,
+    surroundings: &'m mut dyn Surroundings,
+    /// Names of what the application lacks.
+    missing: &'m mut Vec<String>,
+}
+
+fn check_names(file: &CellFile) -> Result<(), CellError> {
+    let mut names = GivenNames::default();
+    let mut add = |name: &String, kind: &str, index: usize| names.add(name, kind, index);
+    file.objects.iter().enumerate().try_for_each(|(index, object)| add(&object.name, "object", index))?;
+    file.parts.iter().enumerate().try_for_each(|(index, part)| add(&part.name, "part", index))?;
+    file.sensors.iter().enumerate().try_for_each(|(index, sensor)| add(&sensor.name, "sensor", index))
 }
 
 fn thing(
@@ -73,33 +117,12 @@ fn thing(
     (carrier, pose): Carried,
     surroundings: &mut dyn Surroundings,
 ) -> Result<Thing, CellError> {
-    let ObjectEntry { name, clearance, colour, .. } = entry;
-    let solids = solids(entry, key, SolidMaker { surroundings, is_carried: carrier.is_arm() })?;
+    let ObjectEntry { name, clearance, colour, shapes, shape, .. } = entry;
+    let maker = SolidMaker { surroundings, is_carried: carrier.is_arm() };
+    let solids = solids(ShapedEntry { name, shapes, shape }, key, maker)?;
     let clearance = clearance.map(|least| distance(least, &format!("{key}.clearance"))).transpose()?;
     let colour = colour.as_deref().map(|colour| check_colour(colour, key)).transpose()?;
     Ok(Thing { name: name.clone(), carrier, pose, solids, clearance, colour })
-}
-
-fn solids(entry: &ObjectEntry, key: &str, mut maker: SolidMaker<'_>) -> Result<Vec<Solid>, CellError> {
-    let ObjectEntry { name, shapes, shape, .. } = entry;
-    let without = |key: &str, what: &str| {
-        let help = "add one of `box`, `cylinder`, `sphere`, `capsule`, `mesh`: `box = [200, 100, 50]`";
-        CellError::new(key, format!("{what} has no shape"), help)
-    };
-    match solid(shape, &[], key, &mut maker)? {
-        Some(_) if !shapes.is_empty() => {
-            Err(CellError::new(key, format!("`{name}` has a shape and `shapes`"), "move the shape into `shapes`"))
-        }
-        Some(own) => Ok(vec![own]),
-        None if shapes.is_empty() => Err(without(key, &format!("`{name}`"))),
-        None => {
-            let several = shapes.iter().enumerate().map(|(index, several)| {
-                let key = format!("{key}.shapes[{index}]");
-                solid(&several.shape, &several.at, &key, &mut maker)?.ok_or_else(|| without(&key, "this shape"))
-            });
-            several.collect()
-        }
-    }
 }
 
 #[cfg(test)]
@@ -177,7 +200,7 @@ mod tests {
         refused(
             &twice,
             expect![[r#"
-            object[1].name: two objects have the name `a`
+            object[1].name: two things have the name `a`
             help: rename one of them"#]],
         );
         refused(
@@ -279,7 +302,7 @@ mod tests {
         let arm = ArmBase { axes: 6, height: 375.0 };
         let cell = Cell::build(&file, arm, &mut Application { may_lack_data: true }).unwrap();
         assert_eq!(cell.missing, ["bolt", "plate"]);
-        assert_eq!(cell.thing_names().collect::<Vec<_>>(), ["foot"]);
+        assert_eq!(cell.body_names().collect::<Vec<_>>(), ["foot"]);
         let named = Cell::build(&file, arm, &mut Application { may_lack_data: false });
         assert!(named.unwrap_err().message.contains("`fElsewhere`"));
     }

@@ -6,6 +6,7 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 
 use crate::error::CellError;
 use crate::file::ObjectEntry;
+use crate::names::link_number;
 use crate::poses::pose;
 use crate::surroundings::{ArmBase, DataKind, Surroundings};
 
@@ -24,11 +25,24 @@ pub enum Carrier {
     Tool(String),
 }
 
+/// Place of a body in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what
+/// the flange carries; `None` for what stands.
+pub(crate) type Chain = Option<usize>;
+
 impl Carrier {
     /// Whether the arm carries it.
     #[must_use]
     pub fn is_arm(&self) -> bool {
         matches!(self, Self::Link(_) | Self::Flange | Self::Tool(_))
+    }
+
+    /// Place of what it carries in the chain of an arm with this number of axes.
+    pub(crate) fn chain(&self, axes: usize) -> Chain {
+        match self {
+            Self::World | Self::Frame(_) => None,
+            Self::Link(link) => Some(*link),
+            Self::Flange | Self::Tool(_) => Some(axes + 1),
+        }
     }
 }
 
@@ -43,21 +57,59 @@ enum Named {
 /// A carrier, and a pose in its frame.
 pub(crate) type Carried = (Carrier, IsometryMatrix3<f64>);
 
-/// Returns the carrier of each object, and the pose of the object in it; `None` if the application lacks the carrier.
-pub(crate) fn carriers(
-    objects: &[ObjectEntry],
+/// The keys `in` and `at` of an entry, such as `part[2]`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CarriedKeys<'k> {
+    /// The name of the carrier.
+    pub(crate) carrier: &'k str,
+    pub(crate) at: &'k [f64],
+    pub(crate) key: &'k str,
+}
+
+/// The carriers of a cell's objects, to which other entries can refer.
+#[derive(Debug)]
+pub(crate) struct Carriers<'o> {
+    names: BTreeMap<&'o str, usize>,
+    objects: Vec<Option<Carried>>,
     arm: ArmBase,
-    surroundings: &dyn Surroundings,
-) -> Result<Vec<Option<Carried>>, CellError> {
-    let names = names(objects)?;
-    let named = objects.iter().enumerate().map(|(index, ObjectEntry { carrier, at, .. })| {
-        let name = carrier.as_deref().unwrap_or("world");
-        let (carrier, face) =
-            CarrierNames { names: &names, arm, surroundings }.find(name, &format!("object[{index}].in"))?;
-        Ok((carrier, face * pose(at, &format!("object[{index}].at"))?))
-    });
-    let named: Vec<(Named, IsometryMatrix3<f64>)> = named.collect::<Result<_, _>>()?;
-    (0..named.len()).map(|index| resolve(index, &named, objects)).collect()
+}
+
+impl<'o> Carriers<'o> {
+    pub(crate) fn build(
+        objects: &'o [ObjectEntry],
+        arm: ArmBase,
+        surroundings: &dyn Surroundings,
+    ) -> Result<Self, CellError> {
+        let names = objects.iter().enumerate().map(|(index, object)| (object.name.as_str(), index)).collect();
+        let named = objects.iter().enumerate().map(|(index, ObjectEntry { carrier, at, .. })| {
+            let carrier = carrier.as_deref().unwrap_or("world");
+            let key = format!("object[{index}]");
+            CarrierNames { names: &names, arm, surroundings }.find(CarriedKeys { carrier, at, key: &key })
+        });
+        let named: Vec<(Named, IsometryMatrix3<f64>)> = named.collect::<Result<_, _>>()?;
+        let resolved = (0..named.len()).map(|index| resolve(index, &named, objects));
+        let objects = resolved.collect::<Result<_, _>>()?;
+        Ok(Self { names, objects, arm })
+    }
+
+    /// Carrier of an object, and the pose of the object in it; `None` if the application does not have the carrier.
+    pub(crate) fn of_object(&self, index: usize) -> Option<Carried> {
+        self.objects.get(index).cloned().flatten()
+    }
+
+    /// Carrier of another entry, and the pose of the entry in it; `None` if the application does not have the carrier.
+    pub(crate) fn of(
+        &self,
+        keys: CarriedKeys<'_>,
+        surroundings: &dyn Surroundings,
+    ) -> Result<Option<Carried>, CellError> {
+        let (named, pose) = CarrierNames { names: &self.names, arm: self.arm, surroundings }.find(keys)?;
+        Ok(match named {
+            Named::Carrier(carrier) => Some((carrier, pose)),
+            Named::Missing => None,
+            Named::Object(number) => self.of_object(number).map(|(carrier, object)| (carrier, object * pose)),
+        })
+    }
 }
 
 /// Returns the carrier of an object, followed through the objects between; `None` if the application lacks it.
@@ -82,43 +134,6 @@ fn resolve(
     Err(CellError::new(format!("object[{index}].in"), message, "one of these objects needs another `in`"))
 }
 
-/// Checks the names of objects, and returns their numbers.
-fn names(objects: &[ObjectEntry]) -> Result<BTreeMap<&str, usize>, CellError> {
-    let mut names = BTreeMap::new();
-    for (index, ObjectEntry { name, .. }) in objects.iter().enumerate() {
-        let key = format!("object[{index}].name");
-        let fault = |message: String, help: &str| Err(CellError::new(&key, message, help));
-        if name.is_empty() {
-            return fault(format!("object {} has no name", index + 1), "add `name = \"…\"`: messages use it");
-        }
-        let is_letter = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == ' ';
-        if !name.starts_with(|letter: char| letter.is_ascii_alphabetic() || letter == '_')
-            || !name.chars().all(is_letter)
-        {
-            return fault(
-                format!("`{name}` is no name"),
-                "a name has letters, digits, `_` and blanks, and begins with a letter",
-            );
-        }
-        if is_reserved(name) {
-            return fault(format!("`{name}` is a part of the robot"), "choose another name");
-        }
-        if names.insert(name.as_str(), index).is_some() {
-            return fault(format!("two objects have the name `{name}`"), "rename one of them");
-        }
-    }
-    Ok(names)
-}
-
-fn is_reserved(name: &str) -> bool {
-    matches!(name, "world" | "base" | "flange" | "arm") || link(name).is_some()
-}
-
-/// Number of a link by its name.
-fn link(name: &str) -> Option<usize> {
-    name.strip_prefix("link")?.parse().ok().filter(|_| name.len() == "link".len() + 1)
-}
-
 /// Names that `in` can have.
 struct CarrierNames<'n> {
     names: &'n BTreeMap<&'n str, usize>,
@@ -127,11 +142,20 @@ struct CarrierNames<'n> {
 }
 
 impl CarrierNames<'_> {
+    /// Returns the carrier of an entry, and the pose of the entry in it.
+    fn find(
+        &self,
+        CarriedKeys { carrier, at, key }: CarriedKeys<'_>,
+    ) -> Result<(Named, IsometryMatrix3<f64>), CellError> {
+        let (named, face) = self.named(carrier, &format!("{key}.in"))?;
+        Ok((named, face * pose(at, &format!("{key}.at"))?))
+    }
+
     /// Returns the carrier with a name, and the pose of the named frame in it.
-    fn find(&self, name: &str, key: &str) -> Result<(Named, IsometryMatrix3<f64>), CellError> {
+    fn named(&self, name: &str, key: &str) -> Result<(Named, IsometryMatrix3<f64>), CellError> {
         let here = IsometryMatrix3::identity();
         let fixed = |carrier| Ok((Named::Carrier(carrier), here));
-        match (name, link(name)) {
+        match (name, link_number(name)) {
             ("world", _) => fixed(Carrier::World),
             ("base", _) => {
                 let face = Trsf::new([0.0, 0.0, -self.arm.height], [0.0; 3]).isometry();

@@ -15,11 +15,23 @@
 //! shapes = [{ box = [120, 120, 60], at = [0, 0, 30] }, { cylinder = { radius = 20, length = 80 }, at = [0, 0, 100] }]
 //! ```
 
+mod grippers;
+mod parts;
+mod sensors;
+mod shapes;
+mod signals;
+
 use std::borrow::Cow;
 
-use camino::{Utf8Path, Utf8PathBuf};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
+
+pub use self::grippers::{GripperEntry, HoldingState};
+pub use self::parts::PartEntry;
+pub use self::sensors::{BeamKeys, SensorEntry};
+pub(crate) use self::shapes::{BoxKey, Corners, MeshUnit};
+pub use self::shapes::{ShapeEntry, ShapeKeys};
+pub use self::signals::{SignalLevel, SignalValues, WhenKey};
 
 /// The things around the arm. Lengths are in mm, angles in degrees.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
@@ -34,6 +46,15 @@ pub struct CellFile {
     /// Objects: things that stand, or that the arm carries.
     #[serde(rename = "object")]
     pub objects: Vec<ObjectEntry>,
+    /// Parts: things that a gripper can carry.
+    #[serde(rename = "part")]
+    pub parts: Vec<PartEntry>,
+    /// Grippers, which carry parts while an output has a value.
+    #[serde(rename = "gripper")]
+    pub grippers: Vec<GripperEntry>,
+    /// Sensors, which set an input while something is at a place.
+    #[serde(rename = "sensor")]
+    pub sensors: Vec<SensorEntry>,
 }
 
 /// Two names, and the reason why these things may touch.
@@ -95,136 +116,4 @@ pub struct ObjectEntry {
     /// The shape of a thing that has one.
     #[serde(flatten)]
     pub shape: ShapeKeys,
-}
-
-/// One of several shapes.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct ShapeEntry {
-    /// The pose in the frame of the thing, as the pose of a thing.
-    pub at: Vec<f64>,
-    /// The shape.
-    #[serde(flatten)]
-    pub shape: ShapeKeys,
-}
-
-/// The keys for a shape, of which one is used.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct ShapeKeys {
-    /// A box: length, width and height around its centre, or its corners: `{ min = [0, 0, 0], max = [100, 50, 20] }`.
-    #[serde(rename = "box")]
-    #[schemars(with = "BoxKey")]
-    pub cuboid: Option<BoxKey>,
-    /// A cylinder around the z axis with its centre in the origin.
-    #[schemars(with = "CylinderKey")]
-    pub cylinder: Option<CylinderKey>,
-    /// A sphere around the origin.
-    #[schemars(with = "SphereKey")]
-    pub sphere: Option<SphereKey>,
-    /// The points within a radius of a line: a cylinder with round ends.
-    #[schemars(with = "CapsuleKey")]
-    pub capsule: Option<CapsuleKey>,
-    /// An STL file (mm, z up) or a GLB file (m, y up), relative to the folder of this file. A thing that stands keeps its surface, so that
-    /// something can be inside of it; of a thing that the arm carries, the convex hull is used.
-    #[schemars(with = "String")]
-    pub mesh: Option<Utf8PathBuf>,
-    /// The unit of lengths in the mesh: `mm` by default, `m` for a GLB file.
-    #[schemars(with = "MeshUnit")]
-    pub unit: Option<MeshUnit>,
-    /// Whether the convex hull of the mesh is used (`true`), or its surface (`false`).
-    #[schemars(with = "bool")]
-    pub hull: Option<bool>,
-}
-
-/// A box.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(untagged, expecting = "a box is [length, width, height], or { min = [x, y, z], max = [x, y, z] }")]
-pub enum BoxKey {
-    /// Length, width and height.
-    Size(Vec<f64>),
-    /// Two corners.
-    Corners(Corners),
-}
-
-/// Two corners of a box.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
-#[serde(default)]
-pub struct Corners {
-    /// The smallest coordinates.
-    pub min: Vec<f64>,
-    /// The greatest coordinates.
-    pub max: Vec<f64>,
-}
-
-impl JsonSchema for BoxKey {
-    fn schema_name() -> Cow<'static, str> {
-        "BoxKey".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let corner = json_schema!({ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 });
-        json_schema!({
-            "type": ["array", "object"],
-            "items": { "type": "number" },
-            "properties": { "min": corner, "max": corner },
-            "additionalProperties": false,
-        })
-    }
-}
-
-/// A cylinder.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct CylinderKey {
-    /// The radius.
-    pub radius: f64,
-    /// The length along the z axis.
-    pub length: f64,
-}
-
-/// A sphere.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct SphereKey {
-    /// The radius.
-    pub radius: f64,
-}
-
-/// A capsule.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct CapsuleKey {
-    /// One end of the line.
-    pub from: Vec<f64>,
-    /// The other end of the line.
-    pub to: Vec<f64>,
-    /// The radius.
-    pub radius: f64,
-}
-
-/// A unit of lengths in a mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum MeshUnit {
-    /// Millimetres.
-    Mm,
-    /// Metres.
-    M,
-}
-
-impl MeshUnit {
-    /// Returns the usual unit of a mesh file.
-    pub(crate) fn of(path: &Utf8Path) -> Self {
-        let is_glb = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("glb"));
-        if is_glb { Self::M } else { Self::Mm }
-    }
-
-    /// Returns the unit in mm.
-    pub(crate) const fn length(self) -> f64 {
-        match self {
-            Self::Mm => 1.0,
-            Self::M => 1000.0,
-        }
-    }
 }

@@ -5,22 +5,27 @@
 //!
 //! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each
 //! other, [`Minima`] records the smallest distances, and [`Profile`] computes the smallest distance at each cycle.
+//! [`Handling`] moves parts with grippers and evaluates sensors.
 
 mod allowed;
 mod build;
 mod carriers;
 mod error;
 mod file;
+mod gripper;
+mod handling;
 mod measure;
 mod mesh;
 mod minima;
 mod names;
 mod observation;
 mod pairs;
+mod part;
 mod poses;
 mod profile;
 mod reach;
 mod scene;
+mod sensor;
 mod solids;
 mod step;
 mod surroundings;
@@ -32,13 +37,20 @@ mod watch;
 pub use self::build::{Cell, Thing};
 pub use self::carriers::Carrier;
 pub use self::error::CellError;
-pub use self::file::{AllowedPair, CellFile, ObjectEntry, ShapeEntry, ShapeKeys};
+pub use self::file::{
+    AllowedPair, BeamKeys, CellFile, GripperEntry, HoldingState, ObjectEntry, PartEntry, SensorEntry, ShapeEntry,
+    ShapeKeys, SignalLevel, SignalValues, WhenKey,
+};
+pub use self::gripper::{Gripper, GripperCommand, GripperControl, SignalWrite};
+pub use self::handling::{Handling, HandlingEvent, NearPart};
 pub use self::measure::Measured;
 pub use self::mesh::{Mesh, MeshError};
 pub use self::minima::{Minima, Minimum};
+pub use self::part::{Part, PartHolder, PartPlace};
 pub use self::profile::{Profile, Proximity};
 pub use self::scene::Scene;
+pub use self::sensor::{Sensor, SensorForm};
 pub use self::solids::{Solid, SolidForm};
 pub use self::step::Sight;
-pub use self::surroundings::{ArmBase, DataKind, Surroundings};
+pub use self::surroundings::{ArmBase, DataKind, SignalClass, Surroundings};
 pub use self::watch::{Encounter, EncounterState, TOUCHING, Watch};

@@ -12,6 +12,13 @@ pub struct Measured {
     pub points: [Vector3<f64>; 2],
 }
 
+impl Measured {
+    /// The distance between two bodies from the distance between their cores, whose surfaces are this deep together.
+    pub(crate) fn without(self, touch: f64) -> Self {
+        Self { distance: self.distance - touch, ..self }
+    }
+}
+
 /// The result of a measurement with a limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Reading {

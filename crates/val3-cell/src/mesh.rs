@@ -55,6 +55,17 @@ impl fmt::Display for MeshError {
 impl std::error::Error for MeshError {}
 
 impl Mesh {
+    /// Returns the mesh without the outermost `depth` mm, at least this fraction of each extent.
+    pub(crate) fn shrunk(&self, depth: f64, least: f64) -> Self {
+        let mut points = self.points.iter();
+        let first = points.next().copied().unwrap_or_default();
+        let (min, max) = points.fold((first, first), |(min, max), point| (min.inf(point), max.sup(point)));
+        let factor = (max - min).map(|extent| ((extent - 2.0 * depth) / extent).max(least));
+        let centre = (min + max) / 2.0;
+        let points = self.points.iter().map(|point| centre + (point - centre).component_mul(&factor));
+        Self { points: points.collect(), triangles: self.triangles.clone() }
+    }
+
     /// Reads an STL file in its unit, or a GLB file in metres with z up.
     ///
     /// # Errors

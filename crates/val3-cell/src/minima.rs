@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::measure::Measured;
 use crate::observation::Observation;
+use crate::pairs::Comparison;
 use crate::scene::Scene;
 use crate::step::Sight;
 use crate::track::{EXACT, Track, Wanted};
@@ -21,6 +22,8 @@ pub struct Minimum {
     pub measured: Measured,
     /// Its time, in seconds.
     pub time: f64,
+    /// Whether one of them is a part, which touches what it stands on.
+    pub has_part: bool,
 }
 
 /// Records the smallest distances of pairs, and over all pairs for each key: the line that has requested a move.
@@ -59,8 +62,14 @@ impl<K: Ord + Clone> Minima<K> {
         }
         let (scene, step) = (&self.observation.scene, self.observation.step(sight));
         let pairs = scene.pairs.iter().zip(&mut self.tracks).zip(&mut self.pairs);
-        for ((pair, track), least) in pairs.filter(|((pair, _), _)| !pair.is_arm) {
-            let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance);
+        for ((pair, track), least) in pairs {
+            if step.comparison(pair) != Some(Comparison::Touching) {
+                *track = Track::default();
+                continue;
+            }
+            // Parts touch what they stand on: for a line, the distances of everything else are of interest.
+            let key = key.filter(|_| !pair.has_part());
+            let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance + pair.touch);
             let known = key.and_then(|key| self.keys.get(key));
             let of_key = if key.is_some() { known.map_or(FAR, |least| least.measured.distance) } else { of_pair };
             let threshold = of_pair.max(of_key);
@@ -68,7 +77,8 @@ impl<K: Ord + Clone> Minima<K> {
                 continue;
             };
             let names = scene.names(pair);
-            let minimum = Minimum { names, measured: found.measured, time: step.time(found.fraction) };
+            let (measured, time) = (found.measured.without(pair.touch), step.time(found.fraction));
+            let minimum = Minimum { names, measured, time, has_part: pair.has_part() };
             if let Some(key) = key.filter(|_| found.measured.distance < of_key) {
                 self.keys.insert(key.clone(), minimum.clone());
             }

@@ -1,8 +1,9 @@
 //! Pairs of bodies whose distances are measured.
 
 use crate::build::{Cell, Thing};
-use crate::carriers::Carrier;
+use crate::carriers::Chain;
 use crate::names::body_names;
+use crate::part::Part;
 
 /// Fewest steps in the chain of the arm between two bodies of it that can touch each other: nearer ones always touch, or
 /// never.
@@ -21,55 +22,93 @@ pub(crate) struct Pair {
     pub(crate) second: usize,
     /// Distance below which they are too near to each other.
     pub(crate) clearance: f64,
-    /// Whether both belong to the arm or are carried by it. The shapes of links are larger than the links, so that an
-    /// overlap is no proof of a contact.
-    pub(crate) is_arm: bool,
+    /// Depth in mm of an overlap that is no contact: the shapes of parts are smaller by it.
+    pub(crate) touch: f64,
+    /// How they are compared; `None` if this depends on what carries a part.
+    pub(crate) comparison: Option<Comparison>,
 }
 
-/// Returns the pairs of a cell around an arm with this number of axes. Bodies are the base, the links and the things.
+impl Pair {
+    /// Whether one of both is a part.
+    pub(crate) fn has_part(&self) -> bool {
+        self.comparison.is_none()
+    }
+
+    /// Whether both always belong to the arm or are carried by it.
+    pub(crate) fn is_arm(&self) -> bool {
+        self.comparison == Some(Comparison::Arm)
+    }
+}
+
+/// How two bodies are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Comparison {
+    /// They can touch each other.
+    Touching,
+    /// Both belong to the arm or are carried by it. The shapes of links are larger than the links, so that an overlap is
+    /// no proof of a contact.
+    Arm,
+}
+
+/// Returns how two bodies of an arm with this number of axes are compared; `None` if they are not.
+pub(crate) fn comparison(first: Chain, second: Chain, axes: usize) -> Option<Comparison> {
+    match (first, second) {
+        (Some(a), Some(b)) => {
+            let apart = if a.max(b) > axes { CARRIED_APART } else { APART };
+            let can_touch = a.abs_diff(b) >= apart && !NEVER.contains(&(a.min(b), a.max(b)));
+            can_touch.then_some(Comparison::Arm)
+        }
+        (Some(chain), None) | (None, Some(chain)) => (chain > 0).then_some(Comparison::Touching),
+        (None, None) => None,
+    }
+}
+
+/// Returns the pairs of a cell around an arm with this number of axes. Bodies are the base, the links, the things and
+/// the parts.
 pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
-    let things = axes + 1;
-    let count = things + cell.things.len();
-    let names: Vec<String> = body_names(cell.thing_names(), axes).collect();
+    let count = axes + 1 + cell.things.len() + cell.parts.len();
+    let names: Vec<String> = body_names(cell.body_names(), axes).collect();
     let every = (0..count).flat_map(|first| (first + 1..count).map(move |second| (first, second)));
     let pairs = every.filter_map(|(first, second)| {
         let (a, b) = (PairBody::of(cell, axes, first)?, PairBody::of(cell, axes, second)?);
-        let is_arm = a.chain.is_some() && b.chain.is_some();
-        let matters = match (a.chain, b.chain) {
-            (Some(a), Some(b)) => {
-                let apart = if a.max(b) > axes { CARRIED_APART } else { APART };
-                a.abs_diff(b) >= apart && !NEVER.contains(&(first, second))
-            }
-            (Some(chain), None) | (None, Some(chain)) => chain > 0,
-            (None, None) => false,
-        };
+        let has_part = a.is_part || b.is_part;
+        let compared = if has_part { None } else { Some(comparison(a.chain, b.chain, axes)?) };
+        let is_gripper = a.is_part && b.is_piece || b.is_part && a.is_piece;
         let is_allowed = cell.allowed.contains(names.get(first)?, names.get(second)?);
         let own = a.clearance.into_iter().chain(b.clearance).reduce(f64::max);
-        let clearance = if is_arm { 0.0 } else { own.unwrap_or(cell.clearance) };
+        let clearance = match compared {
+            Some(Comparison::Arm) => 0.0,
+            Some(Comparison::Touching) => own.unwrap_or(cell.clearance),
+            // Parts are near what they stand on.
+            None => own.unwrap_or(0.0),
+        };
         // What moves is named first.
-        let (first, second) = if a.chain.is_none() { (second, first) } else { (first, second) };
-        (matters && !is_allowed).then_some(Pair { first, second, clearance, is_arm })
+        let (first, second) = if a.chain.is_none() && !a.is_part { (second, first) } else { (first, second) };
+        let pair = Pair { first, second, clearance, touch: a.touch + b.touch, comparison: compared };
+        (!is_gripper && !is_allowed).then_some(pair)
     });
     pairs.collect()
 }
 
 /// Properties of a body that determine its pairs.
 struct PairBody {
-    /// Place in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what the
-    /// flange carries; `None` for what stands.
-    chain: Option<usize>,
+    chain: Chain,
     clearance: Option<f64>,
+    is_part: bool,
+    /// Whether it belongs to a gripper.
+    is_piece: bool,
+    touch: f64,
 }
 
 impl PairBody {
     fn of(cell: &Cell, axes: usize, body: usize) -> Option<Self> {
-        let Some(thing) = body.checked_sub(axes + 1) else { return Some(Self { chain: Some(body), clearance: None }) };
-        let Thing { carrier, clearance, .. } = cell.things.get(thing)?;
-        let chain = match carrier {
-            Carrier::World | Carrier::Frame(_) => None,
-            Carrier::Link(link) => Some(*link),
-            Carrier::Flange | Carrier::Tool(_) => Some(axes + 1),
+        let none = Self { chain: None, clearance: None, is_part: false, is_piece: false, touch: 0.0 };
+        let Some(thing) = body.checked_sub(axes + 1) else { return Some(Self { chain: Some(body), ..none }) };
+        let Some(Thing { carrier, clearance, .. }) = cell.things.get(thing) else {
+            let Part { touch, clearance, .. } = cell.parts.get(thing - cell.things.len())?;
+            return Some(Self { clearance: *clearance, is_part: true, touch: *touch, ..none });
         };
-        Some(Self { chain, clearance: *clearance })
+        let is_piece = cell.grippers.iter().any(|gripper| gripper.pieces.contains(&thing));
+        Some(Self { chain: carrier.chain(axes), clearance: *clearance, is_piece, ..none })
     }
 }

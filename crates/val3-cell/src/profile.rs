@@ -25,7 +25,8 @@ pub struct Proximity {
     pub clearance: f64,
 }
 
-/// Computes the smallest distance at each cycle, without the pairs within the arm and what it carries.
+/// Computes the smallest distance at each cycle, without parts, which touch what they stand on, and without the pairs
+/// within the arm and what it carries.
 #[derive(Debug, Clone)]
 pub struct Profile {
     observation: Observation,
@@ -37,7 +38,7 @@ impl Profile {
     /// Creates the profile of a scene.
     #[must_use]
     pub fn new(scene: Arc<Scene>) -> Self {
-        let pairs = scene.pairs.iter().enumerate().filter(|(_, pair)| !pair.is_arm);
+        let pairs = scene.pairs.iter().enumerate().filter(|(_, pair)| !pair.is_arm() && !pair.has_part());
         let bounds = pairs.map(|(number, _)| (number, f64::NEG_INFINITY)).collect();
         Self { observation: Observation::new(scene), bounds }
     }
@@ -99,7 +100,7 @@ mod tests {
             let joints: Joints = [turned, 90.0 - turned / 4.0, 0.0, turned, 0.0, 0.0];
             let sight = sight(&arm, joints, f64::from(cycle) * 0.004);
             let step = Step::new(&scene, None, &sight);
-            let pairs = scene.pairs.iter().filter(|pair| !pair.is_arm);
+            let pairs = scene.pairs.iter().filter(|pair| !pair.is_arm());
             let expected = pairs.map(|pair| step.measure(pair, 1.0, 1e4).at_least()).fold(f64::INFINITY, f64::min);
             match profile.see(&sight) {
                 Some(found) => assert!((found.distance - expected).abs() < 1e-3, "{found:?} for {expected}"),

@@ -6,10 +6,11 @@ use val3_collision::Shape;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints, LinkCapsule};
 
-use crate::build::Cell;
-use crate::carriers::Carrier;
+use crate::build::{Cell, Thing};
+use crate::carriers::{Carrier, Chain};
 use crate::names::body_names;
-use crate::pairs::{Pair, pairs};
+use crate::pairs::{Comparison, Pair, comparison, pairs};
+use crate::part::{Part, PartHolder, PartPlace};
 use crate::reach::Reach;
 
 /// A cell around an arm.
@@ -20,16 +21,20 @@ pub struct Scene {
     pub(crate) bodies: Vec<Body>,
     pub(crate) pairs: Vec<Pair>,
     pub(crate) reach: Reach,
+    /// Frames and tools that carry something.
+    data: Vec<Carrier>,
     /// Pose of the flange in the frame of the last link.
     flange: IsometryMatrix3<f64>,
 }
 
-/// The base, a link, or a thing.
+/// The base, a link, a thing, or a part.
 #[derive(Debug, Clone)]
 pub(crate) struct Body {
     pub(crate) name: String,
     pub(crate) carrier: BodyCarrier,
-    /// Shapes with their poses in the frame of the carrier.
+    /// Place in the chain of the arm; `None` for what stands, and for parts.
+    pub(crate) chain: Chain,
+    /// Shapes with their poses in the frame of the carrier; the cores of a part, with their poses in the frame of the part.
     pub(crate) shapes: Vec<(Shape, IsometryMatrix3<f64>)>,
 }
 
@@ -44,6 +49,8 @@ pub(crate) enum BodyCarrier {
     Frame(usize),
     /// A tool with this number in [`Scene::data`].
     Tool(usize),
+    /// What carries the part with this number.
+    Part(usize),
 }
 
 impl Scene {
@@ -51,17 +58,21 @@ impl Scene {
     #[must_use]
     pub fn new(cell: Arc<Cell>, arm: Arc<Arm>) -> Self {
         let axes = arm.axes();
-        let names = body_names(cell.thing_names(), axes);
+        let data = data(&cell);
+        let names = body_names(cell.body_names(), axes);
         let bodies = names.enumerate().map(|(number, name)| match number.checked_sub(axes + 1) {
             None => link_body(&arm, number, name),
-            Some(thing) => thing_body(&cell, thing, name),
+            Some(thing) => match cell.things.get(thing) {
+                Some(thing) => thing_body(thing, &data, axes, name),
+                None => part_body(&cell, thing - cell.things.len(), name),
+            },
         });
         let bodies = bodies.collect();
         let pairs = pairs(&cell, axes);
         let zero = Joints::default();
         let last = arm.parts(&zero).last().copied().unwrap_or_default();
         let flange = last.inv_mul(&arm.flange(&zero));
-        Self { reach: Reach::of(&arm), flange, arm, bodies, pairs, cell }
+        Self { reach: Reach::of(&arm), data, flange, arm, bodies, pairs, cell }
     }
 
     /// Returns the same cell around another model of the arm.
@@ -88,29 +99,59 @@ impl Scene {
         let [first, second] = names;
         self.pairs
             .iter()
-            .filter(|pair| !pair.is_arm)
+            .filter(|pair| !pair.is_arm())
             .map(|pair| self.names(pair))
             .any(|[a, b]| (&a, &b) == (first, second) || (&b, &a) == (first, second))
     }
 
-    /// Names of the base, the links and the things.
+    /// Names of the base, the links, the things and the parts.
     pub fn body_names(&self) -> impl Iterator<Item = &str> {
         self.bodies.iter().map(|body| body.name.as_str())
     }
 
-    /// Whether the base, a link or a thing has this name.
+    /// Whether the base, a link, a thing or a part has this name.
     #[must_use]
     pub fn has_body(&self, name: &str) -> bool {
         self.body_names().any(|known| known == name)
     }
 
-    /// Names of the frames and tools that carry things, in the order in which [`crate::Sight::places`] lists their poses.
+    /// Names of the frames and tools that carry something, in the order in which [`crate::Sight::places`] lists their
+    /// poses.
     pub fn data(&self) -> impl Iterator<Item = &Carrier> {
-        self.cell
-            .things
-            .iter()
-            .map(|thing| &thing.carrier)
-            .filter(|carrier| matches!(carrier, Carrier::Frame(_) | Carrier::Tool(_)))
+        self.data.iter()
+    }
+
+    /// Number of the first body after the links: of the first thing.
+    pub(crate) fn first_thing(&self) -> usize {
+        self.arm.axes() + 1
+    }
+
+    /// Number of the body of a part.
+    pub(crate) fn part_body(&self, part: usize) -> usize {
+        self.first_thing() + self.cell.things.len() + part
+    }
+
+    /// The carrier of a thing, a sensor or a gripper.
+    pub(crate) fn carrier(&self, carrier: &Carrier) -> BodyCarrier {
+        body_carrier(carrier, &self.data)
+    }
+
+    /// Whether the pair is compared at present, and how. The caller states where the parts are.
+    pub(crate) fn comparison(&self, pair: &Pair, parts: &[PartPlace]) -> Option<Comparison> {
+        if pair.comparison.is_some() {
+            return pair.comparison;
+        }
+        let axes = self.arm.axes();
+        let chain = |number: usize| {
+            let body = self.bodies.get(number)?;
+            let BodyCarrier::Part(part) = body.carrier else { return Some(body.chain) };
+            match parts.get(part)?.holder {
+                PartHolder::World | PartHolder::Frame(_) => Some(None),
+                PartHolder::Gripper(_) => Some(Some(axes + 1)),
+                PartHolder::Gone => None,
+            }
+        };
+        comparison(chain(pair.first)?, chain(pair.second)?, axes)
     }
 
     /// Names of both bodies of a pair.
@@ -133,30 +174,43 @@ impl Scene {
 
 fn link_body(arm: &Arm, link: usize, name: String) -> Body {
     let shapes = arm.shapes().get(link).into_iter().flatten().filter_map(capsule).collect();
-    Body { name, carrier: BodyCarrier::Link(link), shapes }
+    Body { name, carrier: BodyCarrier::Link(link), chain: Some(link), shapes }
 }
 
-fn thing_body(cell: &Cell, number: usize, name: String) -> Body {
-    let Some(thing) = cell.things.get(number) else {
-        return Body { name, carrier: BodyCarrier::World, shapes: Vec::new() };
-    };
-    let number = |name: &str| data_names(cell).position(|known| known == name).unwrap_or_default();
-    let carrier = match &thing.carrier {
+fn thing_body(thing: &Thing, data: &[Carrier], axes: usize, name: String) -> Body {
+    let shapes = thing.solids.iter().map(|solid| (solid.shape.clone(), thing.pose * solid.pose)).collect();
+    Body { name, carrier: body_carrier(&thing.carrier, data), chain: thing.carrier.chain(axes), shapes }
+}
+
+fn part_body(cell: &Cell, number: usize, name: String) -> Body {
+    let shapes = cell.parts.get(number).map(Part::cores).unwrap_or_default();
+    Body { name, carrier: BodyCarrier::Part(number), chain: None, shapes }
+}
+
+fn body_carrier(carrier: &Carrier, data: &[Carrier]) -> BodyCarrier {
+    let number = || data.iter().position(|known| known == carrier).unwrap_or_default();
+    match carrier {
         Carrier::World => BodyCarrier::World,
         Carrier::Link(link) => BodyCarrier::Link(*link),
         Carrier::Flange => BodyCarrier::Flange,
-        Carrier::Frame(name) => BodyCarrier::Frame(number(name)),
-        Carrier::Tool(name) => BodyCarrier::Tool(number(name)),
-    };
-    let shapes = thing.solids.iter().map(|solid| (solid.shape.clone(), thing.pose * solid.pose)).collect();
-    Body { name, carrier, shapes }
+        Carrier::Frame(_) => BodyCarrier::Frame(number()),
+        Carrier::Tool(_) => BodyCarrier::Tool(number()),
+    }
 }
 
-fn data_names(cell: &Cell) -> impl Iterator<Item = &str> {
-    cell.things.iter().filter_map(|thing| match &thing.carrier {
-        Carrier::Frame(name) | Carrier::Tool(name) => Some(name.as_str()),
-        Carrier::World | Carrier::Link(_) | Carrier::Flange => None,
-    })
+/// Frames and tools that carry something, each once.
+fn data(cell: &Cell) -> Vec<Carrier> {
+    let things = cell.things.iter().map(|thing| &thing.carrier);
+    let parts = cell.parts.iter().map(|part| &part.carrier);
+    let grippers = cell.grippers.iter().map(|gripper| &gripper.carrier);
+    let sensors = cell.sensors.iter().map(|sensor| &sensor.carrier);
+    let mut data: Vec<Carrier> = Vec::new();
+    for carrier in things.chain(parts).chain(grippers).chain(sensors) {
+        if matches!(carrier, Carrier::Frame(_) | Carrier::Tool(_)) && !data.contains(carrier) {
+            data.push(carrier.clone());
+        }
+    }
+    data
 }
 
 fn capsule(capsule: &LinkCapsule) -> Option<(Shape, IsometryMatrix3<f64>)> {
@@ -172,19 +226,37 @@ pub(crate) struct Position {
 }
 
 impl Position {
-    /// Pose of a carrier in `world`; `None` for a frame or tool without a place.
-    pub(crate) fn carrier(
-        &self,
-        carrier: BodyCarrier,
-        places: &[Option<IsometryMatrix3<f64>>],
-    ) -> Option<IsometryMatrix3<f64>> {
-        let place = |number: usize| places.get(number).copied().flatten();
+    /// Pose of the flange in `world`.
+    pub(crate) fn flange(&self) -> &IsometryMatrix3<f64> {
+        &self.flange
+    }
+
+    /// Pose of a carrier in `world`; `None` for a frame or tool without a place, and for a part that was removed.
+    pub(crate) fn carrier(&self, carrier: BodyCarrier, places: Places<'_>) -> Option<IsometryMatrix3<f64>> {
+        let place = |number: usize| places.data.get(number).copied().flatten();
         match carrier {
             BodyCarrier::World => Some(IsometryMatrix3::identity()),
             BodyCarrier::Link(link) => self.parts.get(link).copied(),
             BodyCarrier::Flange => Some(self.flange),
             BodyCarrier::Frame(number) => place(number),
             BodyCarrier::Tool(number) => Some(self.flange * place(number)?),
+            BodyCarrier::Part(number) => {
+                let PartPlace { holder, pose } = places.parts.get(number)?;
+                match holder {
+                    PartHolder::World => Some(*pose),
+                    PartHolder::Frame(number) => Some(place(*number)? * pose),
+                    PartHolder::Gripper(_) => Some(self.flange * pose),
+                    PartHolder::Gone => None,
+                }
+            }
         }
     }
+}
+
+/// Places of frames, tools and parts.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Places<'p> {
+    /// Poses of [`Scene::data`].
+    pub(crate) data: &'p [Option<IsometryMatrix3<f64>>],
+    pub(crate) parts: &'p [PartPlace],
 }

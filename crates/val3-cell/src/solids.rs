@@ -5,7 +5,7 @@ use val3_collision::{Shape, ShapeError};
 use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
 
 use crate::error::CellError;
-use crate::file::{BoxKey, Corners, MeshUnit, ShapeKeys};
+use crate::file::{BoxKey, Corners, MeshUnit, ShapeEntry, ShapeKeys};
 use crate::mesh::Mesh;
 use crate::poses::{pose, triple};
 use crate::surroundings::Surroundings;
@@ -57,6 +57,39 @@ pub(crate) struct SolidMaker<'s> {
     pub(crate) surroundings: &'s mut dyn Surroundings,
     /// Whether the arm carries the thing: a mesh is then its convex hull.
     pub(crate) is_carried: bool,
+}
+
+/// The keys of an entry with one or several shapes.
+#[derive(Clone, Copy)]
+pub(crate) struct ShapedEntry<'e> {
+    pub(crate) name: &'e str,
+    pub(crate) shapes: &'e [ShapeEntry],
+    pub(crate) shape: &'e ShapeKeys,
+}
+
+/// Builds the shapes of an entry.
+pub(crate) fn solids(entry: ShapedEntry<'_>, key: &str, mut maker: SolidMaker<'_>) -> Result<Vec<Solid>, CellError> {
+    let ShapedEntry { name, shapes, shape } = entry;
+    match solid(shape, &[], key, &mut maker)? {
+        Some(_) if !shapes.is_empty() => {
+            Err(CellError::new(key, format!("`{name}` has a shape and `shapes`"), "move the shape into `shapes`"))
+        }
+        Some(own) => Ok(vec![own]),
+        None if shapes.is_empty() => Err(without_shape(key, &format!("`{name}`"))),
+        None => {
+            let several = shapes.iter().enumerate().map(|(index, several)| {
+                let key = format!("{key}.shapes[{index}]");
+                let solid = solid(&several.shape, &several.at, &key, &mut maker)?;
+                solid.ok_or_else(|| without_shape(&key, "this shape"))
+            });
+            several.collect()
+        }
+    }
+}
+
+pub(crate) fn without_shape(key: &str, what: &str) -> CellError {
+    let help = "add one of `box`, `cylinder`, `sphere`, `capsule`, `mesh`: `box = [200, 100, 50]`";
+    CellError::new(key, format!("{what} has no shape"), help)
 }
 
 /// Builds the shape of these keys at a pose; `None` without a shape.
@@ -155,6 +188,31 @@ fn mesh_in_mm(
         _ => return Ok(mesh),
     };
     Err(CellError::new(key, format!("`{path}` is {extent:.2} mm long"), help))
+}
+
+impl Solid {
+    /// The shape without the outermost `depth` mm, at least a tenth of it.
+    pub(crate) fn core(&self, depth: f64) -> Shape {
+        shape_of(&self.form.core(depth), true).unwrap_or_else(|_| self.shape.clone())
+    }
+}
+
+/// Smallest fraction of a length that is left of it in the core of a shape.
+const CORE: f64 = 0.1;
+
+impl SolidForm {
+    fn core(&self, depth: f64) -> Self {
+        let radius = |radius: f64| (radius - depth).max(CORE * radius);
+        let length = |length: f64| (length - 2.0 * depth).max(CORE * length);
+        match self {
+            Self::Box(size) => Self::Box(size.map(length)),
+            Self::Cylinder { radius: outer, length: height } => {
+                Self::Cylinder { radius: radius(*outer), length: length(*height) }
+            }
+            Self::Capsule { from, to, radius: outer } => Self::Capsule { from: *from, to: *to, radius: radius(*outer) },
+            Self::Mesh(mesh) => Self::Mesh(mesh.shrunk(depth, CORE)),
+        }
+    }
 }
 
 fn shape_of(form: &SolidForm, hull: bool) -> Result<Shape, ShapeError> {

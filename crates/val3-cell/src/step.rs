@@ -7,8 +7,9 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
 
 use crate::measure::{Placed, Reading, measure};
-use crate::pairs::Pair;
-use crate::scene::{Body, BodyCarrier, Position, Scene};
+use crate::pairs::{Comparison, Pair};
+use crate::part::{PartHolder, PartPlace};
+use crate::scene::{Body, BodyCarrier, Places, Position, Scene};
 
 /// Coordinate in mm beyond which a thing is nowhere.
 const FARTHEST: f64 = 1e9;
@@ -25,8 +26,16 @@ pub struct Sight<'a> {
     /// Poses of the frames in `world` and of the tools in `flange`, in the order of [`Scene::data`]; `None` without a
     /// place.
     pub places: Vec<Option<IsometryMatrix3<f64>>>,
+    /// Places of the parts, in the order of the cell.
+    pub parts: Arc<Vec<PartPlace>>,
     /// Time, in seconds.
     pub time: f64,
+}
+
+impl Sight<'_> {
+    pub(crate) fn places(&self) -> Places<'_> {
+        Places { data: &self.places, parts: &self.parts }
+    }
 }
 
 /// The last sight, which a step begins at.
@@ -35,13 +44,15 @@ pub(crate) struct Past {
     joints: Joints,
     placement: u64,
     places: Vec<Option<IsometryMatrix3<f64>>>,
+    parts: Arc<Vec<PartPlace>>,
     time: f64,
 }
 
 impl Past {
     pub(crate) fn of(sight: &Sight<'_>) -> Self {
-        let Sight { joints, placement, places, time, .. } = sight;
-        Self { joints: *joints, placement: *placement, places: places.clone(), time: *time }
+        let Sight { joints, placement, places, parts, time, .. } = sight;
+        let (places, parts) = (places.clone(), Arc::clone(parts));
+        Self { joints: *joints, placement: *placement, places, parts, time: *time }
     }
 
     /// Whether the arm is elsewhere without a motion.
@@ -51,7 +62,10 @@ impl Past {
 
     /// Whether nothing has moved since.
     pub(crate) fn is_same(&self, sight: &Sight<'_>) -> bool {
-        self.joints == sight.joints && self.placement == sight.placement && self.places == sight.places
+        self.joints == sight.joints
+            && self.placement == sight.placement
+            && self.places == sight.places
+            && (Arc::ptr_eq(&self.parts, &sight.parts) || self.parts == sight.parts)
     }
 }
 
@@ -62,7 +76,9 @@ pub(crate) struct Step<'s> {
     to: Joints,
     start: f64,
     end: f64,
-    places: &'s [Option<IsometryMatrix3<f64>>],
+    places: Places<'s>,
+    /// Parts that are elsewhere than before.
+    has_part_moved: Vec<bool>,
     /// Frames and tools that are elsewhere than before.
     has_moved: Vec<bool>,
     moved: Joints,
@@ -80,7 +96,8 @@ impl<'s> Step<'s> {
             to: sight.joints,
             start: past.map_or(sight.time, |past| past.time),
             end: sight.time,
-            places: &sight.places,
+            places: sight.places(),
+            has_part_moved: moved_parts(past, sight),
             has_moved: (0..sight.places.len()).map(moved).collect(),
             moved: std::array::from_fn(|axis| difference(&sight.joints, &from, axis)),
             ends: Default::default(),
@@ -105,10 +122,22 @@ impl<'s> Step<'s> {
             BodyCarrier::Link(link) => Some(reach.way(link, radius(&here), &self.moved)),
             BodyCarrier::Flange => Some(reach.way(axes, self.scene.flange_offset() + radius(&here), &self.moved)),
             BodyCarrier::Tool(number) if self.has_moved.get(number).is_some_and(|moved| !moved) => {
-                let tool = self.places.get(number).copied().flatten()?;
+                let tool = self.places.data.get(number).copied().flatten()?;
                 Some(reach.way(axes, self.scene.flange_offset() + radius(&tool), &self.moved))
             }
             BodyCarrier::Tool(_) => None,
+            BodyCarrier::Part(number) if self.has_part_moved.get(number).is_some_and(|moved| !moved) => {
+                let PartPlace { holder, pose } = self.places.parts.get(number)?;
+                match holder {
+                    PartHolder::World => Some(0.0),
+                    PartHolder::Frame(number) => self.has_moved.get(*number).is_some_and(|moved| !moved).then_some(0.0),
+                    PartHolder::Gripper(_) => {
+                        Some(reach.way(axes, self.scene.flange_offset() + radius(pose), &self.moved))
+                    }
+                    PartHolder::Gone => None,
+                }
+            }
+            BodyCarrier::Part(_) => None,
         }
     }
 
@@ -132,14 +161,22 @@ impl<'s> Step<'s> {
         }
     }
 
+    /// Whether a pair is compared at the end of the step, and how.
+    pub(crate) fn comparison(&self, pair: &Pair) -> Option<Comparison> {
+        self.scene.comparison(pair, self.places.parts)
+    }
+
     /// Whether the arm moves.
     pub(crate) fn is_motion(&self) -> bool {
         self.from != self.to
     }
 
-    /// Whether a body has a place at the end of the step.
+    /// Whether a body has a place at the end of the step, or was removed.
     pub(crate) fn has_place(&self, body: usize) -> bool {
-        self.placed(body, self.end_position(&self.ends[1], &self.to)).is_some()
+        let part = |number: usize| self.places.parts.get(number).map(|place| place.holder);
+        let is_gone =
+            |body: &Body| matches!(body.carrier, BodyCarrier::Part(number) if part(number) == Some(PartHolder::Gone));
+        self.body(body).is_some_and(is_gone) || self.placed(body, self.end_position(&self.ends[1], &self.to)).is_some()
     }
 
     /// A body at a position; `None` without a place.
@@ -170,6 +207,16 @@ impl<'s> Step<'s> {
 fn is_usable(pose: &IsometryMatrix3<f64>) -> bool {
     pose.rotation.matrix().iter().all(|number| number.is_finite())
         && pose.translation.vector.iter().all(|length| length.abs() < FARTHEST)
+}
+
+fn moved_parts(past: Option<&Past>, sight: &Sight<'_>) -> Vec<bool> {
+    match past {
+        Some(past) if Arc::ptr_eq(&past.parts, &sight.parts) => vec![false; sight.parts.len()],
+        _ => {
+            let before = |number: usize| past.and_then(|past| past.parts.get(number));
+            sight.parts.iter().enumerate().map(|(number, place)| before(number) != Some(place)).collect()
+        }
+    }
 }
 
 fn difference(to: &Joints, from: &Joints, axis: usize) -> f64 {

@@ -27,6 +27,12 @@ pub trait Surroundings {
     /// Without a frame or tool of this name; a similar name, if one exists.
     fn carrier(&self, name: &str) -> Result<DataKind, Option<String>>;
 
+    /// Returns the kind of a signal, by path or name.
+    ///
+    /// # Errors
+    /// Without a signal of this name; a similar path or name, if one exists.
+    fn signal(&self, path: &str) -> Result<SignalClass, Option<String>>;
+
     /// Whether the file may be about another application, so that things in unknown frames and tools are left out.
     fn may_lack_data(&self) -> bool {
         false
@@ -49,4 +55,15 @@ impl DataKind {
             Self::Tool => "a tool",
         }
     }
+}
+
+/// Kinds of signals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SignalClass {
+    /// True or false.
+    Digital,
+    /// A number.
+    Analog,
+    /// A library may add the signal while the application runs.
+    Unknown,
 }

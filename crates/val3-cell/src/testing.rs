@@ -11,7 +11,7 @@ use crate::file::CellFile;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::step::Sight;
-use crate::surroundings::{ArmBase, DataKind, Surroundings};
+use crate::surroundings::{ArmBase, DataKind, SignalClass, Surroundings};
 
 /// An application with the frames `fTable`, `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
 /// other sizes.
@@ -44,6 +44,15 @@ impl Surroundings for Application {
         }
     }
 
+    fn signal(&self, path: &str) -> Result<SignalClass, Option<String>> {
+        match path {
+            "valve" | "diPart" => Ok(SignalClass::Digital),
+            "aiVacuum" => Ok(SignalClass::Analog),
+            "dipart" => Err(Some("diPart".to_owned())),
+            _ => Err(None),
+        }
+    }
+
     fn may_lack_data(&self) -> bool {
         self.may_lack_data
     }
@@ -64,5 +73,5 @@ pub(crate) fn scene(text: &str, arm: &Arc<Arm>) -> Scene {
 
 /// A sight without frames and tools.
 pub(crate) fn sight(arm: &Arc<Arm>, joints: Joints, time: f64) -> Sight<'_> {
-    Sight { arm, joints, placement: 0, places: Vec::new(), time }
+    Sight { arm, joints, placement: 0, places: Vec::new(), parts: Arc::default(), time }
 }

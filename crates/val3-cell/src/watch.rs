@@ -6,7 +6,7 @@ use val3_kinematics::Joints;
 
 use crate::measure::Measured;
 use crate::observation::Observation;
-use crate::pairs::Pair;
+use crate::pairs::{Comparison, Pair};
 use crate::scene::Scene;
 use crate::step::{Sight, Step};
 use crate::track::{EXACT, Found, Track, Wanted};
@@ -74,7 +74,10 @@ struct WatchedPair<T> {
 
 #[derive(Debug, Clone)]
 struct Nearest<T> {
+    /// Distance between the cores of parts.
     measured: Measured,
+    /// Depth of the cores.
+    touch: f64,
     time: f64,
     joints: Joints,
     label: T,
@@ -145,14 +148,20 @@ struct Present<'p, T> {
 impl<T: Clone> WatchedPair<T> {
     /// Looks at a pair. Returns its encounter if that begins or becomes a contact, and if it ends.
     fn see(&mut self, scene: &Scene, pair: &Pair, present: &Present<'_, T>) -> [Option<Encounter<T>>; 2] {
-        let least = pair.clearance.max(TOUCHING);
+        let Some(comparison) = present.step.comparison(pair) else {
+            self.track = Track::default();
+            let ended = self.nearest.take().map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)));
+            return [None, ended];
+        };
+        // Distances are those of the cores of parts.
+        let least = if pair.clearance > 0.0 { pair.clearance + pair.touch } else { TOUCHING };
         let wanted = match &self.nearest {
             None => Wanted { threshold: least, margin: 0.0, limit: least },
             Some(nearest) => Wanted { threshold: nearest.measured.distance, margin: EXACT, limit: least + EXACT },
         };
         let found = self.track.follow(present.step, pair, wanted);
         let begun = found.and_then(|found| {
-            let state = self.approach(&found, pair, present)?;
+            let state = self.approach(&found, pair, comparison, present)?;
             Some(self.nearest.as_ref()?.encounter(state, scene.names(pair)))
         });
         let is_apart = self.track.at_least() > least + EXACT;
@@ -161,16 +170,23 @@ impl<T: Clone> WatchedPair<T> {
     }
 
     /// Records a smaller distance. Returns the state of the encounter if it is another one than before.
-    fn approach(&mut self, found: &Found, pair: &Pair, present: &Present<'_, T>) -> Option<EncounterState> {
+    fn approach(
+        &mut self,
+        found: &Found,
+        pair: &Pair,
+        comparison: Comparison,
+        present: &Present<'_, T>,
+    ) -> Option<EncounterState> {
         let Found { measured, fraction } = *found;
-        let touches = measured.distance <= TOUCHING && !pair.is_arm;
+        let touches = measured.distance <= TOUCHING && comparison == Comparison::Touching;
         let before = self.nearest.as_ref();
         let has_touched = before.is_some_and(|nearest| nearest.touches);
         let is_new = before.is_none() || touches && !has_touched;
         let (time, joints) = (present.step.time(fraction), present.step.joints(fraction));
         let at_start = before.map_or(present.at_start, |nearest| nearest.at_start);
         let label = present.label.clone();
-        self.nearest = Some(Nearest { measured, time, joints, label, at_start, touches: touches || has_touched });
+        let (touches_ever, touch) = (touches || has_touched, pair.touch);
+        self.nearest = Some(Nearest { measured, touch, time, joints, label, at_start, touches: touches_ever });
         is_new.then_some(if touches { EncounterState::Contact } else { EncounterState::Near })
     }
 }
@@ -178,10 +194,13 @@ impl<T: Clone> WatchedPair<T> {
 impl<T: Clone> Nearest<T> {
     fn encounter(&self, state: EncounterState, names: [String; 2]) -> Encounter<T> {
         let Self { measured, time, joints, label, at_start, .. } = self;
-        let (measured, time, joints, label, at_start) = (*measured, *time, *joints, label.clone(), *at_start);
+        let measured = measured.without(self.touch);
+        let (time, joints, label, at_start) = (*time, *joints, label.clone(), *at_start);
         Encounter { state, names, measured, time, joints, label, at_start }
     }
 }
 
+#[cfg(test)]
+mod part_tests;
 #[cfg(test)]
 mod tests;

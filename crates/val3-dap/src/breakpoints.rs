@@ -324,7 +324,13 @@ impl SourceBreakpoints {
     }
 }
 
-fn parse(id: BreakpointId, breakpoint: &SourceBreakpoint, file: &str, run: &mut DebuggedRun<'_>, conventions: &Conventions) -> Result<Breakpoint, Unverified> {
+fn parse(
+    id: BreakpointId,
+    breakpoint: &SourceBreakpoint,
+    file: &str,
+    run: &mut DebuggedRun<'_>,
+    conventions: &Conventions,
+) -> Result<Breakpoint, Unverified> {
     let condition = written(breakpoint.condition.as_deref());
     let condition = condition.map(|text| ConditionText::compiled(text, file, run)).transpose();
     let ConditionText { task, condition } = condition.map_err(Unverified::new)?.unwrap_or_default();

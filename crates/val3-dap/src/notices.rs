@@ -152,6 +152,9 @@ fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
         EventKind::Clearance { state: "contact", a, b, .. } => {
             (format!("`{a}` touches `{b}`"), OutputEventCategory::Stderr)
         }
+        EventKind::Grip { .. } | EventKind::Release { .. } => {
+            (event.kind.handling_problem()?, OutputEventCategory::Console)
+        }
         EventKind::Lacking { instruction, .. } => (
             format!("this controller does not have the instruction `{instruction}`: the run ends here"),
             OutputEventCategory::Stderr,

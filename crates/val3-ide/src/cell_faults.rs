@@ -5,7 +5,7 @@ use val3_analysis::arm::arm;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::surroundings::path_type;
 use val3_analysis::system::System;
-use val3_cell::{ArmBase, Cell, CellError, CellFile, DataKind, Mesh, Surroundings};
+use val3_cell::{ArmBase, Cell, CellError, CellFile, DataKind, Mesh, SignalClass, Surroundings};
 use val3_config::{ConfigError, TableFile};
 use val3_files::FileClass;
 use val3_lang::suggest::nearest;
@@ -100,6 +100,11 @@ impl Surroundings for LoadedApplication<'_> {
             Some(BaseType::Tool) => Ok(DataKind::Tool),
             _ => Err(nearest(name, self.paths().iter().map(String::as_str)).map(str::to_owned)),
         }
+    }
+
+    /// Signals are checked when the application runs: many of them exist only because data are linked to them.
+    fn signal(&self, _: &str) -> Result<SignalClass, Option<String>> {
+        Ok(SignalClass::Unknown)
     }
 
     fn may_lack_data(&self) -> bool {

@@ -3,6 +3,7 @@
 mod clicks;
 mod evaluate;
 mod frames;
+mod handling;
 mod motion;
 mod operator;
 mod positions;
@@ -21,6 +22,7 @@ use crate::script::Script;
 
 pub use crate::run_status::RunStatus;
 
+pub use handling::PartState;
 pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
 pub use operator::OperatorAction;
 pub use positions::{Activity, TaskPosition};
@@ -268,6 +270,7 @@ impl Controller {
     fn cycle(&mut self) -> CycleEnd {
         if !self.schedule.is_within_cycle() {
             let start = self.schedule.now;
+            self.begin_handling(start);
             self.follow_operator(start);
             self.begin_reactions(start);
             self.follow_script(start);
@@ -278,6 +281,7 @@ impl Controller {
         let cycle_end = self.schedule.cycle(&mut self.vm, &mut self.devices);
         if !self.schedule.is_within_cycle() {
             self.devices.end_cycle(end);
+            self.handle_parts(end);
             self.react(end);
         }
         cycle_end
@@ -320,7 +324,7 @@ impl Controller {
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
-        let outside = self.script.next_due().into_iter().chain(self.operations.next_due());
+        let outside = self.script.next_due().into_iter().chain(self.operations.next_due()).chain(self.next_handling());
         self.devices.next_due(now).into_iter().chain(outside).min()
     }
 

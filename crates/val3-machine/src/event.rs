@@ -234,6 +234,48 @@ pub enum EventKind {
         #[serde(flatten, skip_serializing_if = "Option::is_none")]
         of: Option<ClearanceMove>,
     },
+    /// A gripper has closed.
+    Grip {
+        /// The gripper.
+        gripper: String,
+        /// The part that it holds; `None` if no part is near enough.
+        part: Option<String>,
+        /// The nearest part that no gripper held.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        nearest: Option<String>,
+        /// Distance in mm of this part from the point of the gripper.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        distance: Option<f64>,
+        /// Greatest distance in mm of a part that it grips.
+        within: f64,
+    },
+    /// A gripper has released a part.
+    Release {
+        /// The gripper.
+        gripper: String,
+        /// The part.
+        part: String,
+        /// Height in mm above everything else below it, if the part hangs in the air.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        above: Option<f64>,
+    },
+    /// A script has placed or removed a part.
+    Part {
+        /// The part.
+        part: String,
+        /// `placed` or `removed`.
+        state: &'static str,
+    },
+    /// A sensor detects something, or nothing any more.
+    Sensor {
+        /// The sensor.
+        sensor: String,
+        /// Whether it detects something.
+        on: bool,
+        /// What it detects.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        detects: Option<String>,
+    },
     /// Action of the cell or the operator.
     Act {
         /// Action, with the keys of a script as far as a script has such keys.
@@ -265,6 +307,26 @@ pub enum EventKind {
         /// Reason.
         reason: EndReason,
     },
+}
+
+impl EventKind {
+    /// Describes a gripper that has missed its part, or a part that was released in the air; `None` for other events.
+    #[must_use]
+    pub fn handling_problem(&self) -> Option<String> {
+        match self {
+            Self::Grip { gripper, part: None, nearest, distance, within } => {
+                let nearest = nearest.as_ref().zip(*distance).map(|(name, distance)| {
+                    let shown = (distance * 10.0).ceil() / 10.0;
+                    format!("; `{name}` is {shown:.1} mm away")
+                });
+                Some(format!("`{gripper}` grips nothing: no part within {within} mm{}", nearest.unwrap_or_default()))
+            }
+            Self::Release { gripper, part, above: Some(height) } => {
+                Some(format!("`{gripper}` releases `{part}` {height:.0} mm above everything below it"))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The move during which two things are near each other.

@@ -23,6 +23,8 @@
 //! move = true              # recorded moves may move the arm, in any mode; false holds it
 //! joints = [0, 0, 90, 0, 90, 0]  # position of the arm from now on; its moves are discarded
 //! jog = [10, 0, 90, 0, 90, 0]    # the operator moves the arm there by hand, while no move does
+//! place = { "carton[0]" = [150, 200, -40] }  # a part of the cell is there from now on
+//! remove = ["carton[1]"]   # a part of the cell is gone
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
 //! connect = true                 # the operator requests the return of the arm to its path
 //! stop = true
@@ -38,6 +40,8 @@
 //! [[when]]
 //! io = { "BasicIO-1\\%Q0" = true, "Scale\\weight" = { above = 3, below = 4.5 } }  # signals at their terminals
 //! data = { nState = 3, "part:bReady" = true }                                   # global data
+//! seen = "part at stop"    # a sensor of the cell detects something
+//! held = "carton[0]"       # a gripper of the cell holds the part
 //! sent = { "Socket\\host" = "GET" }                     # a task sends a text that contains it
 //! times = 1                # only the first time
 //! then = [
@@ -54,6 +58,8 @@ mod condition;
 mod data_path;
 mod entry;
 mod keys;
+mod part_values;
+mod parts;
 mod reaction;
 mod sent;
 mod values;
@@ -69,11 +75,12 @@ use val3_lang::ports::Time;
 pub use bytes::LineBytes;
 pub use check::{Misfit, ScriptFault};
 pub use comparison::{ComparedRange, Comparison, LevelComparison};
-pub use condition::{Condition, Mismatch};
+pub use condition::{Condition, ConditionTable, Mismatch, NamedStates};
 use entry::Pending;
 pub(crate) use entry::ScriptEntry;
 pub use entry::{ScriptAction, ScriptPlace, TimedEntry};
 pub use keys::{key_codes, typed_keys};
+pub use part_values::PoseNumbers;
 use reaction::Reaction;
 pub use reaction::ReactionRule;
 pub use sent::SentText;

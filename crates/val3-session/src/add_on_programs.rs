@@ -63,7 +63,13 @@ fn fault(file: &ConfigFile, instruction: &str, message: String, help: String) ->
 type AddOnFault = (String, String);
 
 /// Checks that a program can replace an instruction.
-fn check(db: &Database, user: Project, file: &ConfigFile, instruction: &str, setting: &StandInProgram) -> Result<(), AddOnFault> {
+fn check(
+    db: &Database,
+    user: Project,
+    file: &ConfigFile,
+    instruction: &str,
+    setting: &StandInProgram,
+) -> Result<(), AddOnFault> {
     let library = add_on_programs::library(db, file, setting).ok_or_else(|| no_library(file, setting))?;
     let Some(program) = add_on_programs::program(db, user, instruction) else {
         return Err(no_program(db, library.project, setting));

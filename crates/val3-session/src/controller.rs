@@ -37,8 +37,7 @@ pub(crate) fn open(
     // Stand-ins belong to the tests, so they are not counted.
     let key = |stand_in: &StandIn| path_key(stand_in.project.manifest(db).path(db).as_str());
     let uncounted = stand_ins.iter().map(key).collect();
-    let compiler =
-        LibraryCompiler::new(disk.clone(), outside, settings.form, uncounted).with(settings.edited.clone());
+    let compiler = LibraryCompiler::new(disk.clone(), outside, settings.form, uncounted).with(settings.edited.clone());
     let mut devices = Devices::new(roots, Box::new(compiler));
     devices.stand_ins = replaced;
     cell::declare_io(&mut devices, db, project);

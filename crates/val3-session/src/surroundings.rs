@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::LoadError;
-use val3_cell::{ArmBase, Cell, CellFile, DataKind, Mesh, Surroundings};
+use val3_cell::{ArmBase, Cell, CellFile, DataKind, Mesh, SignalClass, Surroundings};
 use val3_config::{ConfigError, ConfigFile, TableFile};
 use val3_files::FileClass;
 use val3_lang::suggest::nearest;
@@ -60,7 +60,7 @@ pub(crate) fn place(
     if !cell.missing.is_empty() {
         let names = cell.missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let file = path.file_name().unwrap_or(FILE_NAME);
-        let text = format!("without {names} of {file}: this application does not have their frames and tools");
+        let text = format!("without {names} of {file}: this application does not have their frames, tools or signals");
         controller.devices.record_outside(0, EventKind::Notice { text });
     }
     let arm = controller.arm().model();
@@ -146,6 +146,10 @@ impl Surroundings for OpenApplication<'_> {
             let known = self.controller.carrier_names();
             nearest(name, known.iter().map(String::as_str)).map(str::to_owned)
         })
+    }
+
+    fn signal(&self, path: &str) -> Result<SignalClass, Option<String>> {
+        self.controller.signal_class(path)
     }
 
     fn may_lack_data(&self) -> bool {

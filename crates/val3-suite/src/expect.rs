@@ -9,7 +9,10 @@
 //! sent = { "Socket\\host" = "ready\n" }           # this went out over a line
 //! errors = [{ code = 20, task = "production" }]   # run-time errors; any other is a failure
 //!
-//! [[expect.at]]                                   # screen, io and data at a time
+//! held = { "carton[0]" = false }                  # no gripper of the cell holds the part; `seen` likewise for sensors
+//! at = { "carton[0]" = { in = "fPallet", is = [200, 150, 90], within = 2 } }  # where a part of the cell is at the end
+//!
+//! [[expect.at]]                                   # screen, io, data, seen, held and at, at a time
 //! t = 5
 //! screen = ["1 box"]
 //!
@@ -36,6 +39,7 @@ mod observer;
 mod occurrence;
 mod order;
 mod output;
+mod places;
 mod screen;
 mod sent;
 mod state;
@@ -56,8 +60,9 @@ pub(crate) use observer::Observer;
 pub(crate) use occurrence::CycleState;
 use occurrence::Occurrence;
 use order::EventOrder;
+use places::ExpectedAt;
 pub(crate) use screen::{shown as shown_page, written_page};
-use state::{ExpectedState, TimedState};
+use state::ExpectedState;
 use values::ExpectedValues;
 use within::Within;
 
@@ -78,7 +83,11 @@ pub(crate) struct Expectations {
     #[serde(deserialize_with = "sent::texts")]
     sent: Vec<Spanned<SentText>>,
     errors: Vec<Spanned<ExpectedError>>,
-    at: Vec<TimedState>,
+    #[serde(deserialize_with = "values::sensors")]
+    seen: ExpectedValues,
+    #[serde(deserialize_with = "values::parts")]
+    held: ExpectedValues,
+    at: ExpectedAt,
     within: Vec<Spanned<Within>>,
     order: Vec<EventOrder>,
     time: Vec<Spanned<CycleTime>>,
@@ -93,7 +102,8 @@ pub(crate) struct Expectations {
 impl Expectations {
     /// Expected state at the end.
     fn last_state(&self) -> ExpectedState<'_> {
-        ExpectedState { table: "expect", screen: &self.screen, io: &self.io, data: &self.data }
+        let Self { screen, io, data, seen, held, at: ExpectedAt { places, .. }, .. } = self;
+        ExpectedState { table: "expect", screen, io, data, seen, held, places }
     }
 
     /// Links of the lines with expected output.
@@ -107,9 +117,11 @@ impl Expectations {
 
     /// Whether there are no expectations.
     pub(crate) fn is_empty(&self) -> bool {
-        let Self { screen, io, data, print, log, popup, sent, errors, at, within, order, time, trace, .. } = self;
+        let Self {
+            screen, io, data, seen, held, print, log, popup, sent, errors, at, within, order, time, trace, ..
+        } = self;
         let texts = [screen, print, log, popup].iter().all(|texts| texts.is_empty());
-        let values = io.is_empty() && data.is_empty() && at.is_empty();
+        let values = [io, data, seen, held].iter().all(|values| values.is_empty()) && at.is_empty();
         let course = sent.is_empty() && errors.is_empty() && within.is_empty() && order.is_empty() && time.is_empty();
         let files = self.screen_file.is_none() && self.print_file.is_none();
         let motion = trace.is_none() && self.speed.is_empty() && self.inside.is_empty() && self.clear.is_empty();
@@ -120,7 +132,7 @@ impl Expectations {
     /// Expectations that cannot be met in any run of the application, because of names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let states =
-            self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
+            self.last_state().faults(fit).into_iter().chain(self.at.states.iter().flat_map(|state| state.faults(fit)));
         let errors = self.errors.iter().filter_map(|error| error.get_ref().fault(fit, &error.span()));
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().faults(fit, &within.span()));
         let orders = self.order.iter().flat_map(|order| order.faults(fit));

@@ -383,7 +383,7 @@ mod tests {
                   |
                 2 | scren = ["a"]
                   | ^^^^^
-                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`, `contact`, `clearance`"#]],
+                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `seen`, `held`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`, `contact`, `clearance`"#]],
         );
         check_error(
             "[expect]\nscreen = \"a\"",

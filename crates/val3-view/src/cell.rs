@@ -1,10 +1,12 @@
-//! Things around the arm, for pages.
+//! Things around the arm and parts, for pages.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use val3_cell::{Carrier, Cell, Mesh, Solid, SolidForm, Thing};
+use val3_cell::{Carrier, Cell, Mesh, Part, Solid, SolidForm, Thing};
+use val3_geometry::IsometryMatrix3;
+use val3_machine::controller::{Controller, PartState};
 
 use crate::coordinates;
-use crate::wire::{CellObject, ObjectCarrier, ObjectShape};
+use crate::wire::{CellObject, CellPart, ObjectCarrier, ObjectShape, PartPlace, PartsMessage};
 
 /// Returns the things of a cell.
 pub(crate) fn objects(cell: &Cell) -> Vec<CellObject> {
@@ -16,8 +18,29 @@ fn object(thing: &Thing) -> CellObject {
         name: thing.name.clone(),
         colour: thing.colour.clone(),
         carrier: carrier(&thing.carrier),
-        shapes: thing.solids.iter().map(|solid| shape(thing, solid)).collect(),
+        shapes: thing.solids.iter().map(|solid| shape(&thing.pose, solid)).collect(),
     }
+}
+
+/// Returns the parts of a cell.
+pub(crate) fn parts(cell: &Cell) -> Vec<CellPart> {
+    let part = |part: &Part| CellPart {
+        name: part.name.clone(),
+        colour: part.colour.clone(),
+        shapes: part.solids.iter().map(|solid| shape(&IsometryMatrix3::identity(), solid)).collect(),
+    };
+    cell.parts.iter().map(part).collect()
+}
+
+/// Returns the places of the parts; `None` without parts.
+pub(crate) fn places(t: f64, controller: &Controller) -> Option<PartsMessage> {
+    let place = |part: PartState| PartPlace {
+        carrier: part.carrier.as_ref().map(carrier),
+        pose: coordinates(&part.pose),
+        name: part.name,
+    };
+    let parts: Vec<PartPlace> = controller.parts().into_iter().map(place).collect();
+    (!parts.is_empty()).then_some(PartsMessage { t, parts })
 }
 
 fn carrier(carrier: &Carrier) -> ObjectCarrier {
@@ -30,8 +53,8 @@ fn carrier(carrier: &Carrier) -> ObjectCarrier {
     }
 }
 
-fn shape(thing: &Thing, solid: &Solid) -> ObjectShape {
-    let pose = coordinates(&(thing.pose * solid.pose));
+fn shape(place: &IsometryMatrix3<f64>, solid: &Solid) -> ObjectShape {
+    let pose = coordinates(&(place * solid.pose));
     match &solid.form {
         SolidForm::Box(size) => ObjectShape::Box { pose, size: *size },
         SolidForm::Cylinder { radius, length } => ObjectShape::Cylinder { pose, radius: *radius, length: *length },
@@ -49,7 +72,7 @@ fn corners(mesh: &Mesh) -> String {
 
 #[cfg(test)]
 mod tests {
-    use val3_cell::{ArmBase, CellFile, DataKind, Surroundings};
+    use val3_cell::{ArmBase, CellFile, DataKind, SignalClass, Surroundings};
 
     use super::*;
 
@@ -64,6 +87,10 @@ mod tests {
 
         fn carrier(&self, name: &str) -> Result<DataKind, Option<String>> {
             if name == "fPallet" { Ok(DataKind::Frame) } else { Err(None) }
+        }
+
+        fn signal(&self, _: &str) -> Result<SignalClass, Option<String>> {
+            Err(None)
         }
     }
 

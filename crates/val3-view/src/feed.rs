@@ -16,9 +16,10 @@ use crate::positions::PositionComputer;
 use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
 use crate::signals::SignalStates;
 use crate::wire::{
-    CellPoint, DataMessage, End, EventsMessage, JointValue, PageMessage, Rewind, Role, Source, StateMessage, Tool,
+    CellPoint, DataMessage, End, EventsMessage, JointValue, PageMessage, PartsMessage, Rewind, Role, Source,
+    StateMessage, Tool,
 };
-use crate::{numbers, positions, scene, state, user_page, wire};
+use crate::{cell, numbers, positions, scene, state, user_page, wire};
 
 /// Polling interval of the state, in nanoseconds on the controller's clock.
 const LOOK: Time = 25 * CYCLE;
@@ -56,6 +57,7 @@ pub struct Feed {
     state: Option<StateMessage>,
     motion: Option<MotionKey>,
     page: Option<PageMessage>,
+    parts: Option<PartsMessage>,
     points: Vec<CellPoint>,
     joints: Vec<JointValue>,
     frames: Vec<CellPoint>,
@@ -83,6 +85,7 @@ impl Feed {
             state: None,
             motion: None,
             page: None,
+            parts: None,
             points: Vec::new(),
             joints: Vec::new(),
             frames: Vec::new(),
@@ -114,6 +117,12 @@ impl Feed {
         if events.iter().any(|event| matches!(event.kind, EventKind::Io { .. })) {
             self.see_signals(controller.now(), controller);
         }
+        let moves_parts = |event: &Event| {
+            matches!(event.kind, EventKind::Grip { .. } | EventKind::Release { .. } | EventKind::Part { .. })
+        };
+        if events.iter().any(moves_parts) {
+            self.see_parts(controller);
+        }
     }
 
     /// Sends the complete state once more, for readers that have missed earlier messages.
@@ -124,7 +133,7 @@ impl Feed {
     }
 
     fn forget(&mut self) {
-        (self.state, self.page, self.motion) = (None, None, None);
+        (self.state, self.page, self.motion, self.parts) = (None, None, None, None);
         (self.points, self.joints) = (Vec::new(), Vec::new());
         (self.frames, self.cell_tools) = (Vec::new(), Vec::new());
         self.signals = SignalStates::default();
@@ -160,6 +169,7 @@ impl Feed {
         self.see_motion(time, controller);
         self.see_state(seconds(time), controller);
         self.see_page(seconds(time), controller);
+        self.see_parts(controller);
         if self.looks.is_multiple_of(POSITIONS) {
             self.see_positions(time, controller);
         }
@@ -181,6 +191,14 @@ impl Feed {
         if !is_known {
             self.tell(&wire::Message::Page(page.clone()));
             self.page = Some(page);
+        }
+    }
+
+    fn see_parts(&mut self, controller: &Controller) {
+        let Some(parts) = cell::places(seconds(controller.now()), controller) else { return };
+        if self.parts.as_ref().is_none_or(|known| known.parts != parts.parts) {
+            self.tell(&wire::Message::Parts(parts.clone()));
+            self.parts = Some(parts);
         }
     }
 

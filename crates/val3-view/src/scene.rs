@@ -38,6 +38,7 @@ pub fn scene(controller: &Controller, role: Role) -> Scene {
         arm: arm::description(controller.arm().model(), !controller.arm().is_chosen(), &controller.devices.shapes),
         base: [0; 6],
         objects: watch.map(|watch| cell::objects(watch.scene().cell())).unwrap_or_default(),
+        parts: watch.map(|watch| cell::parts(watch.scene().cell())).unwrap_or_default(),
         frames: of_type(BaseType::Frame),
         tools: of_type(BaseType::Tool),
         points: of_type(BaseType::Point),

@@ -9,7 +9,7 @@ mod page;
 mod scene;
 mod state;
 
-pub use cell::{CellObject, ObjectCarrier, ObjectShape};
+pub use cell::{CellObject, CellPart, ObjectCarrier, ObjectShape, PartPlace, PartsMessage};
 pub use commands::{
     Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice,
     PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, TaughtTool, Teach, TeachFrame,
@@ -50,6 +50,8 @@ pub enum Message {
     Page(PageMessage),
     /// Events of the run.
     Events(EventsMessage),
+    /// Places of the parts, when one has another carrier or was placed elsewhere.
+    Parts(PartsMessage),
     /// Points, joint positions, frames and tools with other values.
     Data(DataMessage),
     /// Points, joint positions, frames and tools with unsaved changes.

@@ -10,7 +10,7 @@ export type Pose = readonly number[];
 type LaterKeys = "shapes" | "capsules" | "height";
 
 /** Runs of earlier versions have no things around the arm. */
-export type Scene = Omit<wire.Scene, "arm" | "objects"> & Partial<Pick<wire.Scene, "objects">> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
+export type Scene = Omit<wire.Scene, "arm" | "objects" | "parts"> & Partial<Pick<wire.Scene, "objects" | "parts">> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
 
 /** Message as an object: samples arrive as bytes. */
 export type Message = Exclude<wire.Message, { kind: "samples" | "scene" }> | Scene;

@@ -157,6 +157,7 @@ export class Store {
         // Nothing else may change after the last event, such as the fault that has stopped all tasks.
         this.advance(message.events.at(-1)?.t ?? 0);
         break;
+      case "parts": this.panels.addParts(message); break;
       case "data": this.panels.addData(message); break;
       case "unsaved": this.panels.addUnsaved(message); break;
       case "end": this.end.value = message.reason; break;

@@ -105,6 +105,16 @@ export interface CellObject {
   shapes: readonly ObjectShape[];
 }
 
+/** Part that a gripper can carry. */
+export interface CellPart {
+  /** Colour as `#rrggbb`; `null` for the default. */
+  colour: string | null;
+  /** Name in events. */
+  name: string;
+  /** Shapes in the frame of the part. */
+  shapes: readonly ObjectShape[];
+}
+
 /** Frame, tool or point. */
 export interface CellPoint {
   /** Configuration of a point in words. */
@@ -275,6 +285,7 @@ export type Message =
   | IoMessage & { kind: "io" }
   | PageMessage & { kind: "page" }
   | EventsMessage & { kind: "events" }
+  | PartsMessage & { kind: "parts" }
   | DataMessage & { kind: "data" }
   | UnsavedMessage & { kind: "unsaved" }
   | End & { kind: "end" }
@@ -400,6 +411,24 @@ export interface PageMessage {
   title: string | null;
 }
 
+/** Place of a part. */
+export interface PartPlace {
+  /** Carrier of the part; `null` if it was removed. */
+  carrier: ObjectCarrier | null;
+  /** Name of the part. */
+  name: string;
+  /** Pose of the part in the frame of the carrier. */
+  pose: readonly number[];
+}
+
+/** Places of the parts. */
+export interface PartsMessage {
+  /** All parts. */
+  parts: readonly PartPlace[];
+  /** Time in s. */
+  t: number;
+}
+
 /** Point name, with an index or key. */
 export interface PointName {
   /** Index or key; `null` for data with a single value. */
@@ -522,6 +551,8 @@ export interface Scene {
   lines: readonly LineInfo[];
   /** Things around the arm. */
   objects: readonly CellObject[];
+  /** Parts, whose places are in `parts` messages. */
+  parts: readonly CellPart[];
   /** Names of the phases of motion by their numbers in samples. */
   phases: readonly string[];
   /** Points with their initial values. */

@@ -72,6 +72,13 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
     await page.waitForFunction(() => document.querySelector(".time")?.textContent.includes("of 20.000 s"));
     await page.waitForFunction(() => globalThis.val3View.store.time.value > 0.1);
     await check(page, `folded-${theme}-${width}`);
+    for (const [t, carriers] of [[2, ["world", "world"]], [8, ["flange", "world"]], [13, ["frame", null]]]) {
+      await page.evaluate((time) => { globalThis.val3View.store.chosen.value = time; }, t);
+      const shown = await page.evaluate(() => globalThis.val3View.store.panels.cell.parts.value.map(({ carrier }) => carrier && carrier.kind));
+      assert.deepEqual(shown, carriers, `the carton is gripped, carried and released: ${t} s`);
+      await page.waitForTimeout(150);
+      await check(page, `parts-${t}s-${theme}-${width}`);
+    }
     await page.click("header button:text-is('Panels')");
     await page.click("summary:text-is('Keys of the pendant')");
     await page.waitForSelector(".pendant .screen");

@@ -15,6 +15,18 @@ const OBJECTS = [
   { name: "fence", colour: null, carrier: { kind: "world" }, shapes: [{ kind: "box", size: [1200, 40, 900], pose: [0, 900, 450, 0, 0, 0] }] },
   { name: "pallet", colour: "#9a6b3f", carrier: { kind: "frame", name: "fPallet" }, shapes: [{ kind: "box", size: [400, 300, 120], pose: [200, 150, -60, 0, 0, 0] }] },
 ];
+const PARTS = ["carton[0]", "carton[1]"].map((name) => ({ name, colour: "#b5793a", shapes: [{ kind: "box", size: [120, 80, 100], pose: [0, 0, 0, 0, 0, 0] }] }));
+/** The first carton is gripped, carried and released on the pallet; the second is removed. */
+const HANDLED = [
+  { t: 0, first: { carrier: { kind: "world" }, pose: [700, -300, 50, 0, 0, 0] }, second: { kind: "world" } },
+  { t: 4, first: { carrier: { kind: "flange" }, pose: [0, 0, 170, 0, 0, 0] }, second: { kind: "world" } },
+  { t: 12, first: { carrier: { kind: "frame", name: "fPallet" }, pose: [200, 150, 50, 0, 0, 0] }, second: null },
+].map(({ t, first, second }) => ({ kind: "parts", t, parts: [{ name: "carton[0]", ...first }, { name: "carton[1]", carrier: second, pose: [700, -500, 50, 0, 0, 0] }] }));
+const HANDLING = [
+  { t: 4, kind: "grip", gripper: "tGripper", part: "carton[0]", nearest: "carton[0]", distance: 0.4, within: 5 },
+  { t: 12, kind: "release", gripper: "tGripper", part: "carton[0]" }, { t: 12, kind: "part", part: "carton[1]", state: "removed" },
+  { t: 14, kind: "grip", gripper: "tGripper", part: null, nearest: "carton[0]", distance: 212.3, within: 5 },
+];
 /** A near miss, and a contact that lasts up to the end. */
 const ENCOUNTERS = [[15.2, "near", "fence", 18], [15.8, "clear", "fence", 12.1], [17, "near", "pallet", 9], [17.4, "contact", "pallet", -3.4]].map(([t, state, b, distance]) => ({
   t, kind: "clearance", state, a: "gripper", b, distance, points: [[560, 240, 300], [560 + Math.max(distance, 0), 240, 300]], at: t, joints: [0, 20, 80, 0, 80, 0], id: 4, type: "movel", program: "start", line: 12,
@@ -36,7 +48,7 @@ function signals() {
 export function scene(role = "recording") {
   const point = (name, key, father, local) => ({ name, key, father, local, pose: local, config: null, file: "/cell/palletiser/palletiser.dtx", line: 4 });
   return {
-    kind: "scene", version: 1, role, application: "palletiser", arm: { name: "TX2-90", axes: AXES, links: LINKS, flange: [0, 0, 0, 0, 0, 0] }, base: [0, 0, 0, 0, 0, 0], objects: OBJECTS,
+    kind: "scene", version: 1, role, application: "palletiser", arm: { name: "TX2-90", axes: AXES, links: LINKS, flange: [0, 0, 0, 0, 0, 0] }, base: [0, 0, 0, 0, 0, 0], objects: OBJECTS, parts: PARTS,
     tools: [{ name: "tGripper", key: null, father: null, local: [0, 0, 120, 0, 0, 0], pose: [0, 0, 120, 0, 0, 0] }], frames: [{ name: "fPallet", key: null, father: null, local: [500, 200, 0, 0, 0, 30], pose: [500, 200, 0, 0, 0, 30] }],
     points: [point("pHome", null, null, [600, 0, 700, 180, 0, 180]), point("pPick", "0", "fPallet", [10.5, 20, 30, 180, 0, 0]), point("pPick", "1", "fPallet", [110.5, 20, 30, 180, 0, 0]), point(HOSTILE, null, "fPallet", [0, 0, 0, 0, 0, 0])],
     joints: [], signals: signals(), phases: PHASES, limits: LIMITS, lines: [{ link: "Socket\\host", type: "socket" }, { link: "Serial\\port1", type: "serial" }], userScreens: ["", "scMain"],
@@ -70,6 +82,8 @@ export function messages(role) {
     const move = (at, phase) => ({ t: at, kind: "move", id: cycle, phase, type: "movel", program: "start", line: 10 + (cycle % 5) });
     all.push({ kind: "events", events: [move(t, "recorded"), move(t + 0.02, "started")] }, state(t + 0.02, cycle), motion(t + 0.02, cycle), samples(t, 0.5));
     all.push({ kind: "events", events: [...(cycle % 5 === 0 ? [] : [move(t + 0.4, "blend")]), move(t + 0.48, "done"), { t: t + 0.48, kind: "log", level: cycle === 7 ? "error" : "info", text: `part ${cycle} <i>placed</i>` }] });
+    all.push(...HANDLED.filter((message) => message.t > t - 0.01 && message.t <= t + 0.49));
+    all.push({ kind: "events", events: HANDLING.filter((event) => event.t > t - 0.01 && event.t <= t + 0.49) });
     all.push({ kind: "events", events: ENCOUNTERS.filter((event) => event.t > t - 0.01 && event.t <= t + 0.49) });
     all.push({ kind: "io", t: t + 0.49, changes: signals().slice(0, 200).map(({ link, isDigital }) => ({ link, value: isDigital ? cycle % 2 : Math.sin(cycle / 3) * 5, isLocked: false, isSimulated: false, isProtected: false, fault: null })) });
   }

@@ -21,7 +21,7 @@ fn see_all(watch: &mut Watch<()>, arm: &Arc<Arm>, path: &[Joints], start: usize)
 }
 
 /// A path on which all axes move linearly.
-fn line(from: Joints, to: Joints, cycles: usize) -> Vec<Joints> {
+pub(super) fn line(from: Joints, to: Joints, cycles: usize) -> Vec<Joints> {
     let at =
         |cycle: usize| std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * cycle as f64 / cycles as f64);
     (0..=cycles).map(at).collect()

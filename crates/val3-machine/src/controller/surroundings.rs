@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_cell::{Carrier, Cell, DataKind, Encounter, Scene, Sight, Watch};
+use val3_cell::{Carrier, Cell, DataKind, Encounter, Handling, Scene, Sight, Watch};
 use val3_geometry::{IsometryMatrix3, chain};
 use val3_lang::call::ToolRef;
 use val3_lang::ports::Time;
@@ -27,7 +27,10 @@ impl Controller {
     /// Places a cell around the arm, and watches the distances from now on.
     pub fn surround(&mut self, cell: Cell) {
         let arm = Arc::clone(self.devices.state.arm.shared_model());
-        self.devices.state.watch = Some(Watch::new(Scene::new(cell.into(), arm)));
+        let handles = !(cell.parts.is_empty() && cell.grippers.is_empty() && cell.sensors.is_empty());
+        let scene = Scene::new(cell.into(), arm);
+        self.devices.state.handling = handles.then(|| Handling::new(&scene));
+        self.devices.state.watch = Some(Watch::new(scene));
     }
 
     /// Returns where the arm and the frames and tools of a scene are, at a time in seconds.
@@ -39,6 +42,13 @@ impl Controller {
             joints: arm.joint(),
             placement: arm.placements(),
             places: scene.data().map(|carrier| self.place_of(carrier)).collect(),
+            parts: self
+                .devices
+                .state
+                .handling
+                .as_ref()
+                .map(|handling| Arc::clone(handling.parts()))
+                .unwrap_or_default(),
             time,
         }
     }
@@ -71,7 +81,7 @@ impl Controller {
 
     /// Ends all encounters at the end of a run, and notes the things whose distances were unknown.
     pub fn end_encounters(&mut self) {
-        if let Some(text) = self.unplaced_things() {
+        for text in self.unplaced_things().into_iter().chain(self.uncontrolled_grippers()) {
             self.devices.record_outside(self.now(), EventKind::Notice { text });
         }
         let encounters = self.devices.state.watch.as_mut().map(Watch::finish).unwrap_or_default();

@@ -1,6 +1,8 @@
 //! The state of the devices: plain data that a snapshot copies.
 
-use val3_cell::Watch;
+use std::collections::BTreeSet;
+
+use val3_cell::{Handling, Watch};
 use val3_kinematics::Arm;
 use val3_lang::components::Component;
 use val3_lang::ports::Time;
@@ -27,6 +29,10 @@ pub struct DeviceState {
     pub arm: RobotArm,
     /// The things around the arm, if a cell describes them.
     pub watch: Option<Watch<Option<CurrentMove>>>,
+    /// The parts around the arm with their grippers and sensors, if a cell describes any.
+    pub handling: Option<Handling>,
+    /// Inputs that both the cell and a script have written.
+    pub(crate) written_twice: BTreeSet<String>,
     /// The event log.
     pub log: EventLog,
     /// Users.

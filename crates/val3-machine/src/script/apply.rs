@@ -92,7 +92,9 @@ impl Controller {
     fn apply(&mut self, entry: &ScriptEntry, now: Time) -> Vec<String> {
         self.devices.record_outside(now, EventKind::Act { keys: entry.keys() });
         let mut problems = self.unknown_names(entry);
+        entry.io.keys().for_each(|path| self.note_script_input(path, now));
         problems.extend(entry.apply_io(&mut self.devices.state.io));
+        problems.extend(self.apply_parts(entry, now));
         for (name, value) in &entry.set {
             problems.extend(self.set(name, value).err());
         }

@@ -101,7 +101,8 @@ impl Controller {
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
         let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, may_come));
         let clicked = entry.click.iter().filter_map(|element| self.check_element(element).err());
-        variables.chain(signals).chain(failing).chain(lines).chain(clicked).collect()
+        let parts = self.part_faults(entry);
+        variables.chain(signals).chain(failing).chain(lines).chain(clicked).chain(parts).collect()
     }
 
     /// Checks that an HTML page has an element whose click executes a program.
@@ -173,6 +174,11 @@ impl Controller {
     #[must_use]
     pub fn carrier_names(&self) -> Vec<String> {
         self.variables("").into_iter().filter(|name| self.carrier_kind(name).is_some()).collect()
+    }
+
+    /// Returns the problem if there is no such signal, and no library can add it.
+    pub(crate) fn signal_misfit(&self, path: &str) -> Option<Misfit> {
+        self.check_signal(path, self.loads_libraries()).err()
     }
 
     pub(super) fn check_signal(&self, path: &str, may_come: bool) -> Result<(), Misfit> {
@@ -258,6 +264,12 @@ impl Misfit {
             Some(question) => format!("{}; {question}", self.message),
             None => self.message.clone(),
         }
+    }
+
+    /// The most probable name for an unknown name.
+    pub(crate) fn proposal(&self) -> Option<String> {
+        let (name, known) = self.unknown.as_ref()?;
+        proposals(name, known.iter().map(String::as_str)).first().map(|&name| name.to_owned())
     }
 
     /// Returns the question whether another name was meant.

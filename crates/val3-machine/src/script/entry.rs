@@ -9,6 +9,7 @@ use serde_json::{Map, Value as Json};
 use val3_lang::ports::Time;
 
 use super::bytes::LineBytes;
+use super::part_values::{Names, PartPose};
 use super::values::{
     FaultEntry, Force, JointPosition, Keys, Locks, Mode, PendantKey, Percent, SafetyFault, ScriptValue, Seconds,
     SignalPaths, SignalValue,
@@ -106,6 +107,12 @@ pub(crate) struct ScriptEntry {
     pub(super) joints: Option<JointPosition>,
     /// A joint position to which the operator moves the arm by hand.
     pub(super) jog: Option<JointPosition>,
+    /// Parts that are somewhere else from now on.
+    #[serde(default)]
+    pub(super) place: BTreeMap<String, PartPose>,
+    /// Parts that are removed.
+    #[serde(default)]
+    pub(super) remove: Names,
     /// Force on the arm, until the next force.
     pub(super) force: Option<Force>,
     /// Whether the operator requests the return of the arm to its path.

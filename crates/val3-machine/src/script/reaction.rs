@@ -7,7 +7,7 @@ use serde::Deserialize;
 use val3_lang::ports::Time;
 
 use super::comparison::{Comparison, LevelComparison};
-use super::condition::Condition;
+use super::condition::{Condition, ConditionTable, NamedStates};
 use super::entry::{Pending, ScriptEntry, ScriptPlace};
 use super::sent::SentText;
 use super::values::OccurrenceLimit;
@@ -31,6 +31,10 @@ struct ReactionTable {
     io: BTreeMap<String, LevelComparison>,
     #[serde(default)]
     data: BTreeMap<String, Comparison>,
+    #[serde(default)]
+    seen: NamedStates,
+    #[serde(default)]
+    held: NamedStates,
     sent: Option<SentText>,
     then: Vec<DelayedEntry>,
     times: Option<OccurrenceLimit>,
@@ -39,14 +43,16 @@ struct ReactionTable {
 impl TryFrom<ReactionTable> for ReactionRule {
     type Error = String;
 
-    fn try_from(ReactionTable { io, data, sent, then, times }: ReactionTable) -> Result<Self, String> {
+    fn try_from(ReactionTable { io, data, seen, held, sent, then, times }: ReactionTable) -> Result<Self, String> {
         if then.is_empty() {
             return Err(
                 "`then` is empty: write the entries that happen, such as { after = 0.5, key = \"F1\" }".to_owned()
             );
         }
-        let is_sent_alone = sent.is_some() && io.is_empty() && data.is_empty();
-        let condition = if is_sent_alone { Condition::default() } else { Condition::new(io, data)? };
+        let is_of_cell_alone = seen.is_empty() && held.is_empty();
+        let is_sent_alone = sent.is_some() && io.is_empty() && data.is_empty() && is_of_cell_alone;
+        let table = ConditionTable { io, data, seen, held };
+        let condition = if is_sent_alone { Condition::default() } else { table.try_into()? };
         Ok(Self { condition, sent, then, times })
     }
 }

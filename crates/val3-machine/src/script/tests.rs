@@ -61,7 +61,7 @@ fn faults_are_shown_with_their_position() {
               |
             3 | ky = 270
               | ^^
-            unknown field `ky`, expected one of `t`, `after`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `force`, `connect`, `click`, `key`, `keys`, `stop`, `receive`"#]],
+            unknown field `ky`, expected one of `t`, `after`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `place`, `remove`, `force`, `connect`, `click`, `key`, `keys`, `stop`, `receive`"#]],
     );
     check_error(
         "[[at]]\nkey = 270",
@@ -152,11 +152,11 @@ fn faults_of_reactions_are_shown_with_their_position() {
     check_error(
         "[[when]]\nthen = [{ key = 97 }]",
         expect![[r#"
-        TOML parse error at line 1, column 1
-          |
-        1 | [[when]]
-          | ^^^^^^^^
-        a condition needs a signal in `io` or a variable in `data`"#]],
+            TOML parse error at line 1, column 1
+              |
+            1 | [[when]]
+              | ^^^^^^^^
+            a condition needs a signal in `io`, a variable in `data`, a sensor in `seen`, or a part in `held`"#]],
     );
     check_error(
         "[[when]]\ndata = { nState = 3 }",
@@ -264,7 +264,7 @@ fn faults_of_reactions_are_shown_with_their_position() {
               |
             2 | signals = { valve = true }
               | ^^^^^^^
-            unknown field `signals`, expected one of `io`, `data`, `sent`, `then`, `times`"#]],
+            unknown field `signals`, expected one of `io`, `data`, `seen`, `held`, `sent`, `then`, `times`"#]],
     );
 }
 

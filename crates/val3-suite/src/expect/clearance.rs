@@ -115,8 +115,12 @@ pub(super) fn faults(
 }
 
 impl PairClearance {
-    fn is_for(&self, names: &[String; 2]) -> bool {
-        self.of.as_ref().is_none_or(|[a, b]| names == &[a.clone(), b.clone()] || names == &[b.clone(), a.clone()])
+    /// Whether it limits a distance. Parts touch what they stand on, so their distances are limited by name only.
+    fn is_for(&self, Minimum { names, has_part, .. }: &Minimum) -> bool {
+        match &self.of {
+            None => !has_part,
+            Some([a, b]) => names == &[a.clone(), b.clone()] || names == &[b.clone(), a.clone()],
+        }
     }
 }
 
@@ -175,7 +179,7 @@ impl ClearanceState {
     fn near(&self, clearance: &Clearance, place: &FailureLocation) -> Vec<Failure> {
         let minima = self.minima.as_ref().map(Minima::of_pairs).unwrap_or_default();
         let near = clearance.limits().into_iter().filter_map(|limit| {
-            let nearest = minima.iter().find(|minimum| limit.is_for(&minimum.names))?;
+            let nearest = minima.iter().find(|minimum| limit.is_for(minimum))?;
             let is_near = nearest.measured.distance < limit.above;
             is_near.then(|| Failure { message: too_near(nearest, limit.above), places: vec![place.clone()] })
         });
@@ -183,7 +187,7 @@ impl ClearanceState {
     }
 }
 
-fn too_near(Minimum { names: [a, b], measured, time }: &Minimum, above: f64) -> String {
+fn too_near(Minimum { names: [a, b], measured, time, .. }: &Minimum, above: f64) -> String {
     let distance = measured.distance.max(0.0);
     format!("`{a}` is {distance:.1} mm from `{b}` at {time:.3} s; at least {above} mm were expected")
 }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer};
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
-use val3_machine::script::{Condition, SentText};
+use val3_machine::script::{Condition, NamedStates, SentText};
 
 use super::fit::{ExpectationFault, Fit};
 use super::output::OutputKind;
@@ -36,6 +36,12 @@ pub(super) enum Occurrence {
     /// Values of global variables.
     #[serde(deserialize_with = "variables")]
     Data(Condition),
+    /// Sensors of the cell that detect something.
+    #[serde(deserialize_with = "sensors")]
+    Seen(Condition),
+    /// Parts of the cell that grippers hold.
+    #[serde(deserialize_with = "parts")]
+    Held(Condition),
     /// A text on the displayed page.
     Screen(String),
     /// A text in a printed line.
@@ -60,6 +66,14 @@ fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D:
     Condition::new(BTreeMap::new(), Deserialize::deserialize(deserializer)?).map_err(D::Error::custom)
 }
 
+fn sensors<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D::Error> {
+    Condition::of_cell(Deserialize::deserialize(deserializer)?, NamedStates::default()).map_err(D::Error::custom)
+}
+
+fn parts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D::Error> {
+    Condition::of_cell(NamedStates::default(), Deserialize::deserialize(deserializer)?).map_err(D::Error::custom)
+}
+
 /// Occurrence time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct OccurrenceTime {
@@ -74,7 +88,9 @@ impl Occurrence {
     pub(super) fn find(&self, cycle: CycleState<'_>, seen: usize) -> Option<OccurrenceTime> {
         let state = |holds: bool| holds.then(|| OccurrenceTime { time: seconds(cycle.controller.now()), events: seen });
         match self {
-            Self::Io(condition) | Self::Data(condition) => state(cycle.controller.meets(condition)),
+            Self::Io(condition) | Self::Data(condition) | Self::Seen(condition) | Self::Held(condition) => {
+                state(cycle.controller.meets(condition))
+            }
             Self::Screen(text) => state(screen::shown(cycle.controller).is_some_and(|page| screen::shows(page, text))),
             _ => {
                 let mut events = cycle.events.iter().zip(1..).skip(seen);
@@ -103,7 +119,9 @@ impl Occurrence {
     /// Unknown names in the occurrence.
     pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<ExpectationFault> {
         match self {
-            Self::Io(condition) | Self::Data(condition) => fit.condition(condition, span),
+            Self::Io(condition) | Self::Data(condition) | Self::Seen(condition) | Self::Held(condition) => {
+                fit.condition(condition, span)
+            }
             Self::Sent(text) => fit.line(text.link(), span).into_iter().collect(),
             Self::Move(program) => fit.program(program, span).into_iter().collect(),
             Self::Error(code) => fit.error(*code, span).into_iter().collect(),
@@ -122,7 +140,7 @@ impl Occurrence {
     /// Actual state instead of the expected state, if known.
     pub(super) fn instead(&self, controller: &Controller) -> Option<String> {
         match self {
-            Self::Io(condition) | Self::Data(condition) => {
+            Self::Io(condition) | Self::Data(condition) | Self::Seen(condition) | Self::Held(condition) => {
                 let mismatches = controller.mismatches(condition);
                 let texts: Vec<String> = mismatches.iter().map(ToString::to_string).collect();
                 (!texts.is_empty()).then(|| texts.join("; "))
@@ -137,7 +155,9 @@ impl Occurrence {
 impl fmt::Display for Occurrence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Io(condition) | Self::Data(condition) => condition.fmt(f),
+            Self::Io(condition) | Self::Data(condition) | Self::Seen(condition) | Self::Held(condition) => {
+                condition.fmt(f)
+            }
             Self::Screen(text) => write!(f, "the screen shows {text:?}"),
             Self::Print(text) => write!(f, "{text:?} is printed"),
             Self::Log(text) => write!(f, "the event log says {text:?}"),

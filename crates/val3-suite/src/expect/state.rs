@@ -7,6 +7,7 @@ use val3_machine::controller::Controller;
 use val3_machine::script::Seconds;
 
 use super::fit::{ExpectationFault, Fit};
+use super::places::ExpectedPlaces;
 use super::values::ExpectedValues;
 use super::{screen, values};
 use crate::failure::Failure;
@@ -20,12 +21,16 @@ pub(super) struct ExpectedState<'s> {
     pub(super) screen: &'s [Spanned<String>],
     pub(super) io: &'s ExpectedValues,
     pub(super) data: &'s ExpectedValues,
+    pub(super) seen: &'s ExpectedValues,
+    pub(super) held: &'s ExpectedValues,
+    pub(super) places: &'s ExpectedPlaces,
 }
 
 impl ExpectedState<'_> {
     /// Unknown names.
     pub(super) fn faults(self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
-        [self.io, self.data].into_iter().flat_map(|values| values.faults(fit)).collect()
+        let values = [self.io, self.data, self.seen, self.held].into_iter().flat_map(|values| values.faults(fit));
+        values.chain(self.places.faults(fit)).collect()
     }
 
     /// Differences from the current state.
@@ -34,7 +39,10 @@ impl ExpectedState<'_> {
         let screen = screen::failures(self.screen, &key("screen"), controller, source);
         let io = self.io.failures(&key("io"), controller, source);
         let data = self.data.failures(&key("data"), controller, source);
-        [screen, io, data].concat()
+        let seen = self.seen.failures(&key("seen"), controller, source);
+        let held = self.held.failures(&key("held"), controller, source);
+        let places = self.places.failures(&key("at"), controller, source);
+        [screen, io, data, seen, held, places].concat()
     }
 }
 
@@ -49,6 +57,12 @@ pub(super) struct TimedState {
     io: ExpectedValues,
     #[serde(default, deserialize_with = "values::variables")]
     data: ExpectedValues,
+    #[serde(default, deserialize_with = "values::sensors")]
+    seen: ExpectedValues,
+    #[serde(default, deserialize_with = "values::parts")]
+    held: ExpectedValues,
+    #[serde(default)]
+    at: ExpectedPlaces,
 }
 
 impl TimedState {
@@ -57,7 +71,8 @@ impl TimedState {
     }
 
     fn state(&self) -> ExpectedState<'_> {
-        ExpectedState { table: "expect.at", screen: &self.screen, io: &self.io, data: &self.data }
+        let Self { screen, io, data, seen, held, at: places, .. } = self;
+        ExpectedState { table: "expect.at", screen, io, data, seen, held, places }
     }
 
     /// Unknown names, and a time after the end of the run.

@@ -1,4 +1,4 @@
-//! Values of signals and global data: the keys `io` and `data`.
+//! Values of signals and global data, states of sensors and parts: the keys `io`, `data`, `seen` and `held`.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
-use val3_machine::script::{Comparison, Condition, LevelComparison};
+use val3_machine::script::{Comparison, Condition, LevelComparison, NamedStates};
 
 use super::fit::{ExpectationFault, Fit};
 use crate::failure::Failure;
@@ -30,7 +30,27 @@ pub(super) fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Ex
     ExpectedValues::new(comparisons, |name, comparison| Condition::new(BTreeMap::new(), [(name, comparison)].into()))
 }
 
+/// Deserialises sensors that detect something.
+pub(super) fn sensors<'de, D: Deserializer<'de>>(deserializer: D) -> Result<ExpectedValues, D::Error> {
+    let states = Spanned::<NamedStates>::deserialize(deserializer)?;
+    ExpectedValues::of_cell(states, |seen| Condition::of_cell(seen, NamedStates::default()))
+}
+
+/// Deserialises parts that grippers hold.
+pub(super) fn parts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<ExpectedValues, D::Error> {
+    let states = Spanned::<NamedStates>::deserialize(deserializer)?;
+    ExpectedValues::of_cell(states, |held| Condition::of_cell(NamedStates::default(), held))
+}
+
 impl ExpectedValues {
+    fn of_cell<E: Error>(
+        states: Spanned<NamedStates>,
+        condition: fn(NamedStates) -> Result<Condition, String>,
+    ) -> Result<Self, E> {
+        let span = states.span();
+        Ok(Self(vec![(condition(states.into_inner()).map_err(E::custom)?, span)]))
+    }
+
     fn new<T, E: Error>(
         values: BTreeMap<Spanned<String>, T>,
         condition: fn(String, T) -> Result<Condition, String>,
@@ -56,9 +76,10 @@ impl ExpectedValues {
     pub(super) fn failures(&self, key: &str, controller: &Controller, source: &ExpectationSource) -> Vec<Failure> {
         let now = shown_seconds(controller.now());
         let failures = self.0.iter().filter_map(|(condition, span)| {
-            let mismatch = controller.mismatches(condition).into_iter().next()?;
+            let mismatches = controller.mismatches(condition);
             let places = vec![source.place(key, span.clone())];
-            Some(Failure { message: format!("{mismatch}, at {now} s"), places })
+            let texts: Vec<String> = mismatches.iter().map(ToString::to_string).collect();
+            (!texts.is_empty()).then(|| Failure { message: format!("{}, at {now} s", texts.join("; ")), places })
         });
         failures.collect()
     }

@@ -18,6 +18,37 @@ pub struct CellObject {
     pub shapes: Vec<ObjectShape>,
 }
 
+/// Part that a gripper can carry.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct CellPart {
+    /// Name in events.
+    pub name: String,
+    /// Colour as `#rrggbb`; `null` for the default.
+    pub colour: Option<String>,
+    /// Shapes in the frame of the part.
+    pub shapes: Vec<ObjectShape>,
+}
+
+/// Places of the parts.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PartsMessage {
+    /// Time in s.
+    pub t: f64,
+    /// All parts.
+    pub parts: Vec<PartPlace>,
+}
+
+/// Place of a part.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PartPlace {
+    /// Name of the part.
+    pub name: String,
+    /// Carrier of the part; `null` if it was removed.
+    pub carrier: Option<ObjectCarrier>,
+    /// Pose of the part in the frame of the carrier.
+    pub pose: Pose,
+}
+
 /// Frame in which a thing rests.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "camelCase")]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::CellObject;
+use super::{CellObject, CellPart};
 
 /// x, y, z in mm, rx, ry, rz in degrees.
 pub type Pose = [f64; 6];
@@ -40,6 +40,8 @@ pub struct Scene {
     pub base: [u8; 6],
     /// Things around the arm.
     pub objects: Vec<CellObject>,
+    /// Parts, whose places are in `parts` messages.
+    pub parts: Vec<CellPart>,
     /// Frames with their initial values.
     pub frames: Vec<CellPoint>,
     /// Tools with their initial values.

@@ -102,6 +102,12 @@ impl Console {
                 to_stderr(|out| writeln!(out, "note: {}", one_line(text)));
                 Ok(())
             }
+            EventKind::Grip { .. } | EventKind::Release { .. } => {
+                if let Some(problem) = event.kind.handling_problem() {
+                    to_stderr(|out| writeln!(out, "note: {:.3} s: {problem}", event.t));
+                }
+                Ok(())
+            }
             EventKind::Popup { text } => self.say(&format!("pop-up: {text}")),
             EventKind::Lacking { instruction, line, file, .. } => {
                 self.lacking(event.task.as_deref().unwrap_or_default(), instruction, file, *line);

@@ -72,6 +72,7 @@ mod run_cell;
 mod run_default;
 mod run_manual;
 mod run_motion;
+mod run_parts;
 mod run_result;
 mod run_scara;
 mod run_waits;

@@ -113,7 +113,7 @@ fn unknown_distances_are_noted() {
     );
     let run = folder.val3(&["run"]);
     expect![[r#"
-        note: without `tray` of cell.toml: this application does not have their frames and tools
+        note: without `tray` of cell.toml: this application does not have their frames, tools or signals
         note: the links of the arm `bare` have no [shapes]: their distances are unknown
     "#]]
     .assert_eq(&run.stderr);

@@ -1,4 +1,4 @@
-// Things around the arm, at the places of their carriers.
+// Things around the arm and parts, at the places of their carriers.
 
 import { Box3, Group, Mesh, MeshStandardMaterial } from "three";
 import type { ArmFrames } from "../kinematics";
@@ -6,7 +6,7 @@ import type { Nearness } from "../panels/clearance/encounters";
 import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { CellPoint } from "../panels/shared/cell";
-import type { CellObject, ObjectCarrier } from "../wire";
+import type { CellObject, CellPart, ObjectCarrier, PartPlace } from "../wire";
 import type { Look } from "./palette";
 import { markNearness } from "./nearness";
 import { objectSolid } from "./solids";
@@ -20,33 +20,44 @@ export interface CarrierFrames {
   tools: readonly CellPoint[];
 }
 
+/** Drawn thing. A part has no carrier of its own, because it changes. */
+interface Drawn {
+  carrier: ObjectCarrier | undefined;
+  name: string;
+  body: Group;
+  meshes: Mesh[];
+  material: MeshStandardMaterial;
+}
+
 export class CellObjects {
   readonly group = new Group();
-  private readonly parts: { carrier: ObjectCarrier; name: string; part: Group; meshes: Mesh[]; material: MeshStandardMaterial }[];
+  private readonly drawn: Drawn[];
 
-  constructor(objects: readonly CellObject[], look: Look) {
-    this.parts = objects.map(({ name, carrier, colour, shapes }) => {
+  constructor(objects: readonly CellObject[], parts: readonly CellPart[], look: Look) {
+    const draw = ({ name, colour, shapes }: CellPart, carrier?: ObjectCarrier): Drawn => {
       const material = new MeshStandardMaterial({ color: colour ?? look.object, roughness: 0.7, metalness: 0.05 });
-      const part = new Group();
-      part.matrixAutoUpdate = false;
+      const body = new Group();
+      body.matrixAutoUpdate = false;
       const meshes = shapes.map((shape) => new Mesh(objectSolid(shape), material));
       for (const mesh of meshes) {
         mesh.castShadow = true;
         mesh.receiveShadow = true;
-        part.add(mesh);
+        body.add(mesh);
       }
-      return { carrier, name, part, meshes, material };
-    });
-    this.parts.forEach(({ part }) => this.group.add(part));
+      return { carrier, name, body, meshes, material };
+    };
+    this.drawn = [...objects.map((object) => draw(object, object.carrier)), ...parts.map((part) => draw(part))];
+    this.drawn.forEach(({ body }) => this.group.add(body));
   }
 
-  /** Places the things. A thing whose carrier has no place is hidden. */
-  place(frames: CarrierFrames, nearness: ReadonlyMap<string, Nearness>): void {
-    for (const { carrier, name, part, material } of this.parts) {
-      const frame = carrierFrame(carrier, frames);
-      part.visible = frame !== undefined;
+  /** Places the things and the parts. What has no place is hidden. */
+  place(frames: CarrierFrames, places: readonly PartPlace[], nearness: ReadonlyMap<string, Nearness>): void {
+    const parts = new Map(places.map((place) => [place.name, place]));
+    for (const { carrier, name, body, material } of this.drawn) {
+      const frame = carrier === undefined ? partFrame(parts.get(name), frames) : carrierFrame(carrier, frames);
+      body.visible = frame !== undefined;
       if (frame !== undefined) {
-        part.matrix.copy(matrixOf(frame));
+        body.matrix.copy(matrixOf(frame));
       }
       markNearness(material, nearness.get(name));
     }
@@ -55,17 +66,26 @@ export class CellObjects {
   /** Returns the height of the lowest point of standing things; `Infinity` without one. */
   lowest(): number {
     this.group.updateMatrixWorld(true);
-    const standing = this.parts.filter(({ carrier, part }) => part.visible && (carrier.kind === "world" || carrier.kind === "frame"));
-    return Math.min(...standing.map(({ part }) => new Box3().setFromObject(part).min.z));
+    const standing = this.drawn.filter(({ carrier, body }) => body.visible && (carrier?.kind === "world" || carrier?.kind === "frame"));
+    return Math.min(...standing.map(({ body }) => new Box3().setFromObject(body).min.z));
   }
 
   dispose(): void {
     this.group.removeFromParent();
-    for (const { meshes, material } of this.parts) {
+    for (const { meshes, material } of this.drawn) {
       meshes.forEach((mesh) => mesh.geometry.dispose());
       material.dispose();
     }
   }
+}
+
+/** Returns the frame of a part in world; `undefined` if it was removed, or its carrier has no place. */
+export function partFrame(place: PartPlace | undefined, frames: CarrierFrames): Frame | undefined {
+  if (place === undefined || place.carrier === null) {
+    return undefined;
+  }
+  const frame = carrierFrame(place.carrier, frames);
+  return frame && composed(frame, frameOf(place.pose));
 }
 
 /** Returns the frame of a carrier in world; `undefined` without such a frame, tool or link. */

@@ -97,8 +97,8 @@ export class Viewport {
     this.room.removeFromParent();
     const base = frameOf(cell.base);
     this.objects?.dispose();
-    this.objects = new CellObjects(cell.objects ?? [], this.look);
-    this.objects.place({ base, arm: armFrames(cell.arm, base, []), frames: cell.frames, tools: cell.tools }, new Map());
+    this.objects = new CellObjects(cell.objects ?? [], cell.parts ?? [], this.look);
+    this.objects.place({ base, arm: armFrames(cell.arm, base, []), frames: cell.frames, tools: cell.tools }, [], new Map());
     this.floor = Math.min(floorHeight(cell.arm) + base.position[2], this.objects.lowest());
     this.room = stage(this.look, this.length, this.floor, isDark);
     this.arm = new ArmShape(cell.arm, cell.base, this.look, (fault) => {
@@ -156,7 +156,7 @@ export class Viewport {
   private placeObjects(frames: CarrierFrames): void {
     const [{ list }, t] = [this.store.panels.cell.history.encounters, this.store.time.value];
     const nearness = nearnessAt(list, t);
-    this.objects?.place(frames, nearness);
+    this.objects?.place(frames, this.store.panels.cell.parts.value, nearness);
     this.arm?.mark(nearness);
     this.nearPairs.place(list, t);
   }

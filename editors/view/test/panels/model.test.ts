@@ -27,6 +27,21 @@ function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   return { model: made, cell: made.cell, show: (t) => (time.value = t) };
 }
 
+test("the parts are at their places of the shown time", () => {
+  const { model: panels, cell, show } = model();
+  const part = (t: number, carrier: "world" | "flange"): void => panels.addParts({ t, parts: [{ name: "box[0]", carrier: { kind: carrier }, pose: [0, 0, 0, 0, 0, 0] }] });
+  part(0, "world");
+  part(2.6, "flange");
+  part(5.1, "world");
+  const carrierAt = (t: number): string | undefined => {
+    show(t);
+    return cell.parts.value[0]?.carrier?.kind;
+  };
+  assert.deepEqual([1, 3, 6].map(carrierAt), ["world", "flange", "world"]);
+  panels.clear();
+  assert.equal(carrierAt(3), undefined);
+});
+
 test("the panels show the state and the page of the shown time", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell, show } = model();

@@ -85,6 +85,11 @@ test("the log is filtered by group and words", () => {
   assert.equal(shownEvents(events, { groups: all, text: "" }).length, 3);
   assert.deepEqual(shownEvents(events, { groups: all, text: "hello <B>" }).map(({ t }) => t), [0]);
   assert.deepEqual(shownEvents(events, { groups: new Set(["errors"]), text: "" }).map(({ t }) => t), [2]);
+  assert.equal(textOf({ t: 1, kind: "grip", gripper: "tCup", part: "box[0]", nearest: "box[0]", distance: 0, within: 5 }), "tCup grips box[0]");
+  assert.equal(textOf({ t: 1, kind: "grip", gripper: "tCup", part: null, nearest: "box[0]", distance: 12.34, within: 5 }), "tCup grips nothing: no part within 5 mm; box[0] is 12.3 mm away");
+  assert.equal(textOf({ t: 1, kind: "release", gripper: "tCup", part: "box[0]", above: 312.4 }), "tCup releases box[0], 312 mm above everything below it");
+  assert.equal(textOf({ t: 1, kind: "part", part: "box[0]", state: "removed" }), "box[0] removed");
+  assert.equal(textOf({ t: 1, kind: "sensor", sensor: "stop", on: true, detects: "box[0]" }), "stop detects box[0]");
   assert.equal(textOf({ t: 1, kind: "act", keys: { key: "F1" } }), `from outside: {"key":"F1"}`);
 });
 

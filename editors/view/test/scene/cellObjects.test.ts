@@ -56,12 +56,28 @@ test("a near thing and a touching thing have their own colours, and a thing with
   const objects = new CellObjects([
     { name: "fence", colour: "#ff0000", carrier: { kind: "world" }, shapes }, { name: "rack", colour: null, carrier: { kind: "frame", name: "fPallet" }, shapes },
     { name: "lost", colour: null, carrier: { kind: "frame", name: "fOther" }, shapes },
-  ], LIGHT);
+  ], [], LIGHT);
   const colours = (): string[] => objects.group.children.map((part) => ((part.children[0] as Mesh).material as MeshStandardMaterial).emissive.getHexString());
-  objects.place(FRAMES, new Map([["fence", "near"], ["rack", "contact"]]));
+  objects.place(FRAMES, [], new Map([["fence", "near"], ["rack", "contact"]]));
   assert.deepEqual(colours(), ["f08c00", "d81e1e", "000000"]);
   assert.deepEqual(objects.group.children.map(({ visible }) => visible), [true, true, false]);
   assert.equal(objects.lowest(), -10);
-  objects.place(FRAMES, new Map());
+  objects.place(FRAMES, [], new Map());
   assert.deepEqual(colours(), ["000000", "000000", "000000"]);
+});
+
+test("a part is where its carrier takes it, and hidden once it was removed", () => {
+  const shapes: ObjectShape[] = [{ kind: "box", size: [100, 40, 20], pose: HERE }];
+  const objects = new CellObjects([], [{ name: "carton", colour: null, shapes }], LIGHT);
+  const [body] = objects.group.children;
+  const at = (carrier: ObjectCarrier | null): (number | boolean)[] => {
+    objects.place(FRAMES, [{ name: "carton", carrier, pose: [0, 0, 50, 0, 0, 0] }], new Map());
+    return [body?.visible ?? false, ...[12, 13, 14].map((index) => Math.round(body?.matrix.elements[index] ?? NaN) + 0)];
+  };
+  assert.deepEqual(at({ kind: "world" }), [true, 0, 0, 50]);
+  assert.deepEqual(at({ kind: "frame", name: "fPallet" }), [true, 500, 0, 50]);
+  assert.deepEqual(at({ kind: "flange" }), [true, 970, 20, 0]);
+  assert.equal(at(null)[0], false);
+  objects.place(FRAMES, [], new Map());
+  assert.equal(body?.visible, false, "without a message, its place is unknown");
 });

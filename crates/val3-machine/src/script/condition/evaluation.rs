@@ -21,13 +21,18 @@ pub struct Mismatch {
     pub expected: String,
     /// Value; `None` if the signal or variable does not exist.
     pub actual: Option<ScriptValue>,
+    /// Word for the state of a sensor or part, in place of true.
+    participle: Option<&'static str>,
 }
 
 impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.actual {
-            Some(actual) => write!(f, "`{}` is {actual}, not {}", self.name, self.expected),
-            None => write!(f, "`{}` does not exist, so it is not {}", self.name, self.expected),
+        match (&self.actual, self.participle) {
+            (Some(ScriptValue::Bool(holds)), Some(word)) => {
+                write!(f, "`{}` is {}{word}", self.name, if *holds { "" } else { "not " })
+            }
+            (Some(actual), _) => write!(f, "`{}` is {actual}, not {}", self.name, self.expected),
+            (None, _) => write!(f, "`{}` does not exist, so it is not {}", self.name, self.expected),
         }
     }
 }
@@ -47,7 +52,9 @@ impl Controller {
         let mismatches = condition.parts.iter().filter_map(|ConditionPart { subject, comparison }| {
             let actual = self.value_of(subject);
             let differs = actual.as_ref().is_none_or(|actual| !comparison.accepts(actual));
-            differs.then(|| Mismatch { name: subject.name().to_owned(), expected: comparison.to_string(), actual })
+            let (name, expected, participle) =
+                (subject.name().to_owned(), comparison.to_string(), subject.participle());
+            differs.then_some(Mismatch { name, expected, actual, participle })
         });
         mismatches.collect()
     }
@@ -73,6 +80,8 @@ impl Controller {
         let misfits = condition.parts.iter().filter_map(|ConditionPart { subject, comparison }| match subject {
             Subject::Signal(path) => self.check_level(path, comparison, may_come).err(),
             Subject::Variable(name) => self.check_variable(name, is_resized, |base| comparison.suits(base)).err(),
+            Subject::Sensor(name) => self.sensor_misfit(name),
+            Subject::Part(name) => self.part_misfit(name),
         });
         misfits.collect()
     }
@@ -97,6 +106,8 @@ impl Controller {
         match subject {
             Subject::Signal(path) => self.level(path),
             Subject::Variable(name) => self.variable_value(name),
+            Subject::Sensor(name) => self.is_seen(name).map(ScriptValue::Bool),
+            Subject::Part(name) => self.is_held(name).map(ScriptValue::Bool),
         }
     }
 

@@ -7,7 +7,7 @@ import { DataValues } from "../points/pointsAt";
 import type { TimedPhase } from "../tasks/times";
 import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellPoint, CellScene, JointValue, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
-import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
+import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
 import { latest, TimedLevels } from "./timed";
 
@@ -45,6 +45,7 @@ export class PanelModel {
   private readonly states: StateMessage[] = [];
   private readonly motions: MotionMessage[] = [];
   private readonly pages: PageMessage[] = [];
+  private readonly placed: PartsMessage[] = [];
   private readonly levels = new TimedLevels<SignalState>();
   private readonly points = new DataValues<CellPoint>(({ points }) => points);
   private readonly joints = new DataValues<JointValue>(({ joints }) => joints ?? []);
@@ -55,7 +56,7 @@ export class PanelModel {
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
   private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
   /** Number of messages by kind, so that only their readers are drawn again. */
-  private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), io: signal(0), data: signal(0) };
+  private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), parts: signal(0), io: signal(0), data: signal(0) };
 
   constructor(private readonly surroundings: Surroundings) {
     this.cell = this.build(surroundings);
@@ -77,6 +78,7 @@ export class PanelModel {
     this.states.length = 0;
     this.motions.length = 0;
     this.pages.length = 0;
+    this.placed.length = 0;
     this.levels.clear();
     const scene = this.scene.peek();
     this.points.restart(scene?.points ?? []);
@@ -109,6 +111,11 @@ export class PanelModel {
     this.counts.page.value += 1;
   }
 
+  addParts(message: PartsMessage): void {
+    this.placed.push(message);
+    this.counts.parts.value += 1;
+  }
+
   addEvents({ events }: EventsMessage): void {
     this.past.addEvents(events);
   }
@@ -125,7 +132,7 @@ export class PanelModel {
 
   private build(around: Surroundings): Cell {
     const { time, newest, oldest } = around;
-    const { state, motion, page, io, data } = this.counts;
+    const { state, motion, page, parts, io, data } = this.counts;
     const after = <Value>(count: ReadonlySignal<number>, at: (t: number) => Value): ReadonlySignal<Value> => computed(() => {
       count.valueOf();
       return at(time.value);
@@ -153,6 +160,7 @@ export class PanelModel {
       state: after(state, (t) => latest(this.states, t)),
       motion: computed(() => this.asMotion(shownMotion.value)),
       page: after(page, (t) => latest(this.pages, t)),
+      parts: after(parts, (t) => latest(this.placed, t)?.parts ?? []),
       levels,
       points: after(data, (t) => this.points.at(t)),
       joints: after(data, (t) => this.joints.at(t)),

@@ -110,6 +110,8 @@ export interface Cell {
   joints: ReadonlySignal<readonly JointValue[]>;
   frames: ReadonlySignal<readonly CellPoint[]>;
   tools: ReadonlySignal<readonly CellPoint[]>;
+  /** Places of the parts that grippers can carry. */
+  parts: ReadonlySignal<readonly wire.PartPlace[]>;
   sample: ReadonlySignal<ArmSample | undefined>;
   /** Name of the last move's tool. */
   toolName: ReadonlySignal<string | null | undefined>;

@@ -25,4 +25,6 @@ export type DataMessage = Pick<wire.DataMessage, "t"> & { points: readonly Omit<
 /** Changed data. Runs of earlier versions have no `undo`. */
 export type UnsavedMessage = Pick<wire.UnsavedMessage, "points"> & { undo?: wire.PointName | null | undefined };
 
+export type PartsMessage = wire.PartsMessage;
+
 export type EventsMessage = wire.EventsMessage;

@@ -7,7 +7,7 @@ import { LongTable } from "../shared/LongTable";
 import { type Group, groupOf, GROUPS, type RunEvent, shownEvents, textOf } from "./eventText";
 import { countUpTo } from "./upTo";
 
-const AT_FIRST: readonly Group[] = ["errors", "messages", "tasks", "robot", "moves", "clearance"];
+const AT_FIRST: readonly Group[] = ["errors", "messages", "tasks", "robot", "moves", "clearance", "parts"];
 
 export function EventLog({ cell }: { cell: Cell }): JSX.Element {
   const [groups, setGroups] = useState<ReadonlySet<Group>>(new Set(AT_FIRST));

@@ -5,18 +5,19 @@ import type * as wire from "../../wire";
 /** Event in the format of `val3 run --events`. */
 export type RunEvent = wire.RunEvent;
 
-export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot" | "operations" | "clearance";
+export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot" | "operations" | "clearance" | "parts";
 
 /** Groups with their check box labels. */
 export const GROUPS: readonly (readonly [Group, string])[] = [
   ["errors", "Errors"], ["messages", "Messages"], ["tasks", "Tasks"], ["robot", "Robot"], ["moves", "Moves"],
-  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"], ["operations", "Operations"], ["clearance", "Distances"],
+  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"], ["operations", "Operations"], ["clearance", "Distances"], ["parts", "Parts and sensors"],
 ];
 
 const GROUP_OF: Partial<Record<string, Group>> = {
   error: "errors", fault: "errors", lacking: "errors", stuck: "errors", print: "messages", popup: "messages", notice: "messages", log: "messages",
   task: "tasks", move: "moves", io: "signals", sio: "lines", line: "lines", put: "page", title: "page", cls: "page", html: "page",
   power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot", act: "operations", clearance: "clearance",
+  grip: "parts", release: "parts", part: "parts", sensor: "parts",
 };
 
 const MODES = ["changing", "manual", "test", "local", "remote"];
@@ -63,7 +64,19 @@ const TEXTS: Partial<Record<string, (field: Fields) => string>> = {
   end: (field) => `end: ${field("reason")}`,
   act: (field) => `from outside: ${field("keys")}`,
   clearance: clearanceText,
+  grip: gripText,
+  release: (field) => `${field("gripper")} releases ${field("part")}${field("above") === "" ? "" : `, ${Number(field("above")).toFixed(0)} mm above everything below it`}`,
+  part: (field) => `${field("part")} ${field("state")}`,
+  sensor: (field) => (field("on") === "true" ? `${field("sensor")} detects ${field("detects")}` : `${field("sensor")} detects nothing`),
 };
+
+function gripText(field: Fields): string {
+  if (field("part") !== "") {
+    return `${field("gripper")} grips ${field("part")}`;
+  }
+  const nearest = field("nearest") === "" ? "" : `; ${field("nearest")} is ${Number(field("distance")).toFixed(1)} mm away`;
+  return `${field("gripper")} grips nothing: no part within ${field("within")} mm${nearest}`;
+}
 
 function clearanceText(field: Fields): string {
   const [a, b, distance] = [field("a"), field("b"), Number(field("distance"))];

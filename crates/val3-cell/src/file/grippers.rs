@@ -1,0 +1,62 @@
+//! Keys for grippers.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::signals::{SignalValues, WhenKey};
+
+/// A gripper: it carries the nearest part while an output has a value.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct GripperEntry {
+    /// The tool of the application whose output controls the gripper, with its times `ioOpen` and `ioClose`.
+    #[schemars(with = "String")]
+    pub tool: Option<String>,
+    /// The instruction after which the gripper of a tool holds a part: `close` by default.
+    #[schemars(with = "HoldingState")]
+    pub holds: Option<HoldingState>,
+    /// Values of signals while which a gripper without a tool holds a part.
+    #[schemars(with = "WhenKey")]
+    pub when: Option<WhenKey>,
+    /// The carrier of a gripper without a tool: `flange` (default), or a tool of the application.
+    #[serde(rename = "in")]
+    #[schemars(with = "String")]
+    pub carrier: Option<String>,
+    /// The point of a gripper without a tool in that frame, as the pose of an object.
+    pub at: Vec<f64>,
+    /// The greatest distance in mm of a part from the tool centre point. 5 by default.
+    pub within: f64,
+    /// Values of inputs while the gripper holds a part.
+    pub holding: SignalValues,
+    /// Values of inputs while the gripper holds no part.
+    pub empty: SignalValues,
+    /// The objects of the gripper, which may touch parts; by default, all objects in the flange and in the tool.
+    #[schemars(with = "Vec<String>")]
+    pub objects: Option<Vec<String>>,
+}
+
+impl Default for GripperEntry {
+    fn default() -> Self {
+        Self {
+            tool: None,
+            holds: None,
+            when: None,
+            carrier: None,
+            at: Vec::new(),
+            within: 5.0,
+            holding: SignalValues::default(),
+            empty: SignalValues::default(),
+            objects: None,
+        }
+    }
+}
+
+/// An instruction after which a gripper holds a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum HoldingState {
+    /// `close`: the output is false.
+    Close,
+    /// `open`: the output is true.
+    Open,
+}

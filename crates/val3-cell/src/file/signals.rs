@@ -1,0 +1,50 @@
+//! Keys for values of signals.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+
+/// Values of signals, by the paths or names of the signals.
+pub type SignalValues = BTreeMap<String, SignalLevel>;
+
+/// A condition: all signals have their values.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct WhenKey {
+    /// Values of signals, by the paths or names of the signals.
+    pub io: SignalValues,
+}
+
+/// Value of a signal.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "a signal is true, false or a number")]
+pub enum SignalLevel {
+    /// Value of a digital signal.
+    Digital(bool),
+    /// Value of an analog signal.
+    Analog(f64),
+}
+
+impl SignalLevel {
+    /// The value as a number: 0 or 1 for a digital signal.
+    #[must_use]
+    pub const fn number(self) -> f64 {
+        match self {
+            Self::Digital(true) => 1.0,
+            Self::Digital(false) => 0.0,
+            Self::Analog(number) => number,
+        }
+    }
+}
+
+impl JsonSchema for SignalLevel {
+    fn schema_name() -> Cow<'static, str> {
+        "SignalLevel".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": ["boolean", "number"] })
+    }
+}

@@ -1,0 +1,212 @@
+//! Parts while an application runs: grippers carry them, sensors detect them.
+//!
+//! [`Handling`] is part of the controller's state. Its caller calls [`Handling::see`] at the end of each cycle, and writes
+//! the values of [`Handling::take_writes`] to the signals.
+
+mod below;
+mod grip;
+mod senses;
+
+use std::sync::Arc;
+
+use val3_geometry::IsometryMatrix3;
+
+use crate::carriers::Carrier;
+use crate::gripper::{GripperCommand, SignalWrite};
+use crate::part::{PartHolder, PartPlace};
+use crate::scene::{BodyCarrier, Places, Position, Scene};
+use crate::step::Sight;
+
+use grip::GripperState;
+pub use grip::NearPart;
+use senses::SensorState;
+
+/// Times in seconds that differ by less are equal.
+const SAME_TIME: f64 = 1e-9;
+
+/// What has happened to parts and sensors.
+#[derive(Debug, Clone, PartialEq)]
+pub enum HandlingEvent {
+    /// A gripper has closed around a part, or around nothing.
+    Grip {
+        /// The gripper.
+        gripper: String,
+        /// The part; `None` without one that is near enough.
+        part: Option<String>,
+        /// The nearest part that no gripper holds.
+        nearest: Option<NearPart>,
+        /// Greatest distance of a part that is gripped.
+        within: f64,
+    },
+    /// A gripper has released a part.
+    Release {
+        /// The gripper.
+        gripper: String,
+        /// The part.
+        part: String,
+        /// Height in mm above everything else below it, if the part hangs in the air.
+        above: Option<f64>,
+    },
+    /// A part was placed elsewhere or removed.
+    Part {
+        /// The part.
+        part: String,
+        /// Whether it was removed.
+        is_gone: bool,
+    },
+    /// A sensor detects something, or nothing any more.
+    Sensor {
+        /// The sensor.
+        sensor: String,
+        /// What it detects.
+        detects: Option<String>,
+    },
+}
+
+/// State of parts, grippers and sensors.
+#[derive(Debug, Clone)]
+pub struct Handling {
+    parts: Arc<Vec<PartPlace>>,
+    grippers: Vec<GripperState>,
+    sensors: Vec<SensorState>,
+    /// Values of signals that the caller has not taken.
+    writes: Vec<SignalWrite>,
+    has_begun: bool,
+}
+
+impl Handling {
+    /// All parts are at their places of the file.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let cell = scene.cell();
+        let parts = cell.parts.iter().map(|part| {
+            let holder = match scene.carrier(&part.carrier) {
+                BodyCarrier::Frame(number) => PartHolder::Frame(number),
+                _ => PartHolder::World,
+            };
+            PartPlace { holder, pose: part.pose }
+        });
+        Self {
+            parts: Arc::new(parts.collect()),
+            grippers: vec![GripperState::default(); cell.grippers.len()],
+            sensors: vec![SensorState::default(); cell.sensors.len()],
+            writes: Vec::new(),
+            has_begun: false,
+        }
+    }
+
+    /// Places of the parts, in the order of the cell.
+    #[must_use]
+    pub fn parts(&self) -> &Arc<Vec<PartPlace>> {
+        &self.parts
+    }
+
+    /// Whether [`Self::see`] was called.
+    #[must_use]
+    pub fn has_begun(&self) -> bool {
+        self.has_begun
+    }
+
+    /// Whether a gripper holds a part.
+    #[must_use]
+    pub fn is_held(&self, part: usize) -> bool {
+        self.parts.get(part).is_some_and(|place| matches!(place.holder, PartHolder::Gripper(_)))
+    }
+
+    /// Whether a sensor detects something; its input follows after the delay.
+    #[must_use]
+    pub fn detects(&self, sensor: usize) -> bool {
+        self.sensors.get(sensor).is_some_and(SensorState::detects)
+    }
+
+    /// Whether a gripper ever had an output.
+    #[must_use]
+    pub fn had_output(&self, gripper: usize) -> bool {
+        self.grippers.get(gripper).is_some_and(|state| state.is_controlled)
+    }
+
+    /// Whether [`Self::see`] would have no effect, whatever has moved.
+    #[must_use]
+    pub fn is_idle(&self, commands: &[Option<GripperCommand>]) -> bool {
+        let follows = |(state, command): (&GripperState, &Option<GripperCommand>)| match command {
+            Some(command) => state.follows(*command),
+            None => true,
+        };
+        self.has_begun && self.sensors.is_empty() && self.grippers.iter().zip(commands).all(follows)
+    }
+
+    /// Grips, releases, and evaluates sensors at the end of a cycle. `commands` are the outputs of the grippers, in the
+    /// order of the cell; `None` without an output.
+    pub fn see(&mut self, scene: &Scene, sight: &Sight<'_>, commands: &[Option<GripperCommand>]) -> Vec<HandlingEvent> {
+        let position = scene.position(&sight.joints);
+        let view = HandlingView { scene, sight, position: &position };
+        let mut events = Vec::new();
+        for (number, command) in commands.iter().enumerate() {
+            events.extend(command.and_then(|command| self.command(number, command, &view)));
+        }
+        for number in 0..self.sensors.len() {
+            events.extend(self.sense(number, &view));
+        }
+        self.has_begun = true;
+        events
+    }
+
+    /// Places a part at a pose in `world`, or removes it. A gripper that holds it loses it.
+    pub fn place(&mut self, scene: &Scene, part: usize, pose: Option<IsometryMatrix3<f64>>) -> Option<HandlingEvent> {
+        let place = Arc::make_mut(&mut self.parts).get_mut(part)?;
+        let lost = if let PartHolder::Gripper(gripper) = place.holder { Some(gripper) } else { None };
+        *place = match pose {
+            Some(pose) => PartPlace { holder: PartHolder::World, pose },
+            None => PartPlace { holder: PartHolder::Gone, pose: place.pose },
+        };
+        if let Some(gripper) = lost {
+            self.lose(gripper, scene);
+        }
+        let name = scene.cell().parts.get(part)?.name.clone();
+        Some(HandlingEvent::Part { part: name, is_gone: pose.is_none() })
+    }
+
+    /// Pose of a part in `world`; `None` if it was removed, or its frame has no place.
+    #[must_use]
+    pub fn part_in_world(&self, scene: &Scene, sight: &Sight<'_>, part: usize) -> Option<IsometryMatrix3<f64>> {
+        let position = scene.position(&sight.joints);
+        position.carrier(BodyCarrier::Part(part), Places { data: &sight.places, parts: &self.parts })
+    }
+
+    /// Values that signals get at the beginning of the next cycle.
+    pub fn take_writes(&mut self) -> Vec<SignalWrite> {
+        std::mem::take(&mut self.writes)
+    }
+
+    /// The time of the next change without a cause from outside, in seconds; 0 if there are values for signals.
+    #[must_use]
+    pub fn next_due(&self) -> Option<f64> {
+        if !self.writes.is_empty() {
+            return Some(0.0);
+        }
+        let grippers = self.grippers.iter().filter_map(|state| state.due);
+        grippers.chain(self.sensors.iter().filter_map(SensorState::next_due)).min_by(f64::total_cmp)
+    }
+}
+
+/// What parts, grippers and sensors depend on at the end of a cycle.
+struct HandlingView<'v> {
+    scene: &'v Scene,
+    sight: &'v Sight<'v>,
+    position: &'v Position,
+}
+
+impl HandlingView<'_> {
+    /// Pose of a carrier in `world`; `None` without a place.
+    fn place(&self, carrier: &Carrier) -> Option<IsometryMatrix3<f64>> {
+        self.position.carrier(self.scene.carrier(carrier), self.sight.places())
+    }
+
+    /// Pose of a body in `world`, with these places of parts.
+    fn body(&self, carrier: BodyCarrier, parts: &[PartPlace]) -> Option<IsometryMatrix3<f64>> {
+        self.position.carrier(carrier, Places { data: &self.sight.places, parts })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,59 @@
+//! Parts: what grippers can carry.
+
+use std::sync::Arc;
+
+use val3_collision::Shape;
+use val3_geometry::IsometryMatrix3;
+
+use crate::carriers::Carrier;
+use crate::solids::Solid;
+
+/// A part.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// Name in messages, with an index if there are copies: `carton[0]`.
+    pub name: String,
+    /// What the part stands in at the start: `world` or a frame.
+    pub carrier: Carrier,
+    /// Pose there of the frame that `in` names: an object, or the base of the arm.
+    pub origin: IsometryMatrix3<f64>,
+    /// Pose of the part there.
+    pub pose: IsometryMatrix3<f64>,
+    /// Its shapes, which copies share.
+    pub solids: Arc<Vec<Solid>>,
+    /// Depth in mm of an overlap that is no contact.
+    pub touch: f64,
+    /// Distance in mm below which something is too near to this part.
+    pub clearance: Option<f64>,
+    /// Colour as `#rrggbb`.
+    pub colour: Option<String>,
+}
+
+impl Part {
+    /// The shapes without their outermost [`Self::touch`], with their poses in the frame of the part.
+    pub(crate) fn cores(&self) -> Vec<(Shape, IsometryMatrix3<f64>)> {
+        self.solids.iter().map(|solid| (solid.core(self.touch), solid.pose)).collect()
+    }
+}
+
+/// Where a part is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartPlace {
+    /// What carries it.
+    pub holder: PartHolder,
+    /// Pose of the part in the frame of its holder.
+    pub pose: IsometryMatrix3<f64>,
+}
+
+/// What carries a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PartHolder {
+    /// It stands in `world`.
+    World,
+    /// It stands in the frame with this number in [`crate::Scene::data`].
+    Frame(usize),
+    /// The gripper with this number holds it; the pose is in `flange`.
+    Gripper(usize),
+    /// It was removed.
+    Gone,
+}

@@ -1,0 +1,45 @@
+//! Sensors.
+
+use val3_collision::Shape;
+use val3_geometry::IsometryMatrix3;
+
+use crate::carriers::Carrier;
+
+/// A sensor.
+#[derive(Debug, Clone)]
+pub struct Sensor {
+    /// Name in messages and conditions.
+    pub name: String,
+    /// Path or name of its input, if it has one.
+    pub io: Option<String>,
+    /// Whether the input is false while the sensor detects something.
+    pub is_inverted: bool,
+    /// Delay in seconds after which the input changes.
+    pub delay: f64,
+    /// What carries it.
+    pub carrier: Carrier,
+    /// Its beam or zone.
+    pub(crate) shape: Shape,
+    /// Pose of the shape in the frame of the carrier.
+    pub(crate) pose: IsometryMatrix3<f64>,
+    /// Names of bodies that it detects.
+    pub(crate) detects: Detects,
+    /// The beam or zone for pictures.
+    pub form: SensorForm,
+}
+
+/// Bodies that a sensor detects.
+#[derive(Debug, Clone)]
+pub(crate) enum Detects {
+    Parts,
+    Named(Vec<globset::GlobMatcher>),
+}
+
+/// The beam or zone of a sensor, for pictures.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SensorForm {
+    /// Ends of a beam.
+    Beam([[f64; 3]; 2]),
+    /// A zone.
+    Zone(crate::solids::SolidForm),
+}
