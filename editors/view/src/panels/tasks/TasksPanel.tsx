@@ -17,7 +17,7 @@ export function TasksPanel({ cell }: { cell: Cell }): JSX.Element {
       <Tabs
         label="Tasks and time"
         tabs={[
-          { id: "tasks", label: "Tasks", content: () => <div class="scroll" tabIndex={0} role="region" aria-label="Tasks and waits"><TaskTable cell={cell} /><TaskChart cell={cell} /><WaitTables cell={cell} /></div> },
+          { id: "waits", label: "Tasks", content: () => <div class="scroll" tabIndex={0} role="region" aria-label="Tasks and waits"><TaskTable cell={cell} /><TaskChart cell={cell} /><WaitTables cell={cell} /></div> },
           { id: "queue", label: "Motion queue", content: () => <MotionQueue cell={cell} /> },
           { id: "log", label: "Event log", content: () => <EventLog cell={cell} /> },
           { id: "clearance", label: "Distances", content: () => <ClearanceTable cell={cell} /> },
