@@ -82,15 +82,15 @@ impl TimeKey {
 
 /// The times as JSON.
 #[derive(Serialize)]
-pub(in crate::run) struct TimesReport {
+pub(crate) struct TimesReport {
     /// Duration in seconds.
-    pub(in crate::run) duration: f64,
+    pub(crate) duration: f64,
     /// Origin of the arm's times: `measured` or `model`.
     times: &'static str,
     /// Lines of the moves, longest time first.
-    pub(in crate::run) arm: Vec<TimesRow>,
+    pub(crate) arm: Vec<TimesRow>,
     /// Lines of the tasks, longest time first.
-    pub(in crate::run) tasks: Vec<TimesRow>,
+    pub(crate) tasks: Vec<TimesRow>,
     /// Limit that applied for most of the time with a move, and a suggestion.
     #[serde(skip_serializing_if = "Option::is_none")]
     advice: Option<String>,
@@ -103,18 +103,18 @@ pub(in crate::run) struct TimesReport {
 
 /// Time of an activity at a program line.
 #[derive(Serialize)]
-pub(in crate::run) struct TimesRow {
+pub(crate) struct TimesRow {
     /// Task name; empty for the arm.
     #[serde(skip_serializing_if = "String::is_empty")]
-    pub(in crate::run) task: String,
-    pub(in crate::run) program: String,
-    pub(in crate::run) line: u32,
+    pub(crate) task: String,
+    pub(crate) program: String,
+    pub(crate) line: u32,
     /// The activity, such as `computing`, or the awaited condition.
-    pub(in crate::run) what: String,
+    pub(crate) what: String,
     /// Whether the arm moves.
     #[serde(skip)]
-    pub(in crate::run) is_moving: bool,
-    pub(in crate::run) seconds: f64,
+    pub(crate) is_moving: bool,
+    pub(crate) seconds: f64,
     /// Smallest distance while the arm executed this line.
     #[serde(skip_serializing_if = "Option::is_none")]
     nearest: Option<NearestRow>,

@@ -1,6 +1,7 @@
 //! The document. docs/src/result.md describes the stable format.
 
 use serde::Serialize;
+use val3_machine::event::EndReason;
 
 use super::listed::Listed;
 
@@ -9,8 +10,7 @@ use super::listed::Listed;
 pub(super) struct ResultDocument {
     /// Whether the exit code is 0.
     pub(super) ok: bool,
-    /// Why the run ended: `finished`, `stopped`, `limit`, `stuck`, `error`, `interrupted` or `refused`.
-    pub(super) reason: &'static str,
+    pub(super) reason: ResultReason,
     /// Exit code of the command.
     pub(super) exit_code: u8,
     /// Time at the end on the controller's clock.
@@ -40,6 +40,39 @@ pub(super) struct ResultDocument {
     /// What to do next, if the run did not end well.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) next: Option<String>,
+}
+
+/// Why a run has ended.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum ResultReason {
+    /// The application has ended.
+    #[default]
+    Finished,
+    /// It was stopped from outside.
+    Stopped,
+    /// The run has reached `--until`.
+    Limit,
+    /// No task can continue.
+    Stuck,
+    /// Only failed tasks are left, or an instruction is not supported.
+    Error,
+    /// The operator has ended the run.
+    Interrupted,
+    /// The application has errors and was not started.
+    Refused,
+}
+
+impl From<EndReason> for ResultReason {
+    fn from(reason: EndReason) -> Self {
+        match reason {
+            EndReason::Finished => Self::Finished,
+            EndReason::Stopped => Self::Stopped,
+            EndReason::Limit => Self::Limit,
+            EndReason::Error => Self::Error,
+            EndReason::Refused => Self::Refused,
+        }
+    }
 }
 
 /// A line of a program.

@@ -12,7 +12,8 @@ use val3_machine::event::{EndReason, Event, EventKind, shown_seconds};
 use val3_machine::screen::Pendant;
 
 use super::document::{
-    CodeLine, ErrorEntry, IoEntry, LineMoves, MovesEntry, ProgramMoves, ResultDocument, TaskEntry, WaitEntry,
+    CodeLine, ErrorEntry, IoEntry, LineMoves, MovesEntry, ProgramMoves, ResultDocument, ResultReason, TaskEntry,
+    WaitEntry,
 };
 use super::listed::Listed;
 use super::next_step::next_step;
@@ -39,7 +40,7 @@ const NO_WAITS: [&str; 3] = ["computing", "suspended", "error"];
 type MoveLine = (String, u32, &'static str);
 
 /// Collects the result of a run.
-pub(in crate::run) struct ResultRecorder {
+pub(crate) struct ResultRecorder {
     file: Option<(OutputFile, Utf8PathBuf)>,
     summary: Option<SummaryFormat>,
     errors: Listed<ErrorEntry>,
@@ -52,18 +53,18 @@ pub(in crate::run) struct ResultRecorder {
 }
 
 /// The end of a run.
-pub(in crate::run) struct RunEnd<'r> {
-    pub(in crate::run) end: End,
+pub(crate) struct RunEnd<'r> {
+    pub(crate) end: End,
     /// Exit code of the command.
-    pub(in crate::run) code: u8,
-    pub(in crate::run) controller: &'r Controller,
-    pub(in crate::run) console: &'r Console,
-    pub(in crate::run) times: &'r TimesReport,
+    pub(crate) code: u8,
+    pub(crate) controller: &'r Controller,
+    pub(crate) console: &'r Console,
+    pub(crate) times: &'r TimesReport,
 }
 
 impl ResultRecorder {
     /// Opens the outputs of `--summary` and `--result`; `None` without them.
-    pub(in crate::run) fn open(args: &RunArgs) -> Result<Option<Self>, UserError> {
+    pub(crate) fn open(args: &RunArgs) -> Result<Option<Self>, UserError> {
         let file = args
             .result
             .as_ref()
@@ -89,7 +90,7 @@ impl ResultRecorder {
     }
 
     /// Collects from events.
-    pub(in crate::run) fn follow(&mut self, events: &[Event]) {
+    pub(crate) fn follow(&mut self, events: &[Event]) {
         events.iter().for_each(|event| self.follow_event(event));
     }
 
@@ -139,17 +140,17 @@ impl ResultRecorder {
     }
 
     /// Writes the result and the summary.
-    pub(in crate::run) fn close(mut self, end: &RunEnd<'_>) -> Result<(), UserError> {
+    pub(crate) fn close(mut self, end: &RunEnd<'_>) -> Result<(), UserError> {
         let (file, summary) = (self.file.take(), self.summary);
         write(file, summary, self.document(end))
     }
 
     /// Writes the result and the summary of an application that was rejected for these errors.
-    pub(in crate::run) fn refuse(self, code: u8, errors: &[String]) -> Result<(), UserError> {
+    pub(crate) fn refuse(self, code: u8, errors: &[String]) -> Result<(), UserError> {
         let mut notes = Listed::default();
         errors.iter().for_each(|error| notes.push(error.clone()));
         let next = "correct the errors; `val3 check` shows them with their code".to_owned();
-        let reason = word(EndReason::Refused);
+        let reason = ResultReason::Refused;
         let document = ResultDocument { reason, exit_code: code, notes, next: Some(next), ..ResultDocument::default() };
         write(self.file, self.summary, document)
     }
@@ -220,24 +221,13 @@ impl ErrorEntry {
     }
 }
 
-/// Reason of the end in a word.
-fn reason(end: End, controller: &Controller) -> &'static str {
+fn reason(end: End, controller: &Controller) -> ResultReason {
     match end {
-        End::Controller(RunStatus::Stuck) if !controller.has_only_failed_tasks() => "stuck",
-        End::Controller(status) => word(status.into()),
-        End::Recorded(reason) => word(reason),
-        End::BrokenOff(_) => "interrupted",
-        End::Unread | End::Left | End::Restart => "stopped",
-    }
-}
-
-fn word(reason: EndReason) -> &'static str {
-    match reason {
-        EndReason::Finished => "finished",
-        EndReason::Stopped => "stopped",
-        EndReason::Limit => "limit",
-        EndReason::Error => "error",
-        EndReason::Refused => "refused",
+        End::Controller(RunStatus::Stuck) if !controller.has_only_failed_tasks() => ResultReason::Stuck,
+        End::Controller(status) => EndReason::from(status).into(),
+        End::Recorded(reason) => reason.into(),
+        End::BrokenOff(_) => ResultReason::Interrupted,
+        End::Unread | End::Left | End::Restart => ResultReason::Stopped,
     }
 }
 
