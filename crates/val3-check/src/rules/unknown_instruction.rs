@@ -99,7 +99,8 @@ mod tests {
     /// The similar instruction does something different.
     #[test]
     fn a_name_of_another_language_is_no_misspelling() {
-        let similar = [("setDI", "setDH"), ("sign", "sin"), ("sinh", "sin"), ("set", "get"), ("on", "ln"), ("jog", "log")];
+        let similar =
+            [("setDI", "setDH"), ("sign", "sin"), ("sinh", "sin"), ("set", "get"), ("on", "ln"), ("jog", "log")];
         for (name, near) in similar {
             let help = word(name, Some(near), None).help;
             assert!(!help.is_empty() && !help.contains(near), "{name}: {help}");

@@ -21,7 +21,7 @@ pub(super) fn text(document: &ResultDocument) -> String {
     document.near_misses.iter().for_each(|near| line(&mut out, &format!("near: {near}")));
     list(&mut out, "notes", &document.notes, String::clone);
     list(&mut out, "prints", &document.prints, String::clone);
-    list(&mut out, "log", &document.log, String::clone);
+    list(&mut out, "event log", &document.log, String::clone);
     if !document.screen.is_empty() {
         line(&mut out, "screen at the end:");
         document.screen.iter().for_each(|row| line(&mut out, &format!("  | {row}")));
