@@ -149,9 +149,16 @@ class EndTest(unittest.TestCase):
 
     def test_ctrl_c_ends_the_command(self) -> None:
         with Project(self.ENDLESS) as application:
-            code = f"import val3; val3.run({str(application)!r}, timeout=60)"
-            python = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.PIPE, start_new_session=True)
-            time.sleep(1)
+            # A job in the background of a shell ignores the signal.
+            code = (
+                "import signal, val3; signal.signal(signal.SIGINT, signal.default_int_handler); print(flush=True);"
+                f"val3.run({str(application)!r}, timeout=60)"
+            )
+            command, pipe = [sys.executable, "-c", code], subprocess.PIPE
+            python = subprocess.Popen(command, stdout=pipe, stderr=pipe, start_new_session=True)
+            assert python.stdout is not None
+            python.stdout.readline()
+            time.sleep(0.5)
             os.killpg(python.pid, signal.SIGINT)
             _, messages = python.communicate(timeout=30)
         self.assertIn(b"KeyboardInterrupt", messages)
