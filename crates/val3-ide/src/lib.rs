@@ -37,6 +37,7 @@ mod navigate;
 mod new_test;
 mod owner;
 mod placement;
+mod program_text;
 mod project_tree;
 mod reachable_projects;
 mod reached;
@@ -91,6 +92,7 @@ pub use owner::{owner, projects_of};
 pub use project_tree::{
     ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,
 };
+pub use program_text::{program_text, write_program};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selections;
