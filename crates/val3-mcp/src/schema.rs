@@ -29,7 +29,9 @@ fn simplify(value: &mut Value) {
             // A property may have any name, so that only keywords of schemas are removed.
             let is_schema = object.get("type").is_some_and(|kind| kind.is_string() || kind.is_array());
             if is_schema {
-                ["title", "format", "minimum", "maximum"].map(|keyword| object.remove(keyword));
+                for keyword in ["title", "format", "minimum", "maximum"] {
+                    object.remove(keyword);
+                }
                 object.retain(|key, value| match key.as_str() {
                     "default" => !value.is_null(),
                     // Some clients reject schemas that are `true`.

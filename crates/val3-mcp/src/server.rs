@@ -121,19 +121,23 @@ impl Server {
         let executed = tokio::task::spawn_blocking(move || {
             let _turn = turn;
             let is_cancelled = || token.is_cancelled() || is_closed.load(Relaxed);
-            let surroundings = Call { roots: &options.roots, commands: &*commands, is_cancelled: &is_cancelled };
-            catch_unwind(AssertUnwindSafe(|| call(&surroundings)))
+            guarded(call, &Call { roots: &options.roots, commands: &*commands, is_cancelled: &is_cancelled })
         });
-        match executed.await {
-            Ok(Ok(answer)) => answer,
-            Ok(Err(panic)) => Err(Refusal(format!(
-                "a fault of val3 has ended this call, and the server continues: report it with the call and this \
-                 message: {}",
-                panic_text(&*panic)
-            ))),
-            Err(error) => Err(Refusal(format!("the call was ended: {error}"))),
-        }
+        executed.await.unwrap_or_else(|error| Err(Refusal(format!("the call was ended: {error}"))))
     }
+}
+
+/// Executes a call. A panic is a refusal.
+fn guarded<F: FnOnce(&Call<'_>) -> Result<Answer, Refusal>>(
+    call: F,
+    surroundings: &Call<'_>,
+) -> Result<Answer, Refusal> {
+    catch_unwind(AssertUnwindSafe(|| call(surroundings))).unwrap_or_else(|panic| {
+        Err(Refusal(format!(
+            "a fault of val3 has ended this call, and the server continues: report it with the call and this message: {}",
+            panic_text(&*panic)
+        )))
+    })
 }
 
 /// Message of a panic.
@@ -268,5 +272,43 @@ impl ServerHandler for Server {
         let text = answer.map_err(|refusal| unknown(refusal.0))?.text;
         let contents = ResourceContents::text(text, request.uri).with_mime_type("text/markdown");
         Ok(ReadResourceResult::new(vec![contents]).into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::CommandEnd;
+    use crate::testing::Folder;
+    use crate::tools::testing::Prepared;
+
+    #[test]
+    fn a_panic_in_a_tool_is_an_answer() {
+        let folder = Folder::new(&[]);
+        let (roots, commands) = (folder.roots(), Prepared(Err(CommandEnd::Cancelled)));
+        let call = Call { roots: &roots, commands: &commands, is_cancelled: &|| false };
+        let answer = result(guarded(|_| panic!("index {} is wrong", 3), &call));
+        assert_eq!(answer.is_error, Some(true));
+        let text = answer.content.first().and_then(|content| content.as_text()).unwrap().text.clone();
+        assert!(text.contains("the server continues") && text.ends_with("index 3 is wrong"), "{text}");
+    }
+
+    #[test]
+    fn answers_are_cut_at_their_limit() {
+        let text = |detail| {
+            let answer = Answer::new(true, "a line of the answer\n".repeat(5_000)).with_detail(detail);
+            result(Ok(answer)).content.first().and_then(|content| content.as_text()).unwrap().text.clone()
+        };
+        assert!(text(false).len() <= 8_000 && text(true).len() <= 24_000);
+        assert!(text(false).ends_with("more lines: ask for a smaller part, or for more with `detail`"));
+    }
+
+    #[test]
+    fn an_unknown_tool_cannot_be_offered() {
+        let roots = Folder::new(&[]).roots();
+        let tools = vec!["write_program".to_owned()];
+        let options = ServerOptions { version: "1".to_owned(), roots, may_write: false, tools };
+        let refusal = Server::new(options, Arc::new(Prepared(Err(CommandEnd::Cancelled)))).err().unwrap().0;
+        assert!(refusal.contains("there is no tool `write_program`") && refusal.contains("outline"), "{refusal}");
     }
 }

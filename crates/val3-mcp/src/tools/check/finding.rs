@@ -85,3 +85,47 @@ fn edit(edit: &Value) -> Option<(Range<usize>, &str)> {
     let at = |end: &str| usize::try_from(number(edit.pointer(&format!("/range/{end}"))?, "offset")).ok();
     Some((at("start")?..at("end")?, text(edit, "text")))
 }
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use serde_json::json;
+
+    use super::*;
+    use crate::testing::Folder;
+
+    #[test]
+    fn a_finding_has_its_line_and_its_fix_as_a_diff() {
+        let folder = Folder::new(&[("app/count.pgx", "begin\n  nSortd=1\nend\n")]);
+        let range = |start: u32, end: u32| json!({ "start": { "line": 2, "offset": start }, "end": { "line": 2, "offset": end } });
+        let edit = json!({ "file": "count.pgx", "range": range(8, 14), "text": "nSorted" });
+        let finding = json!({
+            "severity": "error", "code": "V0101", "message": "`nSortd` is not declared", "label": "unknown name",
+            "help": "did you mean `nSorted`?", "file": "count.pgx", "range": range(8, 14), "related": [],
+            "fix": { "title": "write `nSorted`", "safe": false, "edits": [edit] },
+        });
+        let roots = folder.roots();
+        expect![[r#"
+
+            error V0101 app/count.pgx:2: `nSortd` is not declared — unknown name — did you mean `nSorted`?
+                nSortd=1
+              fix (a guess): write `nSorted`
+              -  nSortd=1
+              +  nSorted=1
+        "#]]
+        .assert_eq(&shown(&roots, &roots.first().join("app"), &finding));
+    }
+
+    #[test]
+    fn an_unreadable_file_and_a_damaged_fix_leave_the_message() {
+        let roots = Folder::new(&[("a.pgx", "begin")]).roots();
+        let range = json!({ "start": { "line": 1, "offset": 900 }, "end": { "line": 1, "offset": 901 } });
+        let edit = json!({ "file": "a.pgx", "range": range, "text": "x" });
+        for file in ["a.pgx", "b.pgx", "../../etc/passwd"] {
+            let fix = json!({ "title": "t", "safe": true, "edits": [edit] });
+            let finding = json!({ "severity": "error", "code": "V1", "message": "m", "file": file, "range": range, "fix": fix });
+            let text = shown(&roots, roots.first(), &finding);
+            assert!(text.contains("m") && !text.contains("root:"), "{text}");
+        }
+    }
+}
