@@ -44,6 +44,7 @@ impl Answer {
         } else {
             (SHORT, "ask for a smaller part, or for more with `detail`")
         };
-        cut(&format!("{verdict}: {}", self.text.trim()), limit, hint)
+        let separator = if self.text.starts_with('\n') { "" } else { " " };
+        cut(&format!("{verdict}:{separator}{}", self.text.trim_end()), limit, hint)
     }
 }

@@ -65,7 +65,9 @@ impl Changes {
         }
         let files: Vec<FileChange> = files.into_values().filter(|file| file.before != file.after).collect();
         match files.iter().find(|file| !roots.contains(&Disk.target(&file.path))) {
-            Some(file) => Err(Refusal(format!("`{}` would have to be changed, and is outside of `{}`", file.path, roots.first()))),
+            Some(file) => {
+                Err(Refusal(format!("`{}` would have to be changed, and is outside of `{}`", file.path, roots.first())))
+            }
             None => Ok(Self(files)),
         }
     }
@@ -144,7 +146,10 @@ impl FileChange {
 
     fn write(&self, roots: &Roots) -> Result<(), Refusal> {
         let refused = |reason: &dyn std::fmt::Display| {
-            Refusal(format!("cannot write `{}`: {reason}. Files before it are written: `check` shows the state", roots.shown(&self.path)))
+            Refusal(format!(
+                "cannot write `{}`: {reason}. Files before it are written: `check` shows the state",
+                roots.shown(&self.path)
+            ))
         };
         let written: Result<(), Unwritable> = match (&self.before, &self.after) {
             (Some(before), Some(after)) => replace_unchanged(&self.path, FileClass::Program, before, after),

@@ -120,8 +120,10 @@ mod tests {
     #[test]
     fn every_end_has_its_remedy() {
         let shown = |end: CommandEnd| ended("run", &end, OF_RUNS);
-        expect!["`run` was ended after 10 s of wall time: name a smaller part of the cell, or shorten the run with `until`"]
-            .assert_eq(&shown(CommandEnd::Time));
+        expect![
+            "`run` was ended after 10 s of wall time: name a smaller part of the cell, or shorten the run with `until`"
+        ]
+        .assert_eq(&shown(CommandEnd::Time));
         expect!["`run` was ended because it writes without end: print less in the program"]
             .assert_eq(&shown(CommandEnd::Output));
         expect!["`run` has ended unexpectedly, by a fault of val3 or because it needs more than 512 MB: report it, with the call and this message: memory"]

@@ -26,13 +26,17 @@ pub(crate) fn only(workspace: &Workspace, roots: &Roots, path: &Utf8Path) -> Res
     let Workspace { db, projects, .. } = workspace;
     let folder = |project: &Project| project.manifest(db).path(db).parent().unwrap_or(Utf8Path::new("")).to_owned();
     let is_here = |project: &&Project| folder(project) == path || project.manifest(db).path(db) == path;
-    let at = projects.iter().find(is_here).or_else(|| projects.iter().find(|project| Some(&*folder(project)) == path.parent()));
+    let at = projects
+        .iter()
+        .find(is_here)
+        .or_else(|| projects.iter().find(|project| Some(&*folder(project)) == path.parent()));
     let only = match projects.as_slice() {
         [project] => Some(project),
         _ => None,
     };
     at.or(only).copied().ok_or_else(|| {
-        let folders: Vec<String> = projects.iter().map(|project| format!("`{}`", roots.shown(&folder(project)))).collect();
+        let folders: Vec<String> =
+            projects.iter().map(|project| format!("`{}`", roots.shown(&folder(project)))).collect();
         Refusal(format!("`{}` has {} projects: name one of {}", roots.shown(path), folders.len(), folders.join(", ")))
     })
 }

@@ -38,7 +38,11 @@ impl Roots {
     /// The path leads outside of all roots, or has no meaning on every system.
     pub fn resolve(&self, path: &str) -> Result<Utf8PathBuf, Refusal> {
         if let Some(reason) = fault(path) {
-            return Err(Refusal(format!("`{}` {reason}: write a path relative to `{}`", path.escape_debug(), self.first)));
+            return Err(Refusal(format!(
+                "`{}` {reason}: write a path relative to `{}`",
+                path.escape_debug(),
+                self.first
+            )));
         }
         let target = Disk.target(&self.first.join(path));
         if self.contains(&target) {
@@ -102,8 +106,23 @@ mod tests {
     fn attacks_are_refused_with_a_remedy() {
         let roots = Folder::new(&[("cell/app.pjx", "")]).roots();
         let attacks = [
-            "..", "../..", "cell/../../x", "/etc", "/etc/passwd", "file:///etc/passwd", "file:/etc/passwd", "cell\0/x",
-            "C:\\Windows", "C:/Windows", "..\\..\\x", "\\\\server\\share", "Disk://../x", "", "-", "--config=/etc/x", "a\nb",
+            "..",
+            "../..",
+            "cell/../../x",
+            "/etc",
+            "/etc/passwd",
+            "file:///etc/passwd",
+            "file:/etc/passwd",
+            "cell\0/x",
+            "C:\\Windows",
+            "C:/Windows",
+            "..\\..\\x",
+            "\\\\server\\share",
+            "Disk://../x",
+            "",
+            "-",
+            "--config=/etc/x",
+            "a\nb",
         ];
         for path in attacks {
             let refusal = roots.resolve(path).unwrap_err().0;

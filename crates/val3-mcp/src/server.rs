@@ -63,8 +63,8 @@ pub fn serve(options: ServerOptions, commands: Arc<dyn Commands>) -> Result<(), 
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     let runtime = runtime.map_err(|error| Refusal(format!("the server cannot start: {error}")))?;
     let ended = runtime.block_on(async {
-        let transport = AsyncRwTransport::new_server(tokio::io::stdin(), tokio::io::stdout())
-            .with_max_line_length(LONGEST_MESSAGE);
+        let transport =
+            AsyncRwTransport::new_server(tokio::io::stdin(), tokio::io::stdout()).with_max_line_length(LONGEST_MESSAGE);
         let ended = match server.serve(transport).await {
             Ok(service) => service.waiting().await.map(drop).map_err(|error| error.to_string()),
             // A client may disconnect without a handshake.
@@ -228,7 +228,8 @@ impl ServerHandler for Server {
         request: GetPromptRequestParams,
         _: RequestContext<RoleServer>,
     ) -> Result<GetPromptResponse, ErrorData> {
-        let unknown = || ErrorData::invalid_params(format!("there is no prompt `{}`", request.name.escape_debug()), None);
+        let unknown =
+            || ErrorData::invalid_params(format!("there is no prompt `{}`", request.name.escape_debug()), None);
         let text = PROMPTS.iter().find(|prompt| prompt.name == request.name).ok_or_else(unknown)?;
         let (name, _) = text.argument;
         let argument = request.arguments.as_ref().and_then(|arguments| arguments.get(name)?.as_str());

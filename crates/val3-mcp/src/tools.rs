@@ -149,6 +149,12 @@ pub(crate) fn json(output: &CommandOutput) -> Result<Value, Refusal> {
         .map_err(|error| Refusal(format!("the output of the command cannot be read ({error}): {}", output.messages)))
 }
 
+/// Messages of a command on lines of their own, without advice to use options that a call does not have.
+pub(crate) fn notes(messages: &str) -> String {
+    let is_advice = |line: &str| line.trim_start().starts_with("help:") && line.contains("--");
+    messages.trim().lines().filter(|line| !is_advice(line)).map(|line| format!("\n{line}")).collect()
+}
+
 /// Text of a JSON value; empty if it is none.
 pub(crate) fn text<'v>(value: &'v Value, key: &str) -> &'v str {
     value.get(key).and_then(Value::as_str).unwrap_or_default()
@@ -177,7 +183,8 @@ mod tests {
 
     /// Descriptions and schemas of the tools as a client receives them, without annotations.
     fn listed() -> Value {
-        let tool = |tool: Tool| json!({ "name": tool.name, "description": tool.description, "inputSchema": tool.schema });
+        let tool =
+            |tool: Tool| json!({ "name": tool.name, "description": tool.description, "inputSchema": tool.schema });
         all(true).into_iter().map(tool).collect()
     }
 

@@ -17,8 +17,10 @@ pub(super) fn program(text: &str) -> Result<NewProgram, String> {
         Some((last, code)) if is(last, "end") => code.get(1..).unwrap_or_default(),
         _ => return Err("the last line must be `end`".to_owned()),
     };
-    let (head, locals) = head.split_first().ok_or("the first line must be the head of the program: program pick(num x_n)")?;
-    let mut program = NewProgram { code: code.iter().map(|&line| line.trim_end().to_owned()).collect(), ..read_head(head)? };
+    let (head, locals) =
+        head.split_first().ok_or("the first line must be the head of the program: program pick(num x_n)")?;
+    let mut program =
+        NewProgram { code: code.iter().map(|&line| line.trim_end().to_owned()).collect(), ..read_head(head)? };
     for line in locals.iter().map(|line| line.trim()).filter(|line| !line.is_empty()) {
         let (variable, by_reference) = declaration(line, false)?;
         if by_reference {
@@ -30,7 +32,11 @@ pub(super) fn program(text: &str) -> Result<NewProgram, String> {
 }
 
 fn read_head(line: &str) -> Result<NewProgram, String> {
-    let wrong = || format!("`{line}` is no head of a program: write [public] program pick(num x_nCount, string& x_sName, num x_nList[])");
+    let wrong = || {
+        format!(
+            "`{line}` is no head of a program: write [public] program pick(num x_nCount, string& x_sName, num x_nList[])"
+        )
+    };
     let rest = line.trim();
     let (public, rest) = match rest.strip_prefix("public ") {
         Some(rest) => (true, rest.trim_start()),
@@ -60,7 +66,11 @@ fn parameters(text: &str) -> Result<Vec<(NewVariable, bool)>, String> {
 /// Reads `num l_n`, `point l_p[3]`, and of parameters also `num& x_n`, `num x_n[]`, `num x_n[,]`, `num x_n[""]`. Returns
 /// also whether the variable is a reference.
 fn declaration(text: &str, is_parameter: bool) -> Result<(NewVariable, bool), String> {
-    let form = if is_parameter { "num x_n, num& x_n, num x_n[], num x_n[,] or num x_n[\"\"]" } else { "num l_n or num l_n[3]" };
+    let form = if is_parameter {
+        "num x_n, num& x_n, num x_n[], num x_n[,] or num x_n[\"\"]"
+    } else {
+        "num l_n or num l_n[3]"
+    };
     let wrong = || format!("`{text}` is no declaration: write {form}");
     let (type_name, rest) = text.split_once(char::is_whitespace).ok_or_else(wrong)?;
     let rest = rest.trim();

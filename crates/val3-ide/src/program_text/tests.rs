@@ -73,8 +73,10 @@ fn wrong_texts_are_refused_with_the_right_form() {
     let refused = |text: &str| written(LISTING, text).unwrap_err();
     expect!["the line `begin` before the code is missing"].assert_eq(&refused("program a()"));
     expect!["the last line must be `end`"].assert_eq(&refused("program a()\nbegin\n"));
-    expect!["`sub a()` is no head of a program: write [public] program pick(num x_nCount, string& x_sName, num x_nList[])"]
-        .assert_eq(&refused("sub a()\nbegin\nend"));
+    expect![
+        "`sub a()` is no head of a program: write [public] program pick(num x_nCount, string& x_sName, num x_nList[])"
+    ]
+    .assert_eq(&refused("sub a()\nbegin\nend"));
     expect!["`num` is no declaration: write num x_n, num& x_n, num x_n[], num x_n[,] or num x_n[\"\"]"]
         .assert_eq(&refused("program a(num)\nbegin\nend"));
     expect!["`num l_n[\"\"]` is no declaration: write num l_n or num l_n[3]"]

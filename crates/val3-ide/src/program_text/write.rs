@@ -11,7 +11,8 @@ use val3_syntax::{SyntaxKind, TextRange};
 
 use super::read;
 use crate::declare::{
-    NewProgram, NewVariable, into_locals, into_parameters, is_old_program, local_entry, parameter_entry, programs, without,
+    NewProgram, NewVariable, into_locals, into_parameters, is_old_program, local_entry, parameter_entry, programs,
+    without,
 };
 use crate::edit::{FileEdit, SourceChange};
 use crate::rename::name_fault;
@@ -51,7 +52,9 @@ fn complete(db: &dyn Db, project: Project, new: &mut NewProgram) -> Result<(), S
             continue;
         }
         let types = BaseType::DECLARABLE.map(BaseType::name).join(", ");
-        return Err(format!("there is no type `{type_name}` in this project: use {types}, or a type of the project file"));
+        return Err(format!(
+            "there is no type `{type_name}` in this project: use {types}, or a type of the project file"
+        ));
     }
     Ok(())
 }
@@ -104,9 +107,11 @@ fn keeps_parameters(old: &Header, new: &NewProgram) -> bool {
 
 fn keeps_locals(old: &Header, new: &NewProgram) -> bool {
     old.locals.len() == new.locals.len()
-        && old.locals.iter().zip(&new.locals).all(|(old, new)| {
-            old.name == new.name && old.type_name == new.type_name && old.sizes == new.sizes
-        })
+        && old
+            .locals
+            .iter()
+            .zip(&new.locals)
+            .all(|(old, new)| old.name == new.name && old.type_name == new.type_name && old.sizes == new.sizes)
 }
 
 /// Edits that replace the elements of a list.

@@ -76,7 +76,8 @@ fn headline(summary: &Value) -> String {
 /// Findings beyond the requested number, by code.
 fn omitted(summary: &Value) -> String {
     let omitted = summary.get("omitted").and_then(Value::as_object).into_iter().flatten();
-    let omitted: Vec<(&String, u64)> = omitted.map(|(code, count)| (code, count.as_u64().unwrap_or_default())).collect();
+    let omitted: Vec<(&String, u64)> =
+        omitted.map(|(code, count)| (code, count.as_u64().unwrap_or_default())).collect();
     let sum: u64 = omitted.iter().map(|(_, count)| count).sum();
     if sum == 0 {
         return String::new();

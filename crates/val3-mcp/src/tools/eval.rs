@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{Call, Definition};
+use super::{Call, Definition, notes};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::refusal::Refusal;
@@ -35,9 +35,7 @@ impl Definition for Eval {
         }
         let request = CommandRequest { input: arguments.code, ..CommandRequest::new(command, OF_RUNS) };
         let output = call.command(&request)?;
-        let messages = output.messages.trim();
-        let messages = if messages.is_empty() { String::new() } else { format!("\n{messages}") };
-        let ok = output.exit_code == 0;
-        Ok(Answer::new(ok, format!("\n```text\n{}{messages}\n```", output.text)))
+        let (values, messages) = (output.text.trim_end(), notes(&output.messages));
+        Ok(Answer::new(output.exit_code == 0, format!("\n```text\n{values}{messages}\n```")))
     }
 }

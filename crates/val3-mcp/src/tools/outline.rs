@@ -56,7 +56,8 @@ impl Definition for Outline {
 /// One line for each project.
 fn list(call: &Call<'_>, workspace: &Workspace) -> String {
     let db = &workspace.db;
-    let mut text = format!("{}; name one as `path` for its content\n", counted(workspace.projects.len() as u64, "project"));
+    let mut text =
+        format!("{}; name one as `path` for its content\n", counted(workspace.projects.len() as u64, "project"));
     for project in &workspace.projects {
         let content = val3_ide::project_content(db, *project);
         let folder = call.roots.shown(&projects::folder(db, *project));

@@ -63,7 +63,8 @@ fn declaration(db: &Database, project: Project, arguments: &Arguments) -> Result
     let items = items(db, project);
     let name = SmolStr::new(&arguments.name);
     if let Some(program) = &arguments.program {
-        let file = *items.programs.get(program.as_str()).ok_or_else(|| unknown("program", program, items.programs.keys()))?;
+        let file =
+            *items.programs.get(program.as_str()).ok_or_else(|| unknown("program", program, items.programs.keys()))?;
         let header = val3_analysis::items::program::header(db, file);
         let names = header.params.iter().map(|param| &param.name).chain(header.locals.iter().map(|local| &local.name));
         let found = declarations::param(db, file, name.clone()).or_else(|| declarations::local(db, file, name));

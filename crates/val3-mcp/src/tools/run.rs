@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::{Call, Definition};
+use super::{Call, Definition, notes};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::refusal::Refusal;
@@ -25,6 +25,9 @@ pub(super) struct Arguments {
     program: Option<String>,
     /// Seconds of the controller's clock after which the run ends, at most 600. Default: 30
     until: Option<f64>,
+    /// Whether `until` is the normal end, as of a cyclic program
+    #[serde(default)]
+    until_ok: bool,
     /// Events outside of the application: TOML text such as `[[at]]\nt = 1\nio = { diPart = true }`, or the path of a
     /// .toml file
     script: Option<String>,
@@ -60,6 +63,9 @@ impl Definition for Run {
         let path = call.roots.resolve(&arguments.path)?;
         let mut command = vec!["run".to_owned(), path.into_string(), "--summary".to_owned()];
         command.extend(["--until".to_owned(), until.to_string()]);
+        if arguments.until_ok {
+            command.push("--until-ok".to_owned());
+        }
         if let Some(program) = &arguments.program {
             command.push(format!("--program={program}"));
         }
@@ -75,10 +81,15 @@ impl Definition for Run {
         let mut request = CommandRequest::new(command, OF_RUNS);
         request.script = arguments.script.as_deref().map(|script| script_text(call, script)).transpose()?;
         let output = call.command(&request)?;
-        let notes = output.messages.trim();
-        let notes = if notes.is_empty() { String::new() } else { format!("\n{notes}") };
-        Ok(Answer::new(output.exit_code == 0, format!("{}{notes}", output.text.trim_end())))
+        let text = format!("{}{}", output.text.trim_end(), notes(&output.messages));
+        Ok(Answer::new(output.exit_code == 0, with_arguments(&text)))
     }
+}
+
+/// Replaces options in the advice of the command by the arguments of this tool.
+fn with_arguments(text: &str) -> String {
+    let options = [("(--script)", "(`script`)"), ("--until-ok", "`until_ok`"), ("--until", "`until`")];
+    options.iter().fold(text.to_owned(), |text, (option, argument)| text.replace(option, argument))
 }
 
 /// Name of an arm, or the path of its file inside of the roots.
@@ -94,7 +105,9 @@ fn script_text(call: &Call<'_>, script: &str) -> Result<String, Refusal> {
     }
     let path = call.roots.resolve(script)?;
     val3_files::read_text(&path, val3_files::FileClass::Settings).map_err(|reason| {
-        Refusal(format!("cannot read the script `{script}`: {reason}. Write the TOML text itself, or the path of a file"))
+        Refusal(format!(
+            "cannot read the script `{script}`: {reason}. Write the TOML text itself, or the path of a file"
+        ))
     })
 }
 

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::{Call, Definition, counted, items, json as parsed, number, text};
+use super::{Call, Definition, counted, items, json as parsed, notes, number, text};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_CELLS};
 use crate::refusal::Refusal;
@@ -56,9 +56,10 @@ impl Definition for Test {
             text.push_str(&format!("\nand {} more: raise `max_failures`\n", counted(others as u64, "failure")));
         }
         if arguments.coverage {
-            text.push_str(&format!("\n{}\n", output.messages.trim()));
+            text.push_str(&format!("{}\n", notes(&output.messages)));
         }
-        let data = json!({ "passed": document["passed"], "failed": document["failed"], "skipped": document["skipped"] });
+        let data =
+            json!({ "passed": document["passed"], "failed": document["failed"], "skipped": document["skipped"] });
         Ok(Answer::new(output.exit_code == 0, text).with_data(data).with_detail(arguments.detail))
     }
 }

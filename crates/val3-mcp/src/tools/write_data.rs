@@ -69,10 +69,14 @@ fn edits(db: &Database, project: Project, arguments: &Arguments) -> Result<(File
     let mut edits = Vec::new();
     let file = match known {
         Some(item) => {
-            let is_other = |wanted: &String| wanted != item.decl.type_name.as_str() && file_type(db, project, wanted) != item.decl.type_name.as_str();
+            let is_other = |wanted: &String| {
+                wanted != item.decl.type_name.as_str() && file_type(db, project, wanted) != item.decl.type_name.as_str()
+            };
             if let Some(wanted) = arguments.type_name.as_ref().filter(|wanted| is_other(wanted)) {
                 let (name, known) = (&arguments.name, &item.decl.type_name);
-                return Err(Refusal(format!("`{name}` has the type `{known}`, which cannot become `{wanted}`: choose another name")));
+                return Err(Refusal(format!(
+                    "`{name}` has the type `{known}`, which cannot become `{wanted}`: choose another name"
+                )));
             }
             if let Some(sizes) = arguments.size.as_ref().filter(|sizes| **sizes != item.decl.sizes) {
                 edits.push(DataEdit::Resize { place: variable(&arguments.name), sizes: sizes.clone() });
@@ -88,7 +92,12 @@ fn edits(db: &Database, project: Project, arguments: &Arguments) -> Result<(File
             *files.first().ok_or_else(|| Refusal::new("the project has no data file: add one to its .pjx"))?
         }
     };
-    let cells: Vec<CellEdit> = arguments.values.iter().map(|(key, value)| cells(&arguments.name, key, value)).collect::<Result<Vec<_>, _>>()?.concat();
+    let cells: Vec<CellEdit> = arguments
+        .values
+        .iter()
+        .map(|(key, value)| cells(&arguments.name, key, value))
+        .collect::<Result<Vec<_>, _>>()?
+        .concat();
     if !cells.is_empty() {
         edits.push(DataEdit::Set(cells));
     }
@@ -97,9 +106,10 @@ fn edits(db: &Database, project: Project, arguments: &Arguments) -> Result<(File
 
 fn datum(db: &Database, project: Project, arguments: &Arguments) -> Result<NewDatum, Refusal> {
     let name = arguments.name.clone();
-    let type_name = arguments.type_name.as_ref().ok_or_else(|| {
-        Refusal(format!("there is no data `{name}` yet: name its `type`, or use one of `outline`"))
-    })?;
+    let type_name = arguments
+        .type_name
+        .as_ref()
+        .ok_or_else(|| Refusal(format!("there is no data `{name}` yet: name its `type`, or use one of `outline`")))?;
     let sizes = arguments.size.clone().unwrap_or_else(|| vec![1]);
     let container = match sizes.as_slice() {
         [] => Container::Collection,
@@ -146,6 +156,8 @@ fn cell_text(value: &Value) -> Result<Option<String>, Refusal> {
         Value::Null => Ok(None),
         Value::String(text) => Ok(Some(text.clone())),
         Value::Bool(_) | Value::Number(_) => Ok(Some(value.to_string())),
-        _ => Err(Refusal(format!("`values` has the value {value}: write a number, true, false, a string, or one object of attributes"))),
+        _ => Err(Refusal(format!(
+            "`values` has the value {value}: write a number, true, false, a string, or one object of attributes"
+        ))),
     }
 }

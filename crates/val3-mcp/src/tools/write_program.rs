@@ -43,7 +43,10 @@ impl Definition for WriteProgram {
         let mut created = String::new();
         if !path.exists() {
             if arguments.dry_run {
-                return Err(Refusal(format!("`{}` does not exist: call without `dry_run` to create it", arguments.path)));
+                return Err(Refusal(format!(
+                    "`{}` does not exist: call without `dry_run` to create it",
+                    arguments.path
+                )));
             }
             created = create(call, &path)?;
         }
@@ -69,5 +72,8 @@ fn create(call: &Call<'_>, path: &Utf8Path) -> Result<String, Refusal> {
         return Ok(format!("{}\n", output.messages.trim()));
     }
     let written = output.messages.trim();
-    Err(Refusal(format!("the new application is not in `{}`, because no cell contains this folder; use its path: {written}", call.roots.shown(path))))
+    Err(Refusal(format!(
+        "the new application is not in `{}`, because no cell contains this folder; use its path: {written}",
+        call.roots.shown(path)
+    )))
 }

@@ -123,7 +123,8 @@ mod tests {
         let edit = json!({ "file": "a.pgx", "range": range, "text": "x" });
         for file in ["a.pgx", "b.pgx", "../../etc/passwd"] {
             let fix = json!({ "title": "t", "safe": true, "edits": [edit] });
-            let finding = json!({ "severity": "error", "code": "V1", "message": "m", "file": file, "range": range, "fix": fix });
+            let finding =
+                json!({ "severity": "error", "code": "V1", "message": "m", "file": file, "range": range, "fix": fix });
             let text = shown(&roots, roots.first(), &finding);
             assert!(text.contains("m") && !text.contains("root:"), "{text}");
         }

@@ -1,9 +1,9 @@
 //! A program without XML.
 
 use val3_analysis::db::{Database, File, Project};
+use val3_analysis::items::parse;
 use val3_analysis::items::program::code;
 use val3_analysis::items::project::items;
-use val3_analysis::items::parse;
 use val3_ide::{Call, incoming_calls, outgoing_calls, program_text};
 
 use crate::projects::unknown;

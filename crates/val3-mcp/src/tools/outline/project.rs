@@ -24,21 +24,41 @@ pub(super) fn shown(db: &Database, roots: &Roots, project: Project) -> String {
     let content = project_content(db, project);
     let version = items(db, project).version;
     let arm = val3_analysis::arm::arm(db, project).as_ref().map_or("no arm", |arm| arm.model.name());
-    let mut text =
-        format!("{} `{}` in {}, VAL 3 {version}, {arm}\n", role(&content), content.name, roots.shown(&folder(db, project)));
-    section(&mut text, "programs", content.programs.iter().map(|item| {
-        let (access, params) = item.detail.split_once('(').unwrap_or_default();
-        format!("{access}{}({params}", item.name)
-    }));
-    section(&mut text, "data", content.data.iter().map(|item| {
-        let value = item.what.value.as_ref().map(|value| format!(" = {value}")).unwrap_or_default();
-        format!("{} {}{value}", item.detail, item.name)
-    }));
+    let mut text = format!(
+        "{} `{}` in {}, VAL 3 {version}, {arm}\n",
+        role(&content),
+        content.name,
+        roots.shown(&folder(db, project))
+    );
+    section(
+        &mut text,
+        "programs",
+        content.programs.iter().map(|item| {
+            let (access, params) = item.detail.split_once('(').unwrap_or_default();
+            format!("{access}{}({params}", item.name)
+        }),
+    );
+    section(
+        &mut text,
+        "data",
+        content.data.iter().map(|item| {
+            let value = item.what.value.as_ref().map(|value| format!(" = {value}")).unwrap_or_default();
+            format!("{} {}{value}", item.detail, item.name)
+        }),
+    );
     let reference = |name: &str, path: &str, is_found: bool| {
         format!("{name} \"{path}\"{}", if is_found { "" } else { " (not found)" })
     };
-    section(&mut text, "libraries", content.libraries.iter().map(|item| reference(&item.name, &item.detail, item.what.project.is_some())));
-    section(&mut text, "user types", content.types.iter().map(|item| reference(&item.name, &item.detail, item.what.project.is_some())));
+    section(
+        &mut text,
+        "libraries",
+        content.libraries.iter().map(|item| reference(&item.name, &item.detail, item.what.project.is_some())),
+    );
+    section(
+        &mut text,
+        "user types",
+        content.types.iter().map(|item| reference(&item.name, &item.detail, item.what.project.is_some())),
+    );
     text
 }
 
