@@ -10,6 +10,7 @@ use val3_mcp::{Refusal, Roots, ServerOptions, serve};
 
 use crate::args::McpArgs;
 use crate::paths::current_folder;
+use crate::trust::trust_nothing;
 use crate::user_error::UserError;
 use crate::version::VERSION;
 
@@ -20,6 +21,7 @@ use process::Processes;
 /// # Errors
 /// A root is no folder, a named tool does not exist, or the server cannot start.
 pub(crate) fn run(args: &McpArgs) -> Result<ExitCode, UserError> {
+    trust_nothing();
     let current = current_folder()?;
     let roots: Vec<_> = args.root.iter().map(|root| current.join(root)).collect();
     let (first, others) = roots.split_first().unwrap_or((&current, &[]));
