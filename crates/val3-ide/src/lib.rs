@@ -89,10 +89,10 @@ pub use linked_editing::linked_names;
 pub use navigate::{NavigationTarget, declarations, definition, implementations, type_definition};
 pub use new_test::new_test;
 pub use owner::{owner, projects_of};
+pub use program_text::{program_text, write_program};
 pub use project_tree::{
     ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,
 };
-pub use program_text::{program_text, write_program};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selections;
