@@ -30,27 +30,7 @@ fn form(schema: &Map<String, Value>) -> String {
     format!("{{{}}}", shown.collect::<Vec<_>>().join(", "))
 }
 
-#[cfg(test)]
-mod tests {
-    use expect_test::expect;
-    use serde_json::json;
-
-    use crate::tools::all;
-
-    /// Refusal of a call with these arguments.
-    fn refused(tool: &str, arguments: serde_json::Value) -> String {
-        let tool = all(true).into_iter().find(|known| known.name == tool).unwrap();
-        let serde_json::Value::Object(arguments) = arguments else { panic!() };
-        crate::tools::testing::call_without_commands(&tool, arguments).unwrap_err().0
-    }
-
-    #[test]
-    fn wrong_arguments_are_refused_with_the_right_form() {
-        expect![[r#"the arguments of `explain` are wrong: missing field `topic`. Write {"detail": boolean, "topic": string (required)}"#]]
-            .assert_eq(&refused("explain", json!({})));
-        expect![[r#"the arguments of `explain` are wrong: unknown field `word`, expected `topic` or `detail`. Write {"detail": boolean, "topic": string (required)}"#]]
-            .assert_eq(&refused("explain", json!({ "word": "movej" })));
-        expect![[r#"the arguments of `explain` are wrong: invalid type: integer `3`, expected a string. Write {"detail": boolean, "topic": string (required)}"#]]
-            .assert_eq(&refused("explain", json!({ "topic": 3 })));
-    }
+/// Path of the first root, for calls without a path.
+pub(crate) fn here() -> String {
+    ".".to_owned()
 }

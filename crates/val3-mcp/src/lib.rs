@@ -12,11 +12,14 @@ mod cut;
 mod projects;
 mod prompts;
 mod refusal;
+mod report;
 mod resources;
 mod roots;
 mod schema;
 mod server;
+mod tool;
 mod tools;
+mod written;
 
 #[cfg(test)]
 mod testing;

@@ -24,7 +24,8 @@ use crate::prompts::{PROMPTS, PromptText};
 use crate::refusal::Refusal;
 use crate::resources;
 use crate::roots::Roots;
-use crate::tools::{Call, Effect, Tool, all, page};
+use crate::tool::{Call, Effect, Tool};
+use crate::tools::{all, page};
 
 /// Options of the server.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -280,8 +281,7 @@ impl ServerHandler for Server {
 mod tests {
     use super::*;
     use crate::command::CommandEnd;
-    use crate::testing::Folder;
-    use crate::tools::testing::Prepared;
+    use crate::testing::{Folder, Prepared};
 
     #[test]
     fn a_panic_in_a_tool_is_an_answer() {

@@ -6,10 +6,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::{Call, Definition, counted, items, json as parsed, number};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_CELLS};
 use crate::refusal::Refusal;
+use crate::report::{counted, items, json as parsed, number};
+use crate::tool::{Call, Definition};
 
 /// The tool.
 pub(super) struct Check;
@@ -19,7 +20,7 @@ pub(super) struct Check;
 #[serde(deny_unknown_fields)]
 pub(super) struct Arguments {
     /// Cell, application, library, or a single .pgx or .dtx
-    #[serde(default = "here")]
+    #[serde(default = "crate::arguments::here")]
     path: String,
     /// Also reach, limits and singularities of points and moves
     #[serde(default)]
@@ -29,11 +30,6 @@ pub(super) struct Arguments {
     /// Up to 24 kB instead of 8 kB
     #[serde(default)]
     detail: bool,
-}
-
-/// Path of the first root.
-pub(super) fn here() -> String {
-    ".".to_owned()
 }
 
 impl Definition for Check {

@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{Call, Definition, notes};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::refusal::Refusal;
+use crate::report::notes;
+use crate::tool::{Call, Definition};
 
 /// The tool.
 pub(super) struct Eval;

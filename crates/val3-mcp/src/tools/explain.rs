@@ -4,10 +4,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::{Call, Definition, items, json, text};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::refusal::Refusal;
+use crate::report::{items, json, text};
+use crate::tool::{Call, Definition};
 
 /// The tool.
 pub(super) struct Explain;

@@ -8,10 +8,11 @@ use serde::Deserialize;
 use val3_analysis::load::Workspace;
 use val3_analysis::system::Disk;
 
-use super::{Call, Definition, counted};
 use crate::answer::Answer;
 use crate::projects;
 use crate::refusal::Refusal;
+use crate::report::counted;
+use crate::tool::{Call, Definition};
 
 /// The tool.
 pub(super) struct Outline;
@@ -21,7 +22,7 @@ pub(super) struct Outline;
 #[serde(deny_unknown_fields)]
 pub(super) struct Arguments {
     /// Cell, application, library or user type; the list of projects if there are several
-    #[serde(default = "super::check::here")]
+    #[serde(default = "crate::arguments::here")]
     path: String,
     /// Program whose declarations, numbered code, callers and calls are returned
     program: Option<String>,

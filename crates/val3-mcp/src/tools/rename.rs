@@ -9,11 +9,12 @@ use val3_analysis::items::project::items;
 use val3_analysis::system::Disk;
 use val3_ide::{FilePosition, rename};
 
-use super::{Call, Definition, Effect, changed};
 use crate::answer::Answer;
 use crate::changes::Changes;
 use crate::projects::{self, unknown};
 use crate::refusal::Refusal;
+use crate::tool::{Call, Definition, Effect};
+use crate::written::changed;
 
 /// The tool.
 pub(super) struct Rename;

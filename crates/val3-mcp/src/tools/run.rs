@@ -6,10 +6,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::{Call, Definition, notes};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::refusal::Refusal;
+use crate::report::notes;
+use crate::tool::{Call, Definition};
 
 /// The tool.
 pub(super) struct Run;
@@ -19,7 +20,7 @@ pub(super) struct Run;
 #[serde(deny_unknown_fields)]
 pub(super) struct Arguments {
     /// Folder of the application
-    #[serde(default = "super::check::here")]
+    #[serde(default = "crate::arguments::here")]
     path: String,
     /// Program to start with, instead of `start`
     program: Option<String>,

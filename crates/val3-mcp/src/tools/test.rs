@@ -4,10 +4,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::{Call, Definition, counted, items, json as parsed, notes, number, text};
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_CELLS};
 use crate::refusal::Refusal;
+use crate::report::{counted, items, json as parsed, notes, number, text};
+use crate::tool::{Call, Definition};
 
 /// The tool.
 pub(super) struct Test;
@@ -17,7 +18,7 @@ pub(super) struct Test;
 #[serde(deny_unknown_fields)]
 pub(super) struct Arguments {
     /// Cell, test application, or file of a test
-    #[serde(default = "super::check::here")]
+    #[serde(default = "crate::arguments::here")]
     path: String,
     /// Only tests whose names contain this text
     filter: Option<String>,

@@ -11,11 +11,12 @@ use val3_analysis::system::Disk;
 use val3_ide::{CellEdit, DataEdit, DataPlace, FieldStep, NewDatum, data_edits};
 use val3_lang::types::{Arm, BaseType, Container};
 
-use super::{Call, Definition, Effect, changed};
 use crate::answer::Answer;
 use crate::changes::Changes;
 use crate::projects;
 use crate::refusal::Refusal;
+use crate::tool::{Call, Definition, Effect};
+use crate::written::changed;
 
 /// The tool.
 pub(super) struct WriteData;

@@ -6,12 +6,13 @@ use serde::Deserialize;
 use val3_analysis::system::Disk;
 use val3_ide::write_program;
 
-use super::{Call, Definition, Effect, changed};
 use crate::answer::Answer;
 use crate::changes::Changes;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::projects;
 use crate::refusal::Refusal;
+use crate::tool::{Call, Definition, Effect};
+use crate::written::changed;
 
 /// The tool.
 pub(super) struct WriteProgram;

@@ -6,8 +6,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use serde_json::Value;
 use val3_files::FileClass;
 
+use crate::report::{items, number, text};
 use crate::roots::Roots;
-use crate::tools::{items, number, text};
 
 /// Formats a finding of the JSON report. `folder` is the checked folder, to which its paths are relative.
 pub(super) fn shown(roots: &Roots, folder: &Utf8Path, finding: &Value) -> String {
