@@ -89,7 +89,6 @@ fn fault(path: &str) -> Option<&'static str> {
 mod tests {
     use proptest::prelude::*;
 
-    use super::*;
     use crate::testing::Folder;
 
     #[test]
