@@ -37,6 +37,7 @@ mod navigate;
 mod new_test;
 mod owner;
 mod placement;
+mod program_text;
 mod project_tree;
 mod reachable_projects;
 mod reached;
@@ -87,6 +88,7 @@ pub use linked_editing::linked_names;
 pub use navigate::{NavigationTarget, declarations, definition, implementations, type_definition};
 pub use new_test::new_test;
 pub use owner::{owner, projects_of};
+pub use program_text::{program_text, write_program};
 pub use project_tree::{
     ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,
 };
