@@ -97,7 +97,7 @@ const until = (page, time) => page.waitForFunction((time) => window.val3View.sto
  * away from the mouse, so that a missed press is repeated.
  */
 async function hold(page, button, arrived, argument) {
-  const held = page.locator(".held", { has: button });
+  const held = button.locator("xpath=parent::*[contains(@class, 'held')]");
   let isHeld = false;
   for (let attempt = 0; attempt < PRESSES && !isHeld; attempt += 1) {
     await page.mouse.up();
