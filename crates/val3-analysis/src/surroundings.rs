@@ -1,7 +1,14 @@
 //! `cell.toml`: things around the arm of an application. Frames and tools that carry them are data.
 
+mod faults;
+mod loaded;
+mod shared_scene;
+mod signals;
+
+use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
-use val3_config::table_strings;
+use val3_cell::CellFile;
+use val3_config::{TableFile, table_strings};
 use val3_lang::data_path::DataPath;
 use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, TextSize};
@@ -10,6 +17,9 @@ use crate::db::{Db, File, Project};
 use crate::items::project::{fields, items};
 use crate::occurrences::{Occurrence, Symbol, Usage, path_names};
 use crate::ty::Base;
+
+pub use self::faults::cell_faults;
+pub use self::shared_scene::{SharedScene, scene};
 
 /// Name of the file that is used without a setting.
 pub const FILE_NAME: &str = "cell.toml";
@@ -38,6 +48,16 @@ pub fn carrier_names(db: &dyn Db, file: File) -> Vec<CarrierName> {
             range: TextRange::new(size(string.range.start), size(string.range.end)),
         })
         .collect()
+}
+
+/// Returns the paths of the meshes in the text of a `cell.toml`, each once; empty if the text has errors.
+pub(crate) fn mesh_names(text: &str) -> Vec<Utf8PathBuf> {
+    let table = TableFile::<CellFile>::parse(Utf8Path::new(FILE_NAME), text).ok();
+    let names = table.iter().flat_map(|table| table.content.meshes());
+    let mut names: Vec<Utf8PathBuf> = names.map(Utf8Path::to_owned).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
 }
 
 /// Returns the names of an application's data in its `cell.toml`.

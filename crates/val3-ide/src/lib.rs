@@ -7,7 +7,6 @@ mod access;
 mod add_reference;
 mod assists;
 mod call_hierarchy;
-mod cell_faults;
 mod change_signature;
 mod code_lens;
 mod code_text;
@@ -59,7 +58,6 @@ pub use add_reference::{
 };
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
-pub use cell_faults::{CellFault, cell_faults};
 pub use change_signature::{NewLocal, NewParameter, NewVariables, SignatureError, change_signature};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use code_text::code_text;

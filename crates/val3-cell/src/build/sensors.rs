@@ -59,7 +59,7 @@ impl CellMaker<'_> {
         let keys = CarriedKeys { carrier: carrier.as_deref().unwrap_or("world"), at: &[], key };
         let Some((carrier, pose)) = self.carriers.of(keys, self.surroundings)? else { return Ok(None) };
         if let Some(path) = io {
-            match self.signal(path, &format!("{key}.io"))? {
+            match self.input(path, &format!("{key}.io"))? {
                 None => return Ok(None),
                 Some(SignalClass::Analog) => {
                     let help = "name a digital input";

@@ -11,6 +11,7 @@ mod attach;
 mod baseline;
 mod cell_distances;
 mod check;
+mod check_contacts;
 mod check_motion;
 mod configuration;
 #[cfg(unix)]
@@ -69,6 +70,7 @@ mod ros;
 mod run;
 mod run_arms;
 mod run_cell;
+mod run_conveyors;
 mod run_default;
 mod run_manual;
 mod run_motion;
