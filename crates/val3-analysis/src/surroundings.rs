@@ -72,7 +72,8 @@ pub(crate) fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occu
 
 /// Returns the type of the data to which a path leads in a project; `None` if a name of the path is unknown.
 pub fn path_type(db: &dyn Db, project: Project, path: &str) -> Option<BaseType> {
-    let steps = DataPath::new(path).split_library().map_or(DataPath::new(path), |(_, behind)| behind).steps().count();
+    let own_path = DataPath::new(path).split_library().map_or(DataPath::new(path), |(_, item)| item);
+    let steps = own_path.steps().count();
     let names = path_names(db, project, path);
     let data = names.iter().filter(|(_, symbol)| matches!(symbol, Symbol::Data(..)));
     let (_, last) = names.last().filter(|_| data.count() == steps)?;

@@ -47,11 +47,11 @@ pub struct Cell {
 pub struct Thing {
     /// Name in messages.
     pub name: String,
-    /// Its carrier.
+    /// Carrier.
     pub carrier: Carrier,
     /// Pose of the thing in the frame of the carrier.
     pub pose: IsometryMatrix3<f64>,
-    /// Its shapes.
+    /// Shapes.
     pub solids: Vec<Solid>,
     /// Distance in mm below which something is too near to this thing.
     pub clearance: Option<f64>,

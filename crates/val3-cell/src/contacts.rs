@@ -1,4 +1,4 @@
-//! Contacts at joint positions and on paths that nobody executes, for checks of programs.
+//! Contacts at joint positions and on planned paths, for checks of programs.
 //!
 //! Parts are not compared: their places depend on the run. Neither are the links and what the arm carries among
 //! themselves, because their shapes are larger than they are.

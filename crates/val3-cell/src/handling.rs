@@ -60,7 +60,7 @@ pub enum HandlingEvent {
     Sensor {
         /// The sensor.
         sensor: String,
-        /// What it detects.
+        /// Name of a detected body; `None` if there is none.
         detects: Option<String>,
     },
 }
@@ -142,7 +142,7 @@ impl Handling {
         self.grippers.get(gripper).is_some_and(|state| state.is_controlled)
     }
 
-    /// Whether [`Self::see`] would have no effect at a time in seconds, whatever has moved.
+    /// Whether [`Self::see`] would have no effect at a time in seconds, even if the arm or a frame has moved.
     #[must_use]
     pub fn is_idle(&self, outputs: &CellOutputs, time: f64) -> bool {
         let CellOutputs { grippers, conveyors } = outputs;

@@ -50,12 +50,12 @@ pub struct PartPlace {
 /// Holder of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PartHolder {
-    /// It stands in `world`.
+    /// `world`, in which the part stands.
     World,
-    /// It stands in the frame with this number in [`crate::Scene::data`].
+    /// The frame with this number in [`crate::Scene::data`], in which the part stands.
     Frame(usize),
     /// The gripper with this number holds it; the pose is in `flange`.
     Gripper(usize),
-    /// It was removed.
+    /// None: the part was removed, or has not arrived.
     Gone,
 }

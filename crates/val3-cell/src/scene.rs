@@ -49,7 +49,7 @@ pub(crate) enum BodyCarrier {
     Frame(usize),
     /// A tool with this number in [`Scene::data`].
     Tool(usize),
-    /// What carries the part with this number.
+    /// Holder of the part with this number.
     Part(usize),
 }
 

@@ -102,9 +102,9 @@ impl ConvexPair<'_> {
         }
     }
 
-    /// Returns the distance of two planes across a direction, of which one has the first shape behind it, and the other
-    /// the second in front. It is at most the distance of the shapes, and negative where the planes are not between
-    /// them.
+    /// Returns the distance between two planes across a direction: the first shape touches one plane from below, the
+    /// second shape the other plane from above. The distance is at most the distance between the shapes, and negative
+    /// if the planes do not separate them.
     fn gap(&self, normal: Vector) -> f64 {
         let [on_first, on_second] = self.extremes(normal);
         normal.dot(on_second - on_first)

@@ -30,7 +30,7 @@ pub struct ConveyorEntry {
     /// Parts that the conveyor receives from outside of the cell.
     #[schemars(with = "FeedKeys")]
     pub feed: Option<FeedKeys>,
-    /// What happens to a part at the end of the belt: `stop` by default.
+    /// Effect of the end of the belt on a part: `stop` by default.
     pub end: ConveyorEnd,
     /// The distance below which something is too near to the conveyor, in place of the general one.
     #[schemars(with = "f64")]
@@ -53,7 +53,7 @@ pub struct FeedKeys {
     pub at: Vec<f64>,
 }
 
-/// What happens to a part at the end of a conveyor.
+/// Effect of the end of a conveyor on a part.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ConveyorEnd {

@@ -192,8 +192,14 @@ impl Handling {
         (place, track): (&IsometryMatrix3<f64>, &IsometryMatrix3<f64>),
         view: &HandlingView<'_>,
     ) -> Option<HandlingEvent> {
-        let part = conveyor.feed.as_ref().and_then(|feed| Some((feed, *feed.parts.get(state.fed)?)));
-        let Some((feed, part)) = part else {
+        let waits = |part: &usize| self.parts.get(*part).is_some_and(|place| place.holder == PartHolder::Gone);
+        let next = conveyor.feed.as_ref().and_then(|feed| {
+            // A script may have placed a part before its arrival.
+            let skipped = feed.parts.iter().skip(state.fed).position(waits)?;
+            state.fed += skipped;
+            Some((feed, *feed.parts.get(state.fed)?))
+        });
+        let Some((feed, part)) = next else {
             state.next = NextPart::Never;
             return None;
         };

@@ -187,10 +187,10 @@ impl<'b> Glb<'b> {
     fn parse(bytes: &'b [u8]) -> Result<Self, MeshError> {
         let mut rest = bytes.get(HEAD..).ok_or(MeshError::Glb("it is cut off"))?;
         let (mut document, mut binary) = (None, &[] as &[u8]);
-        while let Some((head, behind)) = rest.split_at_checked(CHUNK_HEAD) {
+        while let Some((head, body)) = rest.split_at_checked(CHUNK_HEAD) {
             let (length, kind) = head.split_at_checked(4).unwrap_or_default();
             let length = number(length).ok_or(MeshError::Glb("it is cut off"))?;
-            let (chunk, next) = behind.split_at_checked(length).ok_or(MeshError::Glb("it is cut off"))?;
+            let (chunk, next) = body.split_at_checked(length).ok_or(MeshError::Glb("it is cut off"))?;
             if kind == JSON && document.is_none() {
                 let parsed = serde_json::from_slice(chunk);
                 document = Some(parsed.map_err(|_| MeshError::Glb("its description is no glTF 2.0"))?);

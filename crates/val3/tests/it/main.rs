@@ -20,6 +20,7 @@ mod dap;
 mod dap_client;
 mod dap_contacts;
 mod dap_overlay;
+mod dap_parts;
 mod dap_replay;
 mod dap_test;
 mod dap_torture;

@@ -53,7 +53,8 @@ const CELL: &str = "[[conveyor]]\nname = \"belt\"\nbox = { min = [-150, -800, -2
     [[sensor]]\nname = \"at end\"\nin = \"belt frame\"\nbeam = { from = [-140, 0, 50], to = [140, 0, 50] }\nio = 'Io\\%I0'\n\
     [[object]]\nname = \"belt frame\"\nat = [450, 0, 180]\nbox = { min = [-150, -800, -60], max = [150, 50, -20] }\n";
 
-fn folder() -> Folder {
+/// A folder with the application and the belt.
+pub(crate) fn folder() -> Folder {
     let folder = Folder::with(LISTING);
     folder.write("val3.toml", "arm = \"tx2-60l\"\n[run]\npower = true\n");
     folder.write("cell.toml", CELL);

@@ -113,6 +113,20 @@ fn a_feed_adds_parts_in_its_time_and_waits_for_their_place() {
 }
 
 #[test]
+fn a_part_that_a_script_has_placed_does_not_arrive() {
+    let mut belt = Belt::new(&FEED.replace("END", ""));
+    let pose = Trsf::new([1000.0, 0.0, 0.0], [0.0; 3]).isometry();
+    belt.handling.place(&belt.scene.clone(), 0, Some(pose));
+    let events = belt.wait(1.5, true);
+    let names: Vec<String> = ["carton[1]", "carton[2]"].map(str::to_owned).into();
+    let arrived = events.into_iter().map(|event| match event {
+        HandlingEvent::Part { part, .. } => part,
+        other => format!("{other:?}"),
+    });
+    assert_eq!((arrived.collect::<Vec<_>>(), belt.places()[0]), (names, Some(0.0)));
+}
+
+#[test]
 fn a_part_leaves_the_cell_at_the_end() {
     let mut belt = Belt::new(&FEED.replace("END", "end = \"remove\""));
     let events = belt.wait(8.0, true);
