@@ -39,7 +39,7 @@ pub struct Closest {
     pub points: [Vector3<f64>; 2],
 }
 
-/// The common volume of two shapes.
+/// Overlap of two shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
     /// Length of the shortest shift that separates them; `None` for surfaces, which have no inside.
