@@ -56,10 +56,10 @@ fn cell_file(workspace: &Workspace) -> File {
 
 fn faults(listing: &str, cell: &str) -> String {
     let workspace = loaded(&system(listing, &[("cell.toml", cell)]));
-    let found = cell_faults(&workspace.db, cell_file(&workspace));
-    let shown = found.into_iter().map(|fault| {
-        format!("{}: {} ({})\n", &fault.text[fault.range.clone()], fault.message, fault.help)
-    });
+    let found = cell_faults(&workspace.db, cell_file(&workspace), true);
+    let shown = found
+        .into_iter()
+        .map(|fault| format!("{}: {} ({})\n", &fault.text[fault.range.clone()], fault.message, fault.help));
     shown.collect()
 }
 
@@ -126,6 +126,13 @@ fn a_carrier_that_no_application_has_is_a_fault() {
     );
 }
 
+#[test]
+fn a_carrier_of_an_application_that_is_not_loaded_is_no_fault() {
+    let cell = "[[object]]\nname = \"a\"\nin = \"fPalet\"\nbox = [1, 2, 3]";
+    let workspace = loaded(&system(APPLICATION, &[("cell.toml", cell)]));
+    assert_eq!(cell_faults(&workspace.db, cell_file(&workspace), false), []);
+}
+
 /// A sensor with this input.
 fn sensor(io: &str) -> String {
     format!("[[sensor]]\nname = \"stop\"\nbeam = {{ from = [0, 0, 0], to = [0, 0, 9] }}\nio = '{io}'\n")
@@ -157,7 +164,7 @@ fn a_mesh_is_read_once_and_again_when_it_is_stale() {
         project.meshes(&workspace.db)[0].mesh.clone()
     };
     assert_eq!(mesh(&workspace).unwrap().triangles.len(), 2);
-    assert_eq!(cell_faults(&workspace.db, cell_file(&workspace)), []);
+    assert_eq!(cell_faults(&workspace.db, cell_file(&workspace), true), []);
     let second = system(APPLICATION, &[("cell.toml", cell)]);
     let paths = [Utf8PathBuf::from(ROOT)];
     workspace.refresh(&second, &paths, &|_| false);

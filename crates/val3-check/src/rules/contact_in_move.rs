@@ -118,7 +118,8 @@ mod tests {
               | the tool centre point is 232 mm from `pX[0]` then
               ? add a point to move around it, or allow the pair there: `allow = [["link4", "post", "why"]]`
               > start.pgx:5 `pX[0]` the arm starts here
-        "#]].assert_eq(&found(POST, "movej(pX[0],flange,mX)\nmovel(pX[1],flange,mX)"));
+        "#]]
+        .assert_eq(&found(POST, "movej(pX[0],flange,mX)\nmovel(pX[1],flange,mX)"));
         expect![[""]].assert_eq(&found(POST, "movej(pX[0],flange,mX)\nmovej(pX[1],flange,mX)"));
         assert_eq!(found(POST, "movej(pX[0],flange,mX)\nmovel(pX[2],flange,mX)"), "");
     }
