@@ -102,22 +102,21 @@ impl ConvexPair<'_> {
         }
     }
 
-    /// Returns the distance between two planes across a direction: the first shape touches one plane from below, the
-    /// second shape the other plane from above. The distance is at most the distance between the shapes, and negative
-    /// if the planes do not separate them.
+    /// Returns the signed distance between two parallel planes with this normal: the first shape ends at one, the second
+    /// begins at the other. It is a lower bound of the distance between the shapes.
     fn gap(&self, normal: Vector) -> f64 {
         let [on_first, on_second] = self.extremes(normal);
         normal.dot(on_second - on_first)
     }
 
-    /// Returns the point of the first shape that is farthest in a direction, and the one of the second that is least
-    /// far.
+    /// Returns the extreme points along a direction: the farthest point of the first shape, and the nearest point of the
+    /// second.
     fn extremes(&self, normal: Vector) -> [Vector; 2] {
         [self.first.local_support_point(normal), self.second.support_point(self.pose, -normal)]
     }
 }
 
-/// Points of two shapes, and a gap between the shapes.
+/// An upper and a lower bound of a distance: a point on each shape, and a gap between the shapes.
 #[derive(Debug, Clone, Copy)]
 struct Proof {
     points: [Vector; 2],

@@ -49,6 +49,7 @@ mod live;
 mod loose_files;
 mod lsp;
 mod manners;
+mod mcp;
 mod merge;
 mod merge_git;
 mod new;
