@@ -210,7 +210,7 @@ fn symbol(found: &mut CompletionList<'_>, label: &str, symbol: impl FnOnce() -> 
 }
 
 /// Elements of a type in a project, each with the name of the variable: `fPallet`, `fPallets[1]`.
-pub(crate) fn carrier_paths(db: &dyn Db, project: Project, ty: BaseType, is_public: bool) -> Vec<(String, String)> {
+fn carrier_paths(db: &dyn Db, project: Project, ty: BaseType, is_public: bool) -> Vec<(String, String)> {
     let mut paths = Vec::new();
     for (name, item) in items(db, project).data.iter().filter(|(_, item)| item.decl.public || !is_public) {
         for path in father_paths(db, project, name, item, ty) {
