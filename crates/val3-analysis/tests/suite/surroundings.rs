@@ -143,10 +143,17 @@ fn signals_are_those_of_the_cell_and_of_the_data() {
     let gripper = |values: &str| format!("[[gripper]]\ntool = \"tGrip\"\n{values}\n");
     let known = gripper("holding = { 'ModbusSrv-0\\Modbus-Word\\Vacuum' = 100 }");
     assert_eq!(faults(WITH_SIGNALS, &known), "");
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacum' = 1 }")));
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacuum' = true }")));
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &sensor("valve1")));
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &sensor("Vacuum")));
+    let reports = |cell: &str, message: &str| {
+        let found = faults(WITH_SIGNALS, cell);
+        assert!(found.contains(message), "{found}");
+    };
+    reports(
+        &gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacum' = 1 }"),
+        "there is no input or output `ModbusSrv-0\\Modbus-Word\\Vacum` (did you mean `ModbusSrv-0\\Modbus-Word\\Vacuum`?)",
+    );
+    reports(&gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacuum' = true }"), "is analog, and true is no number");
+    reports(&sensor("valve1"), "`valve1` is an output, which only programs write (name an input)");
+    reports(&sensor("Vacuum"), "`Vacuum` is analog (name a digital input)");
 }
 
 #[test]

@@ -323,11 +323,13 @@ mod tests {
     }
 
     #[test]
-    fn a_feed_names_parts_and_a_conveyor_its_end() {
-        let part = "[[part]]\nname = \"carton\"\n[[object]]\nname = \"plate\"\n[[conveyor]]\n";
-        check(&format!("{part}feed = {{ part = \"$0\" }}"), expect![[""]]);
-        check(&format!("{part}end = \"$0\""), expect![[""]]);
-        check(&format!("{part}fe$0"), expect![[""]]);
+    fn a_feed_names_parts() {
+        check(
+            "[[part]]\nname = \"carton\"\n[[object]]\nname = \"plate\"\n[[conveyor]]\nfeed = { part = \"$0\" }",
+            expect![[r#"
+                carton -> carton
+            "#]],
+        );
     }
 
     #[test]
