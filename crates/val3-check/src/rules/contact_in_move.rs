@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn contacts_on_lines_and_joint_moves_are_reported() {
+    fn a_contact_is_reported_unless_a_way_is_free() {
         expect![[r#"
             start.pgx:6 `pX[1]` on the way from `pX[0]` to `pX[1]`, `link4` touches `post`
               | the tool centre point is 232 mm from `pX[0]` then
