@@ -42,8 +42,8 @@ pub use self::contacts::{Contact, Contacts};
 pub use self::conveyor::{Conveyor, Feed};
 pub use self::error::CellError;
 pub use self::file::{
-    AllowedPair, BeamKeys, CellFile, ConveyorEnd, ConveyorEntry, FeedKeys, GripperEntry, HoldingState, ObjectEntry, PartEntry, SensorEntry, ShapeEntry,
-    ShapeKeys, SignalLevel, SignalValues, WhenKey,
+    AllowedPair, BeamKeys, CellFile, ConveyorEnd, ConveyorEntry, FeedKeys, GripperEntry, HoldingState, ObjectEntry,
+    PartEntry, SensorEntry, ShapeEntry, ShapeKeys, SignalLevel, SignalValues, WhenKey,
 };
 pub use self::gripper::{Gripper, GripperCommand, GripperControl, SignalWrite};
 pub use self::handling::{CellOutputs, Handling, HandlingEvent, NearPart};

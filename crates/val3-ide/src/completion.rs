@@ -25,7 +25,6 @@ use crate::xml_cursor::XmlPlace;
 use context::{Context, context};
 use list::CompletionList;
 
-pub(crate) use cell_file::carrier_paths;
 pub use cell_file::mesh_completions;
 pub use list::{Completion, CompletionKind};
 

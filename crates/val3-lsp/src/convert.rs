@@ -52,7 +52,7 @@ fn cell_faults(snapshot: &Snapshot, project: Project) -> Option<(Url, Vec<Diagno
     if sharing.next() != Some(&project) {
         return None;
     }
-    let faults = val3_analysis::surroundings::cell_faults(snapshot.db(), file);
+    let faults = val3_analysis::surroundings::cell_faults(snapshot.db(), file, true);
     Some((snapshot.uri(file), faults.iter().map(|fault| configuration_fault(snapshot, fault)).collect()))
 }
 

@@ -10,6 +10,7 @@ use val3_analysis::db::{Database, File, Project};
 use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{self, LoadError, NO_APPLICATION, Workspace};
+use val3_analysis::paths::normalise;
 use val3_analysis::surroundings::cell_faults;
 use val3_analysis::system::{Disk, OverlayFs};
 use val3_check::settings::{RuleSelection, WorkspaceSettings};
@@ -77,12 +78,14 @@ pub(crate) struct OpenedWorkspace {
 
 /// Loads all files of the request.
 pub(crate) fn open(request: &OpenRequest) -> Result<OpenedWorkspace, UserError> {
-    open_with(request, |threads, asked| {
+    let opened = open_with(request, |threads, asked| {
         let (system, mut loose) = system(threads, request.input.as_ref(), &EditedTexts::default(), asked)?;
         let mut workspace = load::load(&system, asked)?;
         loose.report_unreadable(&mut workspace);
         Ok((workspace, loose))
-    })
+    })?;
+    check_surroundings(&opened)?;
+    Ok(opened)
 }
 
 /// As [`open`], with a workspace that was loaded before.
@@ -109,18 +112,23 @@ fn open_with(
     let applications: Vec<Project> =
         workspace.projects.iter().copied().filter(|project| !loose.stands_in(&workspace.db, *project)).collect();
     let notice = arm_choice::notice(&workspace.db, &applications, &settings)?;
-    check_surroundings(&workspace, &paths)?;
     applications.iter().for_each(|project| mention(&workspace.db, *project, &paths));
     Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, loose, notice })
 }
 
-/// Checks the `cell.toml` of each application.
-fn check_surroundings(workspace: &Workspace, paths: &Paths) -> Result<(), UserError> {
+/// Checks the `cell.toml` of each application. All applications of the file are loaded if a requested folder contains it.
+fn check_surroundings(opened: &OpenedWorkspace) -> Result<(), UserError> {
+    let OpenedWorkspace { workspace, asked, paths, .. } = opened;
     let db = &workspace.db;
     let mut files: Vec<File> = workspace.projects.iter().filter_map(|project| project.surroundings(db)).collect();
     files.sort_unstable_by_key(|file| file.path(db));
     files.dedup();
-    let faults: Vec<ConfigError> = files.into_iter().flat_map(|file| cell_faults(db, file)).collect();
+    let asked: Vec<Utf8PathBuf> = asked.iter().map(|path| normalise(path)).collect();
+    let faults = files.into_iter().flat_map(|file| {
+        let are_all_loaded = asked.iter().any(|folder| file.path(db).starts_with(folder));
+        cell_faults(db, file, are_all_loaded)
+    });
+    let faults: Vec<ConfigError> = faults.collect();
     if faults.is_empty() { Ok(()) } else { Err(configuration_refused(faults, paths)) }
 }
 

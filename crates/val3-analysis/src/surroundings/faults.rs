@@ -7,8 +7,9 @@ use super::loaded::{build, is_named};
 use crate::db::{Db, File, FileStatus, Project, Sources};
 
 /// Returns the faults of a `cell.toml` in its applications, each message once. A frame, tool or signal that only some
-/// applications have is no fault, unless `[run] cell` names the file.
-pub fn cell_faults(db: &dyn Db, file: File) -> Vec<ConfigError> {
+/// applications have is no fault, unless `[run] cell` names the file. `are_all_loaded` states whether the database
+/// contains all applications of the file: otherwise a name that none of them has may belong to another application.
+pub fn cell_faults(db: &dyn Db, file: File, are_all_loaded: bool) -> Vec<ConfigError> {
     if let FileStatus::Unreadable(reason) = file.status(db) {
         let message = format!("the file cannot be read: {reason}");
         let (path, text, help) = (file.path(db).clone(), String::new(), String::new());
@@ -27,7 +28,7 @@ pub fn cell_faults(db: &dyn Db, file: File) -> Vec<ConfigError> {
             errors.push(error.clone());
         }
     }
-    if errors.is_empty() && lacks_everywhere(&built) {
+    if errors.is_empty() && are_all_loaded && lacks_everywhere(&built) {
         errors.extend(projects.first().and_then(|project| build(db, *project, &table, true).err()));
     }
     errors.into_iter().map(|error| table.fault(&error.key, error.message, error.help)).collect()

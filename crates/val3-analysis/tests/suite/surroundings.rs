@@ -56,10 +56,10 @@ fn cell_file(workspace: &Workspace) -> File {
 
 fn faults(listing: &str, cell: &str) -> String {
     let workspace = loaded(&system(listing, &[("cell.toml", cell)]));
-    let found = cell_faults(&workspace.db, cell_file(&workspace));
-    let shown = found.into_iter().map(|fault| {
-        format!("{}: {} ({})\n", &fault.text[fault.range.clone()], fault.message, fault.help)
-    });
+    let found = cell_faults(&workspace.db, cell_file(&workspace), true);
+    let shown = found
+        .into_iter()
+        .map(|fault| format!("{}: {} ({})\n", &fault.text[fault.range.clone()], fault.message, fault.help));
     shown.collect()
 }
 
@@ -126,6 +126,13 @@ fn a_carrier_that_no_application_has_is_a_fault() {
     );
 }
 
+#[test]
+fn a_carrier_of_an_application_that_is_not_loaded_is_no_fault() {
+    let cell = "[[object]]\nname = \"a\"\nin = \"fPalet\"\nbox = [1, 2, 3]";
+    let workspace = loaded(&system(APPLICATION, &[("cell.toml", cell)]));
+    assert_eq!(cell_faults(&workspace.db, cell_file(&workspace), false), []);
+}
+
 /// A sensor with this input.
 fn sensor(io: &str) -> String {
     format!("[[sensor]]\nname = \"stop\"\nbeam = {{ from = [0, 0, 0], to = [0, 0, 9] }}\nio = '{io}'\n")
@@ -136,10 +143,17 @@ fn signals_are_those_of_the_cell_and_of_the_data() {
     let gripper = |values: &str| format!("[[gripper]]\ntool = \"tGrip\"\n{values}\n");
     let known = gripper("holding = { 'ModbusSrv-0\\Modbus-Word\\Vacuum' = 100 }");
     assert_eq!(faults(WITH_SIGNALS, &known), "");
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacum' = 1 }")));
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacuum' = true }")));
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &sensor("valve1")));
-    expect![[""]].assert_eq(&faults(WITH_SIGNALS, &sensor("Vacuum")));
+    let reports = |cell: &str, message: &str| {
+        let found = faults(WITH_SIGNALS, cell);
+        assert!(found.contains(message), "{found}");
+    };
+    reports(
+        &gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacum' = 1 }"),
+        "there is no input or output `ModbusSrv-0\\Modbus-Word\\Vacum` (did you mean `ModbusSrv-0\\Modbus-Word\\Vacuum`?)",
+    );
+    reports(&gripper("empty = { 'ModbusSrv-0\\Modbus-Word\\Vacuum' = true }"), "is analog, and true is no number");
+    reports(&sensor("valve1"), "`valve1` is an output, which only programs write (name an input)");
+    reports(&sensor("Vacuum"), "`Vacuum` is analog (name a digital input)");
 }
 
 #[test]
@@ -157,7 +171,7 @@ fn a_mesh_is_read_once_and_again_when_it_is_stale() {
         project.meshes(&workspace.db)[0].mesh.clone()
     };
     assert_eq!(mesh(&workspace).unwrap().triangles.len(), 2);
-    assert_eq!(cell_faults(&workspace.db, cell_file(&workspace)), []);
+    assert_eq!(cell_faults(&workspace.db, cell_file(&workspace), true), []);
     let second = system(APPLICATION, &[("cell.toml", cell)]);
     let paths = [Utf8PathBuf::from(ROOT)];
     workspace.refresh(&second, &paths, &|_| false);

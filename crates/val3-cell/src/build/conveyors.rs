@@ -79,12 +79,7 @@ impl CellMaker<'_> {
     }
 
     /// Builds a conveyor; `None` if the application does not have its frame or a signal.
-    fn conveyor(
-        &mut self,
-        entry: &ConveyorEntry,
-        key: &str,
-        parts: FedParts<'_>,
-    ) -> Result<Option<Built>, CellError> {
+    fn conveyor(&mut self, entry: &ConveyorEntry, key: &str, parts: FedParts<'_>) -> Result<Option<Built>, CellError> {
         let ConveyorEntry { name, carrier, at, when, end, clearance, colour, .. } = entry;
         let belt = self.belt(entry, key)?;
         let (speed, direction) = direction(entry, key)?;

@@ -241,9 +241,11 @@ impl Handling {
         view: &'h HandlingView<'_>,
     ) -> impl Iterator<Item = TrackPart> + 'h {
         let places = Places { data: &view.sight.places, parts: &self.parts };
-        let standing = self.parts.iter().enumerate().filter(|(_, place)| {
-            matches!(place.holder, PartHolder::World | PartHolder::Frame(_))
-        });
+        let standing = self
+            .parts
+            .iter()
+            .enumerate()
+            .filter(|(_, place)| matches!(place.holder, PartHolder::World | PartHolder::Frame(_)));
         standing.filter_map(move |(number, _)| {
             let pose = view.position.carrier(BodyCarrier::Part(number), places)?;
             Some(TrackPart { number, bounds: part_bounds(number, &pose, track, view)? })

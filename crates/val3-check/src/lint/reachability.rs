@@ -171,11 +171,7 @@ pub(super) fn is_for(arm: &Arm, position: &TaughtPosition) -> bool {
 }
 
 /// Joint positions at a flange pose in the requested configurations, in one turn of each axis.
-pub(super) fn solutions(
-    arm: &Arm,
-    flange: &IsometryMatrix3<f64>,
-    requested: RequestedConfiguration,
-) -> Vec<Joints> {
+pub(super) fn solutions(arm: &Arm, flange: &IsometryMatrix3<f64>, requested: RequestedConfiguration) -> Vec<Joints> {
     let requested = without_same(requested);
     let mut solutions: Vec<Joints> = arm.solutions(flange, &[0.0; 6]).collect();
     solutions.retain(|joints| {

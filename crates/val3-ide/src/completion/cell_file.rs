@@ -210,7 +210,7 @@ fn symbol(found: &mut CompletionList<'_>, label: &str, symbol: impl FnOnce() -> 
 }
 
 /// Elements of a type in a project, each with the name of the variable: `fPallet`, `fPallets[1]`.
-pub(crate) fn carrier_paths(db: &dyn Db, project: Project, ty: BaseType, is_public: bool) -> Vec<(String, String)> {
+fn carrier_paths(db: &dyn Db, project: Project, ty: BaseType, is_public: bool) -> Vec<(String, String)> {
     let mut paths = Vec::new();
     for (name, item) in items(db, project).data.iter().filter(|(_, item)| item.decl.public || !is_public) {
         for path in father_paths(db, project, name, item, ty) {
@@ -323,11 +323,13 @@ mod tests {
     }
 
     #[test]
-    fn a_feed_names_parts_and_a_conveyor_its_end() {
-        let part = "[[part]]\nname = \"carton\"\n[[object]]\nname = \"plate\"\n[[conveyor]]\n";
-        check(&format!("{part}feed = {{ part = \"$0\" }}"), expect![[""]]);
-        check(&format!("{part}end = \"$0\""), expect![[""]]);
-        check(&format!("{part}fe$0"), expect![[""]]);
+    fn a_feed_names_parts() {
+        check(
+            "[[part]]\nname = \"carton\"\n[[object]]\nname = \"plate\"\n[[conveyor]]\nfeed = { part = \"$0\" }",
+            expect![[r#"
+                carton -> carton
+            "#]],
+        );
     }
 
     #[test]

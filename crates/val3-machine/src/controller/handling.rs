@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use val3_cell::{
-    Carrier, CellOutputs, Gripper, GripperCommand, GripperControl, HandlingEvent, KnownSignal, NearPart, PartHolder, PartPlace,
-    Scene, SignalClass, SignalWrite,
+    Carrier, CellOutputs, Gripper, GripperCommand, GripperControl, HandlingEvent, KnownSignal, NearPart, PartHolder,
+    PartPlace, Scene, SignalClass, SignalWrite,
 };
 use val3_geometry::IsometryMatrix3;
 use val3_lang::call::StoredValue;
@@ -108,9 +108,7 @@ impl Controller {
                 let delay = self.number(&format!("{tool}.{time}")).filter(|time| time.is_finite()).unwrap_or_default();
                 Some(GripperCommand { holds: is_open == *holds_when_open, delay: delay.max(0.0) })
             }
-            GripperControl::Signals(values) => {
-                Some(GripperCommand { holds: self.have_values(values)?, delay: 0.0 })
-            }
+            GripperControl::Signals(values) => Some(GripperCommand { holds: self.have_values(values)?, delay: 0.0 }),
         }
     }
 

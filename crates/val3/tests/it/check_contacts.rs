@@ -101,7 +101,11 @@ fn every_contact_of_a_check_is_a_contact_of_a_run() {
 fn contacts_are_reported_on_request() {
     let folder = folder(400);
     assert_eq!(folder.val3(&["check", "--quiet"]).stdout.matches("V042").count(), 0);
-    expect![[""]].assert_eq(&folder.val3(&["check", "--motion", "--format", "concise"]).stdout);
+    expect![[r#"
+        usrapp/main/main.dtx:4:17: info[V0113] no program uses `fPost`
+        usrapp/main/start.pgx:8:7: info[V0421] on the way from `pX[0]` to `pX[1]`, `link6` touches `post`
+    "#]]
+    .assert_eq(&folder.val3(&["check", "--motion", "--format", "concise"]).stdout);
 }
 
 #[test]
@@ -109,6 +113,21 @@ fn a_fault_of_the_cell_ends_the_check() {
     let folder = folder(400);
     folder.write("cell.toml", &CELL.replace("tGrip", "tGrp"));
     let check = folder.val3(&["check"]);
-    expect![[""]].assert_eq(&check.stderr);
+    expect![[r#"
+        error: there is no frame, tool or object `tGrp`
+         --> cell.toml:9
+          |
+        9 | in = "tGrp"
+          | ^^
+          help: did you mean `tGrip`?
+    "#]]
+    .assert_eq(&check.stderr);
     assert_eq!((check.code, check.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn a_check_of_one_application_accepts_the_names_of_another_one() {
+    let folder = folder(400);
+    folder.write("cell.toml", &CELL.replace("tGrip", "tOther"));
+    assert_eq!(folder.val3(&["check", "usrapp/main"]).code, 0);
 }

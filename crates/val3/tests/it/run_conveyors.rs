@@ -78,7 +78,15 @@ fn events(folder: &Folder) -> Vec<String> {
 #[test]
 fn parts_arrive_queue_up_and_are_taken() {
     let folder = folder();
-    expect_test::expect![[""]].assert_eq(&events(&folder).join("\n"));
+    expect_test::expect![[r#"
+        0.004 part bag[0]
+        1.004 part bag[1]
+        2.004 part bag[2]
+        2.204 sensor at end bag[0]
+        2.208 grip bag[0]
+        2.448 sensor at end
+        3.204 sensor at end bag[1]"#]]
+    .assert_eq(&events(&folder).join("\n"));
 }
 
 #[test]

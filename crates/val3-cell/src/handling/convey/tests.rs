@@ -143,23 +143,44 @@ fn refused(text: &str, expected: &str) {
 #[test]
 fn errors_of_conveyors_name_their_keys() {
     let belt = "[[conveyor]]\nname = \"belt\"\nbox = [100, 100, 10]\n";
-    refused(&format!("{belt}speed = [0, 0, 0]"), "conveyor[0].speed: 0 mm/s is no speed of a conveyor\nhelp: write \
-        the speed in mm/s, at most 10000: `speed = [250, 0, 0]`");
-    refused(&format!("{belt}speed = [0, 0, 9]"), "conveyor[0].speed: a conveyor does not move its parts straight up \
-        or down\nhelp: write a speed along x or y");
-    refused("[[conveyor]]\nname = \"belt\"\nspeed = [1, 0, 0]", "conveyor[0]: `belt` has no box\nhelp: add the \
-        belt: `box = [2000, 400, 20]`");
+    refused(
+        &format!("{belt}speed = [0, 0, 0]"),
+        "conveyor[0].speed: 0 mm/s is no speed of a conveyor\nhelp: write \
+        the speed in mm/s, at most 10000: `speed = [250, 0, 0]`",
+    );
+    refused(
+        &format!("{belt}speed = [0, 0, 9]"),
+        "conveyor[0].speed: a conveyor does not move its parts straight up \
+        or down\nhelp: write a speed along x or y",
+    );
+    refused(
+        "[[conveyor]]\nname = \"belt\"\nspeed = [1, 0, 0]",
+        "conveyor[0]: `belt` has no box\nhelp: add the \
+        belt: `box = [2000, 400, 20]`",
+    );
     let belt = format!("{belt}speed = [1, 0, 0]\n");
-    refused(&format!("{belt}in = \"flange\""), "conveyor[0].in: the arm cannot carry the conveyor `belt`\nhelp: name \
-        `world`, `base`, a frame, or an object");
-    refused(&format!("{belt}feed = {{ part = \"crate\", every = 1 }}"), "conveyor[0].feed.part: there is no part \
-        `crate`\nhelp: add a `[[part]]`");
+    refused(
+        &format!("{belt}in = \"flange\""),
+        "conveyor[0].in: the arm cannot carry the conveyor `belt`\nhelp: name \
+        `world`, `base`, a frame, or an object",
+    );
+    refused(
+        &format!("{belt}feed = {{ part = \"crate\", every = 1 }}"),
+        "conveyor[0].feed.part: there is no part \
+        `crate`\nhelp: add a `[[part]]`",
+    );
     let part = "[[part]]\nname = \"crate\"\nbox = [1, 2, 3]\n";
-    refused(&format!("{belt}feed = {{ part = \"crate\", every = 0 }}\n{part}"), "conveyor[0].feed.every: 0 is no time \
-        between parts\nhelp: write seconds from 0.1 to 3600");
-    refused(&format!("{belt}feed = {{ part = \"crate\", every = 1 }}\n{part}at = [1, 2, 3]"), "conveyor[0].feed.part: \
+    refused(
+        &format!("{belt}feed = {{ part = \"crate\", every = 0 }}\n{part}"),
+        "conveyor[0].feed.every: 0 is no time \
+        between parts\nhelp: write seconds from 0.1 to 3600",
+    );
+    refused(
+        &format!("{belt}feed = {{ part = \"crate\", every = 1 }}\n{part}at = [1, 2, 3]"),
+        "conveyor[0].feed.part: \
         `crate` has a place, and the feed gives it another one\nhelp: remove `in`, `at` and `step` of the part, or add a \
-        second `[[part]]`");
+        second `[[part]]`",
+    );
 }
 
 proptest! {
