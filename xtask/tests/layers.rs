@@ -187,7 +187,8 @@ fn config_knows_the_language_alone() {
 
 #[test]
 fn analysis_depends_on_syntax_lang_and_config() {
-    let below = ["val3-files", "val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
+    let below =
+        ["val3-cell", "val3-files", "val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
     check_only("val3-analysis", &below, &["clap", "serde_json", "toml", "tokio"]);
     let below = [&below[..], &["val3-analysis", "val3-motion"]].concat();
     check_only("val3-check", &below, &["clap", "serde_json", "toml", "tokio"]);

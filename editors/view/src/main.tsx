@@ -13,7 +13,6 @@ import { Tabs } from "./panels/shared/Tabs";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
 import { countUpTo } from "./panels/tasks/upTo";
 import { SceneView } from "./scene/SceneView";
-import { faultsOf } from "./status/status";
 import { FaultBar, StatusLine } from "./status/StatusLine";
 import { Store } from "./store";
 import { RecordScenario } from "./scenario/RecordScenario";
@@ -68,7 +67,7 @@ function LaunchButtons({ store }: { store: Store }): JSX.Element | null {
 
 function Panels({ store }: { store: Store }): JSX.Element {
   const { cell } = store.panels;
-  const faults = faultsOf(cell.history.events.slice(0, countUpTo(cell.history.events, cell.slowTime.value))).length;
+  const faults = countUpTo(cell.history.faults, cell.slowTime.value);
   return (
     <div class="column panel-tabs">
       <Tabs

@@ -32,6 +32,8 @@ export class Samples {
   private readonly batches: Batch[] = [];
   private decoded: { batch: Batch; columns: SampleColumns } | undefined;
   count = 0;
+  /** Changes when samples are discarded. What was computed from them is then computed again. */
+  epoch = 0;
 
   /** Adds a batch, and returns its last time. Other messages than samples are ignored. */
   add(message: ArrayBuffer | Uint8Array): number | undefined {
@@ -48,6 +50,7 @@ export class Samples {
     this.batches.length = 0;
     this.decoded = undefined;
     this.count = 0;
+    this.epoch += 1;
   }
 
   /** Discards the samples after a time. */
@@ -57,6 +60,7 @@ export class Samples {
     }
     this.batches.at(-1)?.cut(t);
     this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
+    this.epoch += 1;
   }
 
   /** Returns the time in the middle of the samples. */
@@ -69,11 +73,12 @@ export class Samples {
     const first = this.batches.findIndex((_, index) => (this.batches[index + 1]?.start ?? Infinity) > t);
     this.batches.splice(0, first);
     this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
+    this.epoch += 1;
   }
 
   /** Returns the sample at a time: the last one up to it, otherwise the first one. */
   at(t: number): Sample | undefined {
-    const batch = this.batches[Math.max(0, upTo(this.batches.length, (index) => this.batches[index]?.start ?? Infinity, t) - 1)];
+    const batch = this.batches[this.batchAt(t)];
     if (batch === undefined) {
       return undefined;
     }
@@ -92,10 +97,13 @@ export class Samples {
     }
   }
 
-  /** Returns all samples without their joints. */
-  *all(): Generator<Omit<Sample, "joints">> {
-    for (const { sample } of this.columnsFrom(0)) {
-      yield sample;
+  /** Returns the samples after a time, without their joints. */
+  *after(t: number): Generator<Omit<Sample, "joints">> {
+    for (let at = this.batchAt(t), batch = this.batches[at]; batch !== undefined; at += 1, batch = this.batches[at]) {
+      const { times } = this.columns(batch);
+      for (let index = upTo(batch.count, (place) => times[place] ?? Infinity, t); index < batch.count; index += 1) {
+        yield this.properties(batch, index);
+      }
     }
   }
 
@@ -111,6 +119,11 @@ export class Samples {
       }
       left = Math.max(0, left - batch.count);
     }
+  }
+
+  /** Returns the index of the batch that is valid at a time: the last one that begins up to it, otherwise the first one. */
+  private batchAt(t: number): number {
+    return Math.max(0, upTo(this.batches.length, (index) => this.batches[index]?.start ?? Infinity, t) - 1);
   }
 
   /** Returns the rests between the samples of a batch. */
@@ -151,12 +164,16 @@ export class Samples {
 class Batch {
   readonly start: number;
   end: number;
+  /** Number of samples that were not discarded. */
+  count: number;
   /** Rests between the samples, if they were computed. */
   rests: Rest[] | undefined;
 
-  private constructor(private readonly bytes: Uint8Array, private readonly axes: number, public count: number) {
+  /** `encodedCount` is the number of samples in the bytes, without which no column but the first can be found. */
+  private constructor(private readonly bytes: Uint8Array, private readonly axes: number, private readonly encodedCount: number) {
+    this.count = encodedCount;
     this.start = firstTime(bytes);
-    this.end = timesOf(bytes, count).at(-1) ?? this.start;
+    this.end = timesOf(bytes, encodedCount).at(-1) ?? this.start;
   }
 
   static from(bytes: Uint8Array): Batch | undefined {
@@ -165,7 +182,7 @@ class Batch {
   }
 
   columns(): SampleColumns {
-    return columnsOf(this.bytes, this.count, this.axes);
+    return columnsOf(this.bytes, this.encodedCount, this.axes);
   }
 
   cut(t: number): void {

@@ -65,7 +65,7 @@ export class Store {
         const sample = this.shown.value;
         return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [], toolName: this.tools.get(sample.tool)?.name };
       }),
-      samples: () => this.phases(),
+      samples: { after: (t) => this.phases(t), epoch: () => this.samples.epoch },
       rests: () => this.rests(),
       sourceOf: (index) => this.sources.get(index),
       seek: (t) => (this.chosen.value = t),
@@ -230,9 +230,9 @@ export class Store {
     }
   }
 
-  private *phases(): Generator<TimedPhase> {
+  private *phases(after: number): Generator<TimedPhase> {
     const phases = this.scene.peek()?.phases ?? [];
-    for (const { t, phase, source } of this.samples.all()) {
+    for (const { t, phase, source } of this.samples.after(after)) {
       yield { t, phase: phases[phase] ?? "waiting", source: source === undefined ? undefined : this.sources.get(source) };
     }
   }

@@ -4,7 +4,7 @@ const { spawnSync } = require("node:child_process");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { BOXES, openFile, served, until } = require("./served.js");
+const { BOXES, hold, openFile, served, until } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
@@ -44,10 +44,7 @@ test("an operator moves the arm by hand", () => served([], async (run) => {
   await plus.focus();
   await page.keyboard.press("Enter");
   await page.waitForFunction((start) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - start) > 4.99, start);
-  await page.getByRole("button", { name: "J1 minus" }).hover();
-  await page.mouse.down();
-  await page.waitForFunction((start) => window.val3View.store.panels.cell.sample.value.joints[0] < start - 8, start);
-  await page.mouse.up();
+  await hold(page, page.getByRole("button", { name: "J1 minus" }), (start) => window.val3View.store.panels.cell.sample.value.joints[0] < start - 8, start);
 }));
 
 test("links have the shapes of their files", () => served([], async (run) => {
@@ -139,10 +136,7 @@ test("a point is taught with a tool, changed back, and reached by hand", () => s
   assert.notDeepEqual(await local(), point.local);
   await page.evaluate(() => window.val3View.store.command("operate", { keys: { jog: [15, 10, 90, 0, -40, 0] } }));
   await page.waitForFunction(() => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - 15) < 1e-6);
-  await page.getByRole("button", { name: `Go to ${name}` }).hover();
-  await page.mouse.down();
-  await page.waitForFunction(() => [5, 10, 90, 0, -40, 0].every((joint, axis) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[axis] - joint) < 1e-3));
-  await page.mouse.up();
+  await hold(page, page.getByRole("button", { name: `Go to ${name}` }), () => [5, 10, 90, 0, -40, 0].every((joint, axis) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[axis] - joint) < 1e-3));
   await page.getByRole("button", { name: `Undo ${name}` }).click();
   await page.getByRole("button", { name: "Save to .dtx", exact: true }).waitFor();
   assert.deepEqual(await local(), point.local);

@@ -10,6 +10,9 @@ const { chromium } = require("playwright-core");
 const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const TIMEOUT = 60_000;
 
+/** Presses of a button before it counts as one that cannot be held. */
+const PRESSES = 6;
+
 let browser;
 before(async () => {
   browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
@@ -26,6 +29,7 @@ class Served {
     this.process = spawn(process.env.VAL3_SERVER, [...run, ...options], { cwd: this.folder });
     this.ended = new Promise((resolve) => this.process.on("close", resolve));
     this.faults = [];
+    this.opened = [];
     this.hasEnded = false;
   }
 
@@ -45,6 +49,7 @@ class Served {
   async open(role = 0) {
     this.pages ??= await this.addresses();
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    this.opened.push(page);
     page.setDefaultTimeout(TIMEOUT);
     page.on("pageerror", (fault) => this.faults.push(String(fault)));
     // A page tries to connect again after the end of its server.
@@ -63,7 +68,11 @@ class Served {
     assert.deepEqual(this.faults, []);
   }
 
-  remove() {
+  /** Removes everything of the run. A page that stays open would slow down the next test. */
+  async remove() {
+    this.hasEnded = true;
+    this.process.kill();
+    await Promise.all(this.opened.map((page) => page.close()));
     rmSync(this.folder, { recursive: true });
   }
 }
@@ -75,14 +84,31 @@ async function served(options, work, prepare = () => undefined) {
     await work(run);
     await run.end();
   } finally {
-    run.process.kill();
-    run.remove();
+    await run.remove();
   }
 }
 
 const now = (page) => page.evaluate(() => window.val3View.store.newest.value);
 
 const until = (page, time) => page.waitForFunction((time) => window.val3View.store.newest.value >= time, time);
+
+/**
+ * Holds a button with the mouse until `arrived` is true in the page. Before the press, the layout may move the button
+ * away from the mouse, so that a missed press is repeated.
+ */
+async function hold(page, button, arrived, argument) {
+  const held = button.locator("xpath=parent::*[contains(@class, 'held')]");
+  let isHeld = false;
+  for (let attempt = 0; attempt < PRESSES && !isHeld; attempt += 1) {
+    await page.mouse.up();
+    await button.hover();
+    await page.mouse.down();
+    isHeld = await held.waitFor({ timeout: TIMEOUT / PRESSES }).then(() => true, () => false);
+  }
+  assert.ok(isHeld, "the button can be held");
+  await page.waitForFunction(arrived, argument);
+  await page.mouse.up();
+}
 
 /** Opens a page that needs no server. */
 async function openFile(path) {
@@ -94,4 +120,4 @@ async function openFile(path) {
 
 const BOXES = ["--script", "boxes.toml"];
 
-module.exports = { BOXES, now, openFile, served, until };
+module.exports = { BOXES, hold, now, openFile, served, until };

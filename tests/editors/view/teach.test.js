@@ -3,7 +3,7 @@ const assert = require("node:assert/strict");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { served } = require("./served.js");
+const { hold, served } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
@@ -81,10 +81,7 @@ test("entered joints have the limits of the axes, and the arm goes there", () =>
   await fields.getByLabel("J1").fill("999");
   await fields.getByText(/^J1 is 999, outside the range from -\d+ to \d+ degrees\.$/).waitFor();
   await fields.getByLabel("J1").fill("6,5");
-  await fields.getByRole("button", { name: "Go to the entered joints" }).hover();
-  await page.mouse.down();
-  await page.waitForFunction(() => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - 6.5) < 1e-3);
-  await page.mouse.up();
+  await hold(page, fields.getByRole("button", { name: "Go to the entered joints" }), () => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - 6.5) < 1e-3);
 }));
 
 test("in manual mode, jogging needs no scrolling in a small window", () => served([], async (run) => {

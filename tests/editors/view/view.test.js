@@ -99,6 +99,18 @@ test("a fault is a red bar with its cause and its line, and a number on the tab"
   writeFileSync(file, readFileSync(file, "latin1").replace(/<Locals>[^]*<\/Locals>/, "").replace(/begin[^]*end(?=\s*\]\]>)/, "begin\n  delay(0.2)\n  putln(toString(\"\",1/0))\nend"), "latin1");
 }));
 
+test("the target of a move that the arm cannot follow is marked in the picture", () => served(["--power"], async (run) => {
+  const page = await run.open();
+  await page.getByRole("alert", { name: "Fault" }).getByText(/^The arm cannot follow the path of movel: .*reach/).waitFor();
+  await page.locator(".name.failed").getByText(/^movel at start:\d+ fails$/).waitFor();
+  const [failed, ...others] = await page.evaluate(() => window.val3View.store.panels.cell.motion.value.queue);
+  assert.deepEqual([Math.round(failed.target[0]), others.length], [5950, 0]);
+}, (folder) => {
+  const file = join(folder, "usr/usrapp/palletiser/start.pgx");
+  const code = "begin\n  pSafe.trsf={5000,0,500,0,180,0}\n  movej(jHome,tGripper,mFast)\n  movel(pSafe,tGripper,mFast)\n  waitEndMove()\nend";
+  writeFileSync(file, readFileSync(file, "latin1").replace(/begin[^]*end(?=\s*\]\]>)/, code), "latin1");
+}));
+
 test("a run without power tells which button helps", () => served([], async (run) => {
   const page = await run.open();
   await page.getByText("The arm has no power. Press Power to switch it on.").waitFor();

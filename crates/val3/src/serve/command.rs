@@ -3,6 +3,7 @@
 use axum::extract::ws::Utf8Bytes;
 use serde_json::{Map, Value, json};
 use tokio::sync::mpsc::OwnedPermit;
+use val3_view::wire;
 
 /// Command that waits for the run loop.
 #[derive(Debug)]
@@ -62,14 +63,10 @@ impl PendingCommand {
 /// Creates the response message.
 pub(super) fn answer(id: &Value, result: Result<Map<String, Value>, String>) -> Utf8Bytes {
     let (error, more) = match result {
-        Ok(more) => (Value::Null, more),
-        Err(reason) => (Value::String(reason), Map::new()),
+        Ok(more) => (None, more),
+        Err(reason) => (Some(reason), Map::new()),
     };
-    let mut message = json!({ "kind": "answer", "id": id, "error": error });
-    if let Some(message) = message.as_object_mut() {
-        message.extend(more);
-    }
-    message.to_string().into()
+    json!(wire::Message::Answer(wire::Answer { id: id.clone(), error, more })).to_string().into()
 }
 
 #[cfg(test)]

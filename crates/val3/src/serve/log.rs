@@ -4,6 +4,8 @@ use std::collections::VecDeque;
 
 use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
+use serde_json::json;
+use val3_view::wire;
 
 /// Message for viewers.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,9 +26,6 @@ impl StoredMessage {
         }
     }
 }
-
-/// Message that replaces dropped messages.
-const GAP: &str = r#"{"kind":"gap"}"#;
 
 /// Messages of the current run, bounded in bytes. Each viewer has a cursor in the log.
 #[derive(Debug, Default)]
@@ -89,7 +88,7 @@ impl MessageLog {
         *cursor = (*cursor).max(self.begun);
         if *cursor < self.first {
             messages.extend(self.lasting.iter().cloned());
-            messages.push(StoredMessage::Text(Utf8Bytes::from_static(GAP)));
+            messages.push(StoredMessage::Text(json!(wire::Message::Gap).to_string().into()));
             *cursor = self.first;
         }
         let skipped = usize::try_from(*cursor - self.first).unwrap_or(usize::MAX);

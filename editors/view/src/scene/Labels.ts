@@ -6,12 +6,12 @@ import type { Lens } from "./Camera";
 export interface Label {
   text: string;
   at: readonly number[];
-  kind: "point" | "frame" | "tool" | "selected" | "measure" | "near" | "contact";
+  kind: "point" | "frame" | "tool" | "selected" | "measure" | "near" | "contact" | "failed";
 }
 
 type Box = readonly [left: number, top: number, right: number, bottom: number];
 
-const ORDER = ["measure", "contact", "near", "selected", "tool", "frame", "point"];
+const ORDER = ["measure", "failed", "contact", "near", "selected", "tool", "frame", "point"];
 const HEIGHT = 18;
 
 /** Distance of names of points from the axis of a link, in px. */

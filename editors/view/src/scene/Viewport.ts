@@ -16,6 +16,7 @@ import { Camera, type ViewName } from "./Camera";
 import { type CarrierFrames, CellObjects } from "./CellObjects";
 import { type Label, Labels } from "./Labels";
 import { DropLines } from "./DropLines";
+import { failedMoves, FailedTargets } from "./FailedTargets";
 import { areaBetween } from "./fitting";
 import { hiddenLayers } from "./layers";
 import { Lines } from "./lines";
@@ -47,6 +48,7 @@ export class Viewport {
   private readonly motion = new MotionMarks();
   private readonly drops = new DropLines();
   private readonly nearPairs = new NearPairs();
+  private readonly failed = new FailedTargets();
   private room = new Group();
   private arm: ArmShape | undefined;
   private objects: CellObjects | undefined;
@@ -73,7 +75,7 @@ export class Viewport {
     this.renderer.localClippingEnabled = true;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
-    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object);
   }
 
   get drawCalls(): number {
@@ -140,7 +142,8 @@ export class Viewport {
     const { points, frames, motion, selectedPoint, unreachable } = store.panels.cell;
     this.points.place(points.value, selectedPoint.value, unreachable.value, this.length * 0.011, this.look);
     this.motion.place(motion.value);
-    this.names = [...this.nearPairs.labels, ...this.points.labels];
+    this.failed.place(failedMoves(motion.value.queue, store.panels.cell.history.faults, store.time.value), this.length * 0.02, this.look);
+    this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels];
     this.placeFrames(placed.flange, base);
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
@@ -217,6 +220,7 @@ export class Viewport {
     add(this.tcp.position);
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
     this.store.panels.cell.frames.value.forEach(({ pose }) => add(pose));
+    this.failed.labels.forEach(({ at }) => add(at));
     this.camera.show(positions, areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas)), view);
     this.isFirst = false;
   }

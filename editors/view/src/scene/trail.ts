@@ -59,6 +59,8 @@ export class Trail {
   private readonly pieces: Piece[] = [];
   private phases: readonly string[] = [];
   private taken = 0;
+  /** State of the samples that were taken. */
+  private epoch = 0;
   private last: { sample: PathSample; position: Position } | undefined;
   /** Positions that the last piece represents. */
   private straight: Position[] = [];
@@ -66,8 +68,9 @@ export class Trail {
   /** Adds the new samples. `toolOf` returns the tool for an index. */
   follow(samples: Samples, arm: Chain, base: Frame, phases: readonly string[], toolOf: (index: number) => readonly number[]): void {
     this.phases = phases;
-    if (samples.count < this.taken) {
+    if (samples.epoch !== this.epoch) {
       this.clear();
+      this.epoch = samples.epoch;
     }
     if (samples.count === this.taken) {
       return;

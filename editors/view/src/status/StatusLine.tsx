@@ -1,10 +1,10 @@
 // Status line of the page, and the bar of a fault.
 
 import type { JSX } from "preact";
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import type { Store } from "../store";
 import { countUpTo } from "../panels/tasks/upTo";
-import { faultsOf, type StatusFacts, statusOf } from "./status";
+import { type StatusFacts, statusOf } from "./status";
 import "./status.css";
 
 export function StatusLine({ store }: { store: Store }): JSX.Element {
@@ -22,10 +22,10 @@ export function StatusLine({ store }: { store: Store }): JSX.Element {
 
 export function FaultBar({ store }: { store: Store }): JSX.Element | null {
   const { cell } = store.panels;
-  const count = countUpTo(cell.history.events, cell.slowTime.value);
-  const faults = useMemo(() => faultsOf(cell.history.events.slice(0, count)), [cell, count]);
+  const { faults } = cell.history;
+  const count = countUpTo(faults, cell.slowTime.value);
   const [hiddenUpTo, setHidden] = useState(-1);
-  const last = faults.at(-1);
+  const last = faults[count - 1];
   if (last === undefined || last.t <= hiddenUpTo) {
     return null;
   }
@@ -34,7 +34,7 @@ export function FaultBar({ store }: { store: Store }): JSX.Element | null {
   return (
     <div class="fault-bar" role="alert" aria-label="Fault">
       <strong>{last.text}</strong>
-      {faults.length === 1 ? null : <span>{faults.length} faults</span>}
+      {count === 1 ? null : <span>{count} faults</span>}
       <button type="button" onClick={() => cell.seek(last.t)}>Show {last.t.toFixed(3)} s</button>
       {source !== undefined && openLine !== undefined ? <button type="button" onClick={() => openLine(source)}>Open the line</button> : null}
       <button type="button" aria-label="Hide this fault" onClick={() => setHidden(last.t)}>×</button>

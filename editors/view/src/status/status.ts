@@ -2,7 +2,6 @@
 
 import type { CellState } from "../panels/shared/cell";
 import type { TaskState } from "../panels/tasks/chart";
-import type { RunEvent } from "../panels/tasks/eventText";
 
 export interface Status {
   kind: "fault" | "stopped" | "waiting" | "running";
@@ -87,34 +86,4 @@ export function waitsText(tasks: readonly TaskState[]): string {
   const named = waiting.slice(0, NAMED).map(({ name, waits, awaits, program, line }) => `${name} waits for ${awaits ?? waits ?? ""} at ${program}:${line}`);
   const more = waiting.length - named.length;
   return named.length === 0 ? "" : `${named.join("; ")}${more === 0 ? "" : `; and ${more} more`}.`.replaceAll("`", "");
-}
-
-/** Error that has stopped a task, or a path that the arm cannot follow. */
-export interface Fault {
-  t: number;
-  text: string;
-  source: { program: string; line: number; file: string } | undefined;
-}
-
-const FAULTS: ReadonlySet<string> = new Set(["error", "fault", "lacking"]);
-
-export function faultsOf(events: readonly RunEvent[]): Fault[] {
-  return events.filter(({ kind }) => FAULTS.has(kind)).map(faultFrom);
-}
-
-function faultFrom(event: RunEvent): Fault {
-  const [program, line, file] = [event["program"], event["line"], event["file"]];
-  const source = typeof program === "string" && typeof line === "number" ? { program, line, file: typeof file === "string" ? file : "" } : undefined;
-  const at = source === undefined ? "" : ` at ${source.program}:${source.line}`;
-  const task = event.task === undefined ? "" : ` in task ${event.task}`;
-  return { t: event.t, text: `${causeOf(event)}${task}${at}`, source };
-}
-
-function causeOf(event: RunEvent): string {
-  const word = (name: string): string => { const value = event[name]; return typeof value === "string" || typeof value === "number" ? String(value) : ""; };
-  switch (event.kind) {
-    case "error": return `Error ${word("code")}: ${word("message")}`;
-    case "fault": return `The arm cannot follow the path of ${word("type")}: ${word("text")}`;
-    default: return `${word("instruction")} is not available on this controller`;
-  }
 }

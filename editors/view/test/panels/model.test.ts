@@ -19,7 +19,7 @@ function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const time = signal(0);
   const around: Surroundings = {
     time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), canRestart: signal(true), blocked: signal(undefined),
-    sample: signal<ArmSample | undefined>(undefined), samples: () => [], rests: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
+    sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
   };
   const made = new PanelModel(around);

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { type TaskState, TaskSegments, visible, waitTotals } from "../../src/panels/tasks/chart";
 import { GROUPS, groupOf, shownEvents, textOf } from "../../src/panels/tasks/eventText";
 import { cutBlends, cutText, Moves, type MoveTimes, waitsInMoves } from "../../src/panels/tasks/moves";
-import { armTimes, share, taskTimes } from "../../src/panels/tasks/times";
+import { ArmTimes, share, taskTimes, type TimedPhase, type TimedPhases } from "../../src/panels/tasks/times";
 
 function task(name: string, state: string, waits: string | null = null, line = 1): TaskState {
   return { name, state, program: name, line, file: "", priority: 10, period: null, overruns: 0, error: null, waits };
@@ -60,15 +60,48 @@ test("times of tasks are counted from one state to the next", () => {
   assert.deepEqual(taskTimes(states, 0.5).map(({ seconds }) => seconds), [0.5]);
 });
 
+/** Phases that count how many of them were read. */
+function phasesOf(samples: readonly TimedPhase[]): TimedPhases & { read: number; number: number } {
+  return {
+    read: 0,
+    number: 0,
+    epoch() { return this.number; },
+    *after(t) {
+      for (const sample of samples.filter((candidate) => candidate.t > t)) {
+        this.read += 1;
+        yield sample;
+      }
+    },
+  };
+}
+
 test("times of the arm are counted by phase and line", () => {
   const source = { program: "start", line: 5 };
   const samples = [
     { t: 1.004, phase: "nominal", source }, { t: 1.008, phase: "nominal", source }, { t: 1.012, phase: "blend", source },
     { t: 2, phase: "waiting", source }, { t: 3, phase: "waiting", source: undefined },
   ];
-  const rows = armTimes(samples, 4).map(({ line, activity, seconds }) => [line, activity, Number(seconds.toFixed(3))]);
+  const rows = new ArmTimes(phasesOf(samples)).between(0, 4).map(({ line, activity, seconds }) => [line, activity, Number(seconds.toFixed(3))]);
   assert.deepEqual(rows, [[0, "no move", 2.004], [5, "waiting for the next move", 1], [5, "blend", 0.988], [5, "nominal", 0.008]]);
   assert.equal(share(1, 4), "25.0 %");
+});
+
+test("each sample is counted once while time advances, and again after samples were discarded", () => {
+  const source = { program: "start", line: 5 };
+  const samples = Array.from({ length: 400 }, (_, index) => ({ t: index * 0.01, phase: index % 7 === 0 ? "blend" : "nominal", source }));
+  const phases = phasesOf(samples);
+  const counter = new ArmTimes(phases);
+  const rounded = (rows: ReturnType<ArmTimes["between"]>): unknown[] => rows.map(({ activity, seconds }) => [activity, Number(seconds.toFixed(6))]);
+  for (const end of [0.5, 1.234, 1.234, 3, 3.99]) {
+    assert.deepEqual(rounded(counter.between(0, end)), rounded(new ArmTimes(phasesOf(samples)).between(0, end)), `${end}`);
+  }
+  assert.ok(phases.read <= samples.length + 5, `${phases.read} samples were read`);
+  const back = (end: number): void => assert.deepEqual(rounded(counter.between(0, end)), rounded(new ArmTimes(phasesOf(samples)).between(0, end)));
+  back(0.7);
+  samples.splice(0, samples.length, { t: 0.3, phase: "stopping", source });
+  phases.number += 1;
+  back(3.99);
+  assert.deepEqual(rounded(counter.between(0, 4)).length, 2);
 });
 
 test("every kind of event has a text and a group", () => {

@@ -88,3 +88,15 @@ void test("positions without poses of the links are those of the poses", () => {
   const position = new ToolPositions(cell.arm, base).at(columns, 1, [1, 2, 120, 40, 50, 60]);
   assert.ok(Math.hypot(...position.map((value, axis) => value - (expected[axis] ?? 0))) < 1e-9, position.join());
 });
+
+void test("a path is drawn again when its end was replaced by as many samples", () => {
+  const made = new Trail();
+  const list = samples([[0, 0, 0], [10, 0, 0], [20, 0, 0]]);
+  made.follow(list, ARM, IDENTITY, ["nominal"], () => []);
+  list.cut(0.005);
+  list.add(encoded([{ t: 0.008, joints: [10, 90], phase: 0 }]));
+  made.follow(list, ARM, IDENTITY, ["nominal"], () => []);
+  const [, end] = made.segments.at(made.segments.count - 1);
+  const { position } = armFrames(ARM, IDENTITY, [10, 90]).flange;
+  assert.ok(position.every((value, axis) => Math.abs(value - (end[axis] ?? 0)) < 0.001), `${[...end].join()} instead of ${position.join()}`);
+});

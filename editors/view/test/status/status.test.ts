@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { CellState } from "../../src/panels/shared/cell";
 import type { TaskState } from "../../src/panels/tasks/chart";
-import { faultsOf, type StatusFacts, statusOf, waitsText } from "../../src/status/status";
+import { type StatusFacts, statusOf, waitsText } from "../../src/status/status";
 
 const task = (name: string, fields: Partial<TaskState> = {}): TaskState =>
   ({ name, state: "running", program: "start", line: 12, file: "start.pgx", priority: 10, period: null, overruns: 0, error: null, waits: null, ...fields });
@@ -44,19 +44,4 @@ test("two waiting tasks are named, others are counted", () => {
   const tasks = ["a", "b", "c"].map((name) => task(name, { waits: "time (`delay`)" }));
   assert.equal(waitsText(tasks), "a waits for time (delay) at start:12; b waits for time (delay) at start:12; and 1 more.");
   assert.equal(waitsText([task("a")]), "");
-});
-
-test("faults have a cause, a task and a line", () => {
-  const events = [
-    { t: 0, kind: "print", text: "x" },
-    { t: 1, kind: "error", task: "start", code: 20, message: "index out of range", program: "start", line: 11, file: "start.pgx" },
-    { t: 2, kind: "fault", type: "movel", text: "out of reach", program: "pick", line: 3, file: "pick.pgx" },
-    { t: 9, kind: "lacking", instruction: "encOn" },
-  ];
-  assert.deepEqual(faultsOf(events.slice(0, 3)).map(({ text }) => text), [
-    "Error 20: index out of range in task start at start:11",
-    "The arm cannot follow the path of movel: out of reach at pick:3",
-  ]);
-  assert.deepEqual(faultsOf(events)[0]?.source, { program: "start", line: 11, file: "start.pgx" });
-  assert.equal(faultsOf(events)[2]?.source, undefined);
 });

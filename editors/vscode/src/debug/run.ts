@@ -5,6 +5,7 @@ import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
 import { TYPE } from "./configurations";
 import type * as requests from "./requests";
+import type { Message } from "./view/wire";
 
 export type Source = requests.CodeLine;
 export type Sample = requests.ArmSample;
@@ -34,7 +35,7 @@ export class DebuggedRun implements vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<void>();
   private readonly samples = new vscode.EventEmitter<Sample | undefined>();
   private readonly pages = new vscode.EventEmitter<UserPage | undefined>();
-  private readonly views = new vscode.EventEmitter<object[]>();
+  private readonly views = new vscode.EventEmitter<Message[]>();
   private readonly sessions = new vscode.EventEmitter<void>();
   /** Fires when something may have changed, or the active session has changed. */
   readonly onDidChange = this.changes.event;
@@ -166,7 +167,7 @@ export class DebuggedRun implements vscode.Disposable {
     } else if (event === "val3/userPage") {
       this.pages.fire(body as UserPage);
     } else if (event === "val3/view") {
-      this.views.fire((body as { messages: object[] }).messages);
+      this.views.fire((body as { messages: Message[] }).messages);
     }
   }
 

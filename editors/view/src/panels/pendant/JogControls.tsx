@@ -1,7 +1,7 @@
 // Jogging: the axes with their limits, and buttons for joint and Cartesian steps.
 
 import type { JSX } from "preact";
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 import { pointText } from "../points/edits";
 import { ToolChoice } from "../points/ToolChoice";
 import { chosenPose } from "../points/tools";
@@ -26,7 +26,6 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
   const [way, setWay] = useState("joint");
   const [step, setStep] = useState<number>(5);
   const holder = useMemo(() => new Holder(cell, notice), [cell, notice]);
-  useEffect(() => () => holder.release(), [holder]);
   const scene = cell.scene.value;
   if (scene === undefined) {
     return null;

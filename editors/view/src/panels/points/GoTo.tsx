@@ -22,7 +22,6 @@ export function GoTo({ cell, notice, point: { name, key }, tool }: Props): JSX.E
   const [solutions, setSolutions] = useState<readonly ArmSolution[]>([]);
   const [index, setIndex] = useState(-1);
   const holder = useMemo(() => new Holder(cell, notice), [cell, notice]);
-  useEffect(() => () => holder.release(), [holder]);
   const blocked = cell.blocked.value;
   const toolName = tool === undefined ? cell.sample.value?.toolName : pointText(tool);
   useEffect(() => {
@@ -47,6 +46,7 @@ export function GoTo({ cell, notice, point: { name, key }, tool }: Props): JSX.E
   return (
     <fieldset class="go-to">
       <legend>Reach</legend>
+      <HoldButton label={label} holder={holder} notice={notice} reason={reason} step={goStep(target ?? [])}>Go to (hold)</HoldButton>
       {solutions.some(({ isChosen }) => isChosen) ? null : <p class="reason">movej cannot reach it with its configuration.</p>}
       {solutions.map((solution, at) => (
         <label key={solution.config ?? "joints"}>
@@ -54,7 +54,6 @@ export function GoTo({ cell, notice, point: { name, key }, tool }: Props): JSX.E
           {" "}{solution.config ?? "joints"}{solution.isChosen && solution.config !== null ? " (movej)" : ""}: {solutionText(solution)}
         </label>
       ))}
-      <HoldButton label={label} holder={holder} notice={notice} reason={reason} step={goStep(target ?? [])}>Go to (hold)</HoldButton>
     </fieldset>
   );
 }

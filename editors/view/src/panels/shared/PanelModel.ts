@@ -4,7 +4,7 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
 import { DataValues } from "../points/pointsAt";
-import type { TimedPhase } from "../tasks/times";
+import type { TimedPhases } from "../tasks/times";
 import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellPoint, CellScene, JointValue, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
 import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
@@ -25,7 +25,7 @@ export interface Surroundings {
   /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
   sample: ReadonlySignal<ArmSample | undefined>;
-  samples: () => Iterable<TimedPhase>;
+  samples: TimedPhases;
   rests: () => Iterable<ArmRest>;
   /** Returns the line of a source. */
   sourceOf: (index: number) => { program: string; line: number } | undefined;
@@ -145,8 +145,8 @@ export class PanelModel {
       io.valueOf();
       return this.levels.at(slowTime.value);
     });
-    const { signals, segments, moves, encounters, events, transfers, states } = this.past;
-    const history: CellHistory = { signals, segments, moves, encounters, events, transfers, states, samples: around.samples, rests: around.rests };
+    const { signals, segments, moves, encounters, events, faults, transfers, states } = this.past;
+    const history: CellHistory = { signals, segments, moves, encounters, events, faults, transfers, states, samples: around.samples, rests: around.rests };
     return {
       ...around,
       scene: this.scene,

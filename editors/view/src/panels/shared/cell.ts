@@ -10,8 +10,9 @@ import type { PointName } from "../points/edits";
 import type { ChosenTool } from "../points/tools";
 import type { TaskSegments, TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
+import type { Fault } from "../tasks/faults";
 import type { Moves } from "../tasks/moves";
-import type { TimedPhase, TimedTasks } from "../tasks/times";
+import type { TimedPhases, TimedTasks } from "../tasks/times";
 import type * as wire from "../../wire";
 import type { QueueEntry, WayPiece } from "./messages";
 
@@ -77,9 +78,10 @@ export interface CellHistory {
   moves: Moves;
   encounters: Pick<Encounters, "list">;
   events: readonly RunEvent[];
+  faults: readonly Fault[];
   transfers: readonly Transfer[];
   states: readonly TimedTasks[];
-  samples: () => Iterable<TimedPhase>;
+  samples: TimedPhases;
   /** Time spans in which the arm stands, with the reason in words. */
   rests: () => Iterable<ArmRest>;
 }

@@ -6,6 +6,7 @@ import type { Transfer } from "../io/lineBytes";
 import { SignalHistory } from "../io/sparkline";
 import { TaskSegments, type TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
+import { type Fault, faultOf } from "../tasks/faults";
 import { type MoveEvent, Moves } from "../tasks/moves";
 import type { TimedTasks } from "../tasks/times";
 
@@ -30,6 +31,7 @@ export class PanelHistory {
   readonly moves = new Moves();
   readonly encounters = new Encounters();
   readonly events: RunEvent[] = [];
+  readonly faults: Fault[] = [];
   readonly transfers: Transfer[] = [];
   readonly states: TimedTasks[] = [];
 
@@ -39,6 +41,7 @@ export class PanelHistory {
     this.moves.clear();
     this.encounters.clear();
     this.events.length = 0;
+    this.faults.length = 0;
     this.transfers.length = 0;
     this.states.length = 0;
   }
@@ -59,8 +62,10 @@ export class PanelHistory {
   addEvents(events: readonly RunEvent[]): void {
     for (const event of events) {
       this.events.push(event);
-      const clearance = clearanceOf(event);
-      if (clearance !== undefined) {
+      const [clearance, fault] = [clearanceOf(event), faultOf(event)];
+      if (fault !== undefined) {
+        this.faults.push(fault);
+      } else if (clearance !== undefined) {
         this.encounters.add(clearance);
       } else if (event.kind === "move") {
         this.moves.add(event as unknown as MoveEvent);

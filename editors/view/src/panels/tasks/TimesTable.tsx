@@ -3,23 +3,26 @@
 import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
-import { armTimes, share, taskTimes, type TimeRow } from "./times";
+import { ArmTimes, share, taskTimes, type TimeRow } from "./times";
 
 export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
   // Counting the times of a long run is slow, so they are counted once per second.
   const end = Math.floor(cell.slowTime.value);
   const [isExact, setExact] = useState(false);
   const until = isExact ? cell.slowTime.value : end;
-  const arm = useMemo(() => armTimes(cell.history.samples(), until), [cell, until]);
-  const tasks = useMemo(() => taskTimes(cell.history.states, until), [cell, until]);
+  // The older part of a long run is discarded.
+  const [start] = cell.whole.value;
+  const counter = useMemo(() => new ArmTimes(cell.history.samples), [cell]);
+  const arm = useMemo(() => counter.between(start, until), [counter, start, until]);
+  const tasks = useMemo(() => taskTimes(cell.history.states, until), [cell, start, until]);
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="Times by program line">
       <p class="reason">
-        Times up to {until.toFixed(isExact ? 3 : 0)} s. Those of the arm are exact to a cycle of 4 ms, those of tasks to 0.1 s; val3 run --times has all to a cycle.{" "}
+        Times {start > 0 ? `from ${start.toFixed(0)} s ` : ""}up to {until.toFixed(isExact ? 3 : 0)} s. Those of the arm are exact to a cycle of 4 ms, those of tasks to 0.1 s; val3 run --times has all to a cycle.{" "}
         <label><input type="checkbox" checked={isExact} onChange={({ currentTarget }) => setExact(currentTarget.checked)} /> Up to the shown time</label>
       </p>
-      <TimesOf caption="Arm" rows={arm} total={until} hasTask={false} />
-      <TimesOf caption="Tasks" rows={tasks} total={until} hasTask />
+      <TimesOf caption="Arm" rows={arm} total={until - start} hasTask={false} />
+      <TimesOf caption="Tasks" rows={tasks} total={until - start} hasTask />
     </div>
   );
 }

@@ -37,6 +37,12 @@ class Table {
     this.last = row;
   }
 
+  copy(): Table {
+    const copy = new Table();
+    this.rows.forEach((row, key) => copy.rows.set(key, { ...row }));
+    return copy;
+  }
+
   sorted(): TimeRow[] {
     return [...this.rows.values()].sort((left, right) => right.seconds - left.seconds
       || left.task.localeCompare(right.task) || left.program.localeCompare(right.program) || left.line - right.line);
@@ -48,7 +54,7 @@ export interface TimedTasks {
   tasks: readonly TaskState[];
 }
 
-/** Returns the times of tasks up to a time. A task remains in the state of a message until the next message. */
+/** Returns the times of tasks from the first state up to a time. A task remains in the state of a message until the next message. */
 export function taskTimes(states: readonly TimedTasks[], end: number): TimeRow[] {
   const table = new Table();
   states.forEach(({ t, tasks }, index) => {
@@ -67,29 +73,57 @@ export interface TimedPhase {
   source: { program: string; line: number } | undefined;
 }
 
+/** Phases of the arm's samples. */
+export interface TimedPhases {
+  /** Returns the phases after a time. */
+  after: (t: number) => Iterable<TimedPhase>;
+  /** Returns a number that changes when phases are discarded. */
+  epoch: () => number;
+}
+
 /**
- * Returns the times of the arm up to a time. A sample ends its cycle; in a gap the arm was as in the previous sample.
+ * Counts the times of the arm. A sample ends its cycle; in a gap the arm was as in the previous sample. Only new samples
+ * are read, because a run of 40 minutes has 600,000 samples.
  */
-export function armTimes(samples: Iterable<TimedPhase>, end: number): TimeRow[] {
-  const table = new Table();
-  let [last, activity]: [number, TimedPhase | undefined] = [0, undefined];
-  const count = (seconds: number, { phase, source }: Partial<TimedPhase>): void => {
-    const isIdle = phase === undefined || (phase === WAITING && source === undefined);
-    const word = isIdle ? NO_MOVE : phase === WAITING ? "waiting for the next move" : phase;
-    table.add(seconds, "", isIdle ? "" : (source?.program ?? ""), isIdle ? 0 : (source?.line ?? 0), word);
-  };
-  for (const sample of samples) {
-    if (sample.t > end) {
-      break;
+export class ArmTimes {
+  private table = new Table();
+  private last = 0;
+  private present: TimedPhase | undefined;
+  private epoch: number | undefined;
+
+  constructor(private readonly samples: TimedPhases) {}
+
+  /** Returns the times between two times. */
+  between(start: number, end: number): TimeRow[] {
+    if (this.epoch !== this.samples.epoch() || end < this.last) {
+      this.restart(start);
     }
-    const passed = sample.t - last;
-    const own = Math.min(passed, CYCLE);
-    count(passed - own, activity ?? {});
-    count(own, sample);
-    [last, activity] = [sample.t, sample];
+    for (const sample of this.samples.after(this.last)) {
+      if (sample.t > end) {
+        break;
+      }
+      const passed = sample.t - this.last;
+      const own = Math.min(passed, CYCLE);
+      count(this.table, passed - own, this.present);
+      count(this.table, own, sample);
+      [this.last, this.present] = [sample.t, sample];
+    }
+    const table = this.table.copy();
+    count(table, end - this.last, this.present);
+    return table.sorted();
   }
-  count(end - last, activity ?? {});
-  return table.sorted();
+
+  private restart(start: number): void {
+    this.table = new Table();
+    [this.last, this.present, this.epoch] = [start, undefined, this.samples.epoch()];
+  }
+}
+
+/** Counts seconds in the phase of a sample; without a sample, the arm has no move. */
+function count(table: Table, seconds: number, { phase, source }: Partial<TimedPhase> = {}): void {
+  const isIdle = phase === undefined || (phase === WAITING && source === undefined);
+  const word = isIdle ? NO_MOVE : phase === WAITING ? "waiting for the next move" : phase;
+  table.add(seconds, "", isIdle ? "" : (source?.program ?? ""), isIdle ? 0 : (source?.line ?? 0), word);
 }
 
 export function share(seconds: number, total: number): string {

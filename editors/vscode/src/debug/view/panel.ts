@@ -9,6 +9,7 @@ import { withPolicy } from "./page";
 import type { Application } from "../applications";
 import { startApplication } from "../lenses";
 import type { Preview } from "./preview";
+import type { Message } from "./wire";
 
 const TYPE = "val3.robotView";
 
@@ -89,8 +90,8 @@ export class RobotView implements vscode.Disposable {
       const answer = await this.run.request("val3/view", message).catch((fault: unknown) => ({
         error: fault instanceof Error ? fault.message : String(fault),
       }));
-      const reply: Record<string, unknown> = answer ?? { error: "No application is being debugged." };
-      this.post({ kind: "answer", id: (message as { id: number }).id, error: null, ...reply });
+      const { error = null, ...more }: { error?: string | null; [key: string]: unknown } = answer ?? { error: "No application is being debugged." };
+      this.post({ kind: "answer", id: (message as { id: number }).id, error, ...more });
     }
   }
 
@@ -150,7 +151,7 @@ export class RobotView implements vscode.Disposable {
     }
   }
 
-  private post(...messages: object[]): void {
+  private post(...messages: readonly Message[]): void {
     if (this.isReady) {
       void this.panel?.webview.postMessage(messages.map(withBytes));
     }
@@ -164,6 +165,6 @@ function activeFile(): vscode.Uri | undefined {
 }
 
 /** Converts a message for the page: samples are sent as bytes. */
-function withBytes(message: object): object {
-  return "base64" in message && typeof message.base64 === "string" ? new Uint8Array(Buffer.from(message.base64, "base64")) : message;
+function withBytes(message: Message): object {
+  return message.kind === "samples" ? new Uint8Array(Buffer.from(message.base64, "base64")) : message;
 }

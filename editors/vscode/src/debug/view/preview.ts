@@ -5,6 +5,7 @@ import { promisify } from "node:util";
 import * as vscode from "vscode";
 import type { Client } from "../../client";
 import { type Application, applications } from "../applications";
+import type { Message } from "./wire";
 
 /** Largest size of a scene, in bytes. */
 const LARGEST = 64 << 20;
@@ -12,7 +13,7 @@ const LARGEST = 64 << 20;
 /** Application with its scene. */
 export interface Shown {
   application: Application;
-  scene: object;
+  scene: Message;
 }
 
 export class Preview {
@@ -32,6 +33,6 @@ export class Preview {
       return undefined;
     }
     const scene = promisify(execFile)(command, ["run", application.folder.fsPath, "--scene"], { maxBuffer: LARGEST });
-    return scene.then(({ stdout }) => ({ application, scene: JSON.parse(stdout) as object }), () => undefined);
+    return scene.then(({ stdout }) => ({ application, scene: JSON.parse(stdout) as Message }), () => undefined);
   }
 }

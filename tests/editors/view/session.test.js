@@ -1,0 +1,108 @@
+// A session with nothing but the page: a fault, its repair, points that are taught with two tools, and another start.
+const assert = require("node:assert/strict");
+const { mkdirSync, readFileSync, writeFileSync } = require("node:fs");
+const { join } = require("node:path");
+const { test } = require("node:test");
+const { hold, served } = require("./served.js");
+
+const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
+const START = "usr/usrapp/palletiser/start.pgx";
+const SIZES = [[1280, 800], [1366, 768], [1920, 1080], [390, 844]];
+
+/** Points with the tool with which they are taught, and the joints of the arm meanwhile. */
+const TAUGHT = [
+  ["pCorner[1]", "tGripper", [10, 20, 90, 0, 60, 0]],
+  ["pCorner[2]", "tSuction", [-10, 30, 80, 0, 50, 20]],
+  ["pPick", "tSuction", [25, 10, 95, 10, 55, 0]],
+];
+
+/** Replaces the code of the first program. */
+function program(folder, code) {
+  const file = join(folder, START);
+  writeFileSync(file, readFileSync(file, "latin1").replace(/begin[^]*end(?=\s*\]\]>)/, `begin\n${code}\nend`), "latin1");
+}
+
+/** Stores pictures of the page in all sizes and both looks, where `VAL3_OUTPUT` names a folder. */
+async function pictures(page, name) {
+  if (process.env.VAL3_OUTPUT === undefined) {
+    return;
+  }
+  const folder = join(process.env.VAL3_OUTPUT, "view");
+  mkdirSync(folder, { recursive: true });
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    for (const look of ["light", "dark"]) {
+      await page.emulateMedia({ colorScheme: look });
+      await page.waitForTimeout(300);
+      await page.screenshot({ path: join(folder, `session-${name}-${width}-${look}.png`) });
+    }
+  }
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.setViewportSize({ width: SIZES[0][0], height: SIZES[0][1] });
+}
+
+async function powerOn(page) {
+  await page.getByRole("button", { name: "Power off" }).click();
+  await page.getByRole("button", { name: "Power on" }).waitFor();
+}
+
+async function isAt(page, joints, most) {
+  await page.waitForFunction(({ joints, most }) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < most), { joints, most });
+}
+
+async function jogTo(page, joints) {
+  await page.evaluate((jog) => window.val3View.store.command("operate", { keys: { jog } }), joints);
+  await isAt(page, joints, 1e-6);
+}
+
+/** Stops the run and starts the application again. */
+async function startAgain(page) {
+  await page.getByRole("tab", { name: "Pendant" }).click();
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await page.getByText("Press Run to start the application again.").waitFor();
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await page.waitForFunction(() => window.val3View.store.end.value === undefined);
+}
+
+const locals = (page) => page.evaluate(() => Object.fromEntries(
+  window.val3View.store.panels.cell.points.value.map(({ name, key, local }) => [key === null ? name : `${name}[${key}]`, local.map((value) => Number(value.toFixed(6)))])));
+
+test("a fault is repaired, points are taught with two tools and saved, and the application starts again with them", () => served([], async (run) => {
+  const page = await run.open();
+  const fault = page.getByRole("alert", { name: "Fault" });
+  await powerOn(page);
+  await fault.getByText(/^Error 10: division by zero/).waitFor();
+  await pictures(page, "fault");
+
+  program(run.folder, '  movej(jHome,tGripper,mFast)\n  waitEndMove()\n  putln("at home")\n  wait(false)');
+  await startAgain(page);
+  await powerOn(page);
+  await isAt(page, [0, -20, 110, 0, 90, 0], 1e-3);
+  await page.getByText("at home").first().waitFor();
+  assert.equal(await fault.count(), 0);
+
+  await page.getByLabel(/mode/i).first().selectOption("manual");
+  await powerOn(page);
+  await page.getByRole("tab", { name: "Points" }).click();
+  for (const [name, tool, joints] of TAUGHT) {
+    await jogTo(page, joints);
+    await page.getByRole("button", { name, exact: true }).click();
+    await page.getByRole("combobox", { name: /^Tool/ }).selectOption(tool);
+    await page.getByRole("button", { name: `Teach here: tool ${tool}` }).click();
+    await page.getByRole("button", { name: `Undo ${name}` }).waitFor();
+  }
+  await jogTo(page, [0, 0, 90, 0, 45, 0]);
+  await hold(page, page.getByRole("button", { name: "Go to pPick" }), (joints) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < 1e-3), TAUGHT[2][2]);
+  await pictures(page, "taught");
+  const taught = await locals(page);
+  await page.getByRole("button", { name: "Save to .dtx (3)" }).click();
+  await page.getByText("Saved palletiser.dtx.").waitFor();
+  const saved = readFileSync(join(run.folder, POINTS), "latin1");
+
+  await startAgain(page);
+  await page.waitForFunction(() => window.val3View.store.panels.cell.unsaved.value.size === 0);
+  assert.deepEqual(await locals(page), taught);
+  await powerOn(page);
+  await page.getByText("at home").first().waitFor();
+  assert.equal(readFileSync(join(run.folder, POINTS), "latin1"), saved);
+}, (folder) => program(folder, '  putln(toString("",1/0))')));
