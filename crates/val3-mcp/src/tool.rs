@@ -42,6 +42,9 @@ pub(crate) trait Definition {
     fn call(call: &Call<'_>, arguments: Self::Arguments) -> Result<Answer, Refusal>;
 }
 
+/// Executes a call: its surroundings, the schema of the arguments, and the arguments.
+type ToolFunction = fn(&Call<'_>, &Map<String, Value>, Map<String, Value>) -> Result<Answer, Refusal>;
+
 /// A tool of the list.
 #[derive(Debug, Clone)]
 pub(crate) struct Tool {
@@ -51,7 +54,7 @@ pub(crate) struct Tool {
     pub(crate) effect: Effect,
     /// JSON schema of the arguments.
     pub(crate) schema: Map<String, Value>,
-    call: fn(&Call<'_>, &Map<String, Value>, Map<String, Value>) -> Result<Answer, Refusal>,
+    call: ToolFunction,
 }
 
 impl Tool {

@@ -59,8 +59,8 @@ impl Definition for Test {
         if arguments.coverage {
             text.push_str(&format!("{}\n", notes(&output.messages)));
         }
-        let data =
-            json!({ "passed": document["passed"], "failed": document["failed"], "skipped": document["skipped"] });
+        let count = |key| number(&document, key);
+        let data = json!({ "passed": count("passed"), "failed": count("failed"), "skipped": count("skipped") });
         Ok(Answer::new(output.exit_code == 0, text).with_data(data).with_detail(arguments.detail))
     }
 }
