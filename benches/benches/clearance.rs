@@ -14,7 +14,7 @@ use camino::Utf8Path;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use val3_cell::{
-    ArmBase, Cell, CellFile, DataKind, Mesh, ObjectEntry, Profile, Scene, ShapeKeys, Sight, SignalClass, Surroundings,
+    ArmBase, Cell, CellFile, DataKind, KnownSignal, Mesh, ObjectEntry, Profile, Scene, ShapeKeys, Sight, Surroundings,
     Watch,
 };
 use val3_geometry::degrees::{cos, sin};
@@ -59,7 +59,7 @@ impl Surroundings for Application {
         Err(None)
     }
 
-    fn signal(&self, _: &str) -> Result<SignalClass, Option<String>> {
+    fn signal(&self, _: &str) -> Result<KnownSignal, Option<String>> {
         Err(None)
     }
 }

@@ -12,7 +12,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 
 /// Crates that analyse programs.
 const ANALYSIS: &[&str] =
-    &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-merge", "val3-ide", "val3-lsp"];
+    &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-merge", "val3-ide", "val3-lsp", "val3-mcp"];
 
 /// Crates that run programs.
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
@@ -22,7 +22,7 @@ const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-d
 
 /// Packages that implement a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] =
-    &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio", "axum", "hyper", "hyper-util"];
+    &["rmcp", "tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio", "axum", "hyper", "hyper-util"];
 
 /// Packages that serve the page of a run. Its messages are defined in val3-view, so no other crate needs a protocol.
 const PAGE_PACKAGES: &[&str] = &["tokio", "axum", "hyper", "hyper-util"];
@@ -187,7 +187,8 @@ fn config_knows_the_language_alone() {
 
 #[test]
 fn analysis_depends_on_syntax_lang_and_config() {
-    let below = ["val3-files", "val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
+    let below =
+        ["val3-cell", "val3-files", "val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
     check_only("val3-analysis", &below, &["clap", "serde_json", "toml", "tokio"]);
     let below = [&below[..], &["val3-analysis", "val3-motion"]].concat();
     check_only("val3-check", &below, &["clap", "serde_json", "toml", "tokio"]);
@@ -315,7 +316,7 @@ fn every_crate_has_its_place() {
 fn only_the_servers_speak_protocols() {
     let metadata = metadata();
     let all = dependencies(&metadata);
-    for (name, direct) in all.iter().filter(|(name, _)| !["val3-lsp", "val3-dap"].contains(name)) {
+    for (name, direct) in all.iter().filter(|(name, _)| !["val3-lsp", "val3-dap", "val3-mcp"].contains(name)) {
         let allowed = if *name == "val3" { PAGE_PACKAGES } else { &[] };
         let is_wrong = |package: &&&str| PROTOCOL_PACKAGES.contains(package) && !allowed.contains(package);
         assert_none(direct.iter().filter(is_wrong).copied().collect(), &format!("{name} may not speak a protocol"));

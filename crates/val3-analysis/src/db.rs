@@ -13,7 +13,7 @@ use val3_config::Config;
 use val3_lang::types::Arm;
 use val3_syntax::{TextRange, apply_edits};
 
-pub use inputs::{CellFolder, Configuration, File, FileStatus, Project, Sources};
+pub use inputs::{CellFolder, Configuration, File, FileStatus, MeshFile, Project, Sources};
 pub use trees::Trees;
 
 /// A range in a file.

@@ -29,6 +29,7 @@ pub use self::configuration::{nearest_configuration, request_configuration};
 pub use self::error::{LoadError, NO_APPLICATION};
 pub use self::outside::{cell_around, is_below_tests, leads_outside, refused_link};
 pub use self::references::loads_alike;
+pub use self::surroundings::names_meshes_alike;
 pub use self::search::{files, loose_files};
 use crate::cell::CellConfig;
 use crate::db::{CellFolder, Configuration, Database, File, Project};
@@ -199,6 +200,7 @@ impl<'s> Loader<'s> {
         let beside = self.names_in(&folder);
         let pages = self.pages(&folder, &beside);
         let surroundings = self.surroundings(&folder, &manifest, configuration);
+        let meshes = surroundings.map(|file| self.meshes(file)).unwrap_or_default();
         let is_below_tests = self.is_below_tests(&folder, &roots, configuration);
         let input = known_inputs::ProjectInput {
             file,
@@ -207,6 +209,7 @@ impl<'s> Loader<'s> {
             beside,
             pages,
             surroundings,
+            meshes,
             outside,
             configuration,
             is_below_tests,

@@ -1,7 +1,14 @@
 //! `cell.toml`: things around the arm of an application. Frames and tools that carry them are data.
 
+mod faults;
+mod loaded;
+mod shared_scene;
+mod signals;
+
+use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
-use val3_config::table_strings;
+use val3_cell::CellFile;
+use val3_config::{TableFile, table_strings};
 use val3_lang::data_path::DataPath;
 use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, TextSize};
@@ -10,6 +17,9 @@ use crate::db::{Db, File, Project};
 use crate::items::project::{fields, items};
 use crate::occurrences::{Occurrence, Symbol, Usage, path_names};
 use crate::ty::Base;
+
+pub use self::faults::cell_faults;
+pub use self::shared_scene::{SharedScene, scene};
 
 /// Name of the file that is used without a setting.
 pub const FILE_NAME: &str = "cell.toml";
@@ -40,6 +50,16 @@ pub fn carrier_names(db: &dyn Db, file: File) -> Vec<CarrierName> {
         .collect()
 }
 
+/// Returns the paths of the meshes in the text of a `cell.toml`, each once; empty if the text has errors.
+pub(crate) fn mesh_names(text: &str) -> Vec<Utf8PathBuf> {
+    let table = TableFile::<CellFile>::parse(Utf8Path::new(FILE_NAME), text).ok();
+    let names = table.iter().flat_map(|table| table.content.meshes());
+    let mut names: Vec<Utf8PathBuf> = names.map(Utf8Path::to_owned).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
 /// Returns the names of an application's data in its `cell.toml`.
 pub(crate) fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let paths = carrier_names(db, file).iter();
@@ -52,7 +72,8 @@ pub(crate) fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occu
 
 /// Returns the type of the data to which a path leads in a project; `None` if a name of the path is unknown.
 pub fn path_type(db: &dyn Db, project: Project, path: &str) -> Option<BaseType> {
-    let steps = DataPath::new(path).split_library().map_or(DataPath::new(path), |(_, behind)| behind).steps().count();
+    let own_path = DataPath::new(path).split_library().map_or(DataPath::new(path), |(_, item)| item);
+    let steps = own_path.steps().count();
     let names = path_names(db, project, path);
     let data = names.iter().filter(|(_, symbol)| matches!(symbol, Symbol::Data(..)));
     let (_, last) = names.last().filter(|_| data.count() == steps)?;

@@ -1,5 +1,6 @@
-//! Construction of a cell from its file: things, parts, grippers, sensors.
+//! Construction of a cell from its file: things, parts, grippers, sensors, conveyors.
 
+mod conveyors;
 mod grippers;
 mod parts;
 mod sensors;
@@ -7,8 +8,10 @@ mod signals;
 
 use val3_geometry::IsometryMatrix3;
 
+use self::conveyors::FedParts;
 use crate::allowed::Allowed;
 use crate::carriers::{Carried, Carrier, Carriers};
+use crate::conveyor::Conveyor;
 use crate::error::CellError;
 use crate::file::{CellFile, ObjectEntry};
 use crate::gripper::Gripper;
@@ -32,6 +35,8 @@ pub struct Cell {
     pub grippers: Vec<Gripper>,
     /// The sensors.
     pub sensors: Vec<Sensor>,
+    /// The conveyors, whose belts are things.
+    pub conveyors: Vec<Conveyor>,
     /// Names of things whose frame, tool or signal the application lacks.
     pub missing: Vec<String>,
     pub(crate) allowed: Allowed,
@@ -42,11 +47,11 @@ pub struct Cell {
 pub struct Thing {
     /// Name in messages.
     pub name: String,
-    /// Its carrier.
+    /// Carrier.
     pub carrier: Carrier,
     /// Pose of the thing in the frame of the carrier.
     pub pose: IsometryMatrix3<f64>,
-    /// Its shapes.
+    /// Shapes.
     pub solids: Vec<Solid>,
     /// Distance in mm below which something is too near to this thing.
     pub clearance: Option<f64>,
@@ -72,14 +77,19 @@ impl Cell {
             }
         }
         let mut maker = CellMaker { carriers: &carriers, surroundings, missing: &mut missing };
-        let parts = maker.parts(&file.parts)?;
+        let fed = conveyors::fed_parts(file)?;
+        let parts = maker.parts(&file.parts, &fed)?;
+        let fed_parts = FedParts { entries: &file.parts, parts: &parts };
+        let (conveyors, belts): (Vec<_>, Vec<_>) = maker.conveyors(&file.conveyors, fed_parts)?.into_iter().unzip();
         let names: Vec<&str> = file.objects.iter().map(|object| object.name.as_str()).collect();
         let grippers = maker.grippers(&file.grippers, &things, &names)?;
-        let bodies = names.into_iter().map(str::to_owned).chain(file.parts.iter().flat_map(parts::names)).collect();
-        let bodies: Vec<String> = bodies;
+        things.extend(belts);
+        let belts = file.conveyors.iter().map(|conveyor| conveyor.name.clone());
+        let parts_of_file = file.parts.iter().flat_map(parts::names);
+        let bodies: Vec<String> = names.into_iter().map(str::to_owned).chain(belts).chain(parts_of_file).collect();
         let sensors = maker.sensors(&file.sensors, &bodies, arm.axes)?;
         let allowed = Allowed::build(&file.allow, &bodies, arm.axes)?;
-        Ok(Self { clearance, things, parts, grippers, sensors, missing, allowed })
+        Ok(Self { clearance, things, parts, grippers, sensors, conveyors, missing, allowed })
     }
 
     /// Names of the things, then of the parts.
@@ -108,6 +118,7 @@ fn check_names(file: &CellFile) -> Result<(), CellError> {
     let mut add = |name: &String, kind: &str, index: usize| names.add(name, kind, index);
     file.objects.iter().enumerate().try_for_each(|(index, object)| add(&object.name, "object", index))?;
     file.parts.iter().enumerate().try_for_each(|(index, part)| add(&part.name, "part", index))?;
+    file.conveyors.iter().enumerate().try_for_each(|(index, conveyor)| add(&conveyor.name, "conveyor", index))?;
     file.sensors.iter().enumerate().try_for_each(|(index, sensor)| add(&sensor.name, "sensor", index))
 }
 

@@ -15,6 +15,7 @@
 //! shapes = [{ box = [120, 120, 60], at = [0, 0, 30] }, { cylinder = { radius = 20, length = 80 }, at = [0, 0, 100] }]
 //! ```
 
+mod conveyors;
 mod grippers;
 mod parts;
 mod sensors;
@@ -23,9 +24,11 @@ mod signals;
 
 use std::borrow::Cow;
 
+use camino::Utf8Path;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
+pub use self::conveyors::{ConveyorEnd, ConveyorEntry, FeedKeys};
 pub use self::grippers::{GripperEntry, HoldingState};
 pub use self::parts::PartEntry;
 pub use self::sensors::{BeamKeys, SensorEntry};
@@ -55,6 +58,25 @@ pub struct CellFile {
     /// Sensors, which set an input while something is at a place.
     #[serde(rename = "sensor")]
     pub sensors: Vec<SensorEntry>,
+    /// Conveyors, which shift the parts on them.
+    #[serde(rename = "conveyor")]
+    pub conveyors: Vec<ConveyorEntry>,
+}
+
+impl CellFile {
+    /// Paths of all meshes, in the order of the file.
+    pub fn meshes(&self) -> impl Iterator<Item = &Utf8Path> {
+        let objects = self.objects.iter().flat_map(|object| meshes_of(&object.shape, &object.shapes));
+        let parts = self.parts.iter().flat_map(|part| meshes_of(&part.shape, &part.shapes));
+        let zones = self.sensors.iter().filter_map(|sensor| sensor.zone.as_ref()?.shape.mesh.as_deref());
+        objects.chain(parts).chain(zones)
+    }
+}
+
+/// Paths of the meshes of a thing.
+fn meshes_of<'k>(shape: &'k ShapeKeys, shapes: &'k [ShapeEntry]) -> impl Iterator<Item = &'k Utf8Path> {
+    let several = shapes.iter().map(|entry| &entry.shape);
+    std::iter::once(shape).chain(several).filter_map(|keys| keys.mesh.as_deref())
 }
 
 /// Two names, and the reason why these things may touch.

@@ -9,13 +9,13 @@ use crate::carriers::Carrier;
 pub struct Gripper {
     /// Name in messages: the name of the tool.
     pub name: String,
-    /// What makes it hold and release.
+    /// Output that controls it.
     pub control: GripperControl,
-    /// Its carrier: the flange or a tool.
+    /// Carrier: the flange or a tool.
     pub carrier: Carrier,
-    /// Pose of its point in the frame of the carrier.
+    /// Pose of the grip point in the frame of the carrier: the tool centre point, for a tool.
     pub pose: IsometryMatrix3<f64>,
-    /// Greatest distance in mm of a part from its point.
+    /// Greatest distance in mm of a gripped part from the grip point.
     pub within: f64,
     /// Paths and values of signals while it holds a part.
     pub holding: Vec<SignalWrite>,
@@ -25,7 +25,7 @@ pub struct Gripper {
     pub(crate) pieces: Vec<usize>,
 }
 
-/// What makes a gripper hold and release.
+/// Output that controls a gripper.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GripperControl {
     /// The output of a tool, after the times of the tool.

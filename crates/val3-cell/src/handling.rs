@@ -1,9 +1,10 @@
-//! Parts while an application runs: grippers carry them, sensors detect them.
+//! Parts while an application runs: conveyors and grippers move them, sensors detect them.
 //!
-//! [`Handling`] is part of the controller's state. Its caller calls [`Handling::see`] at the end of each cycle, and writes
+//! [`Handling`] is part of the controller's state. The caller calls [`Handling::see`] at the end of each cycle, and writes
 //! the values of [`Handling::take_writes`] to the signals.
 
 mod below;
+mod convey;
 mod grip;
 mod senses;
 
@@ -17,6 +18,7 @@ use crate::part::{PartHolder, PartPlace};
 use crate::scene::{BodyCarrier, Places, Position, Scene};
 use crate::step::Sight;
 
+use convey::ConveyorState;
 use grip::GripperState;
 pub use grip::NearPart;
 use senses::SensorState;
@@ -24,7 +26,7 @@ use senses::SensorState;
 /// Times in seconds that differ by less are equal.
 const SAME_TIME: f64 = 1e-9;
 
-/// What has happened to parts and sensors.
+/// Event of a part or sensor.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HandlingEvent {
     /// A gripper has closed around a part, or around nothing.
@@ -47,7 +49,7 @@ pub enum HandlingEvent {
         /// Height in mm above everything else below it, if the part hangs in the air.
         above: Option<f64>,
     },
-    /// A part was placed elsewhere or removed.
+    /// A part has arrived on a conveyor, was placed elsewhere, or was removed.
     Part {
         /// The part.
         part: String,
@@ -58,29 +60,42 @@ pub enum HandlingEvent {
     Sensor {
         /// The sensor.
         sensor: String,
-        /// What it detects.
+        /// Name of a detected body; `None` if there is none.
         detects: Option<String>,
     },
 }
 
-/// State of parts, grippers and sensors.
+/// Signals of a cell's grippers and conveyors at the end of a cycle.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct CellOutputs {
+    /// Outputs of the grippers, in the order of the cell; `None` without an output.
+    pub grippers: Vec<Option<GripperCommand>>,
+    /// Whether the signals of each conveyor let it run, in the order of the cell; `None` without one of its signals.
+    pub conveyors: Vec<Option<bool>>,
+}
+
+/// State of parts, grippers, sensors and conveyors.
 #[derive(Debug, Clone)]
 pub struct Handling {
     parts: Arc<Vec<PartPlace>>,
     grippers: Vec<GripperState>,
     sensors: Vec<SensorState>,
+    conveyors: Vec<ConveyorState>,
+    /// Whether a gripper or a script has moved a part since the conveyors were evaluated.
+    has_part_moved: bool,
     /// Values of signals that the caller has not taken.
     writes: Vec<SignalWrite>,
     has_begun: bool,
 }
 
 impl Handling {
-    /// All parts are at their places of the file.
+    /// All parts are at their places of the file, or outside of the cell.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let cell = scene.cell();
         let parts = cell.parts.iter().map(|part| {
             let holder = match scene.carrier(&part.carrier) {
+                _ if part.is_outside => PartHolder::Gone,
                 BodyCarrier::Frame(number) => PartHolder::Frame(number),
                 _ => PartHolder::World,
             };
@@ -90,6 +105,8 @@ impl Handling {
             parts: Arc::new(parts.collect()),
             grippers: vec![GripperState::default(); cell.grippers.len()],
             sensors: vec![SensorState::default(); cell.sensors.len()],
+            conveyors: vec![ConveyorState::default(); cell.conveyors.len()],
+            has_part_moved: false,
             writes: Vec::new(),
             has_begun: false,
         }
@@ -125,23 +142,33 @@ impl Handling {
         self.grippers.get(gripper).is_some_and(|state| state.is_controlled)
     }
 
-    /// Whether [`Self::see`] would have no effect, whatever has moved.
+    /// Whether [`Self::see`] would have no effect at a time in seconds, even if the arm or a frame has moved.
     #[must_use]
-    pub fn is_idle(&self, commands: &[Option<GripperCommand>]) -> bool {
+    pub fn is_idle(&self, outputs: &CellOutputs, time: f64) -> bool {
+        let CellOutputs { grippers, conveyors } = outputs;
         let follows = |(state, command): (&GripperState, &Option<GripperCommand>)| match command {
             Some(command) => state.follows(*command),
             None => true,
         };
-        self.has_begun && self.sensors.is_empty() && self.grippers.iter().zip(commands).all(follows)
+        let are_conveyors_idle = || {
+            let mut conveyors = self.conveyors.iter().zip(conveyors);
+            !self.has_part_moved && conveyors.all(|(state, runs)| state.is_idle(*runs, time))
+        };
+        let is_controlled = self.sensors.is_empty() && self.grippers.iter().zip(grippers).all(follows);
+        self.has_begun && is_controlled && (self.conveyors.is_empty() || are_conveyors_idle())
     }
 
-    /// Grips, releases, and evaluates sensors at the end of a cycle. `commands` are the outputs of the grippers, in the
-    /// order of the cell; `None` without an output.
-    pub fn see(&mut self, scene: &Scene, sight: &Sight<'_>, commands: &[Option<GripperCommand>]) -> Vec<HandlingEvent> {
+    /// Conveys, grips, releases, and evaluates sensors at the end of a cycle of this duration in seconds.
+    pub fn see(&mut self, scene: &Scene, sight: &Sight<'_>, outputs: &CellOutputs, cycle: f64) -> Vec<HandlingEvent> {
         let position = scene.position(&sight.joints);
         let view = HandlingView { scene, sight, position: &position };
         let mut events = Vec::new();
-        for (number, command) in commands.iter().enumerate() {
+        self.has_part_moved = false;
+        let cycle = if self.has_begun { cycle } else { 0.0 };
+        for (number, runs) in outputs.conveyors.iter().enumerate() {
+            events.extend(self.convey(number, *runs, cycle, &view));
+        }
+        for (number, command) in outputs.grippers.iter().enumerate() {
             events.extend(command.and_then(|command| self.command(number, command, &view)));
         }
         for number in 0..self.sensors.len() {
@@ -154,6 +181,7 @@ impl Handling {
     /// Places a part at a pose in `world`, or removes it. A gripper that holds it loses it.
     pub fn place(&mut self, scene: &Scene, part: usize, pose: Option<IsometryMatrix3<f64>>) -> Option<HandlingEvent> {
         let place = Arc::make_mut(&mut self.parts).get_mut(part)?;
+        self.has_part_moved = true;
         let lost = if let PartHolder::Gripper(gripper) = place.holder { Some(gripper) } else { None };
         *place = match pose {
             Some(pose) => PartPlace { holder: PartHolder::World, pose },
@@ -184,12 +212,16 @@ impl Handling {
         if !self.writes.is_empty() {
             return Some(0.0);
         }
-        let grippers = self.grippers.iter().filter_map(|state| state.due);
+        if self.has_part_moved && !self.conveyors.is_empty() {
+            return Some(0.0);
+        }
+        let conveyors = self.conveyors.iter().filter_map(ConveyorState::next_due);
+        let grippers = self.grippers.iter().filter_map(|state| state.due).chain(conveyors);
         grippers.chain(self.sensors.iter().filter_map(SensorState::next_due)).min_by(f64::total_cmp)
     }
 }
 
-/// What parts, grippers and sensors depend on at the end of a cycle.
+/// Positions of the bodies at the end of a cycle.
 struct HandlingView<'v> {
     scene: &'v Scene,
     sight: &'v Sight<'v>,

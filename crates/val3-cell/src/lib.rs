@@ -5,11 +5,13 @@
 //!
 //! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each
 //! other, [`Minima`] records the smallest distances, and [`Profile`] computes the smallest distance at each cycle.
-//! [`Handling`] moves parts with grippers and evaluates sensors.
+//! [`Handling`] moves parts with grippers and conveyors, and evaluates sensors. [`Contacts`] finds contacts without a run.
 
 mod allowed;
 mod build;
 mod carriers;
+mod contacts;
+mod conveyor;
 mod error;
 mod file;
 mod gripper;
@@ -36,13 +38,15 @@ mod watch;
 
 pub use self::build::{Cell, Thing};
 pub use self::carriers::Carrier;
+pub use self::contacts::{Contact, Contacts};
+pub use self::conveyor::{Conveyor, Feed};
 pub use self::error::CellError;
 pub use self::file::{
-    AllowedPair, BeamKeys, CellFile, GripperEntry, HoldingState, ObjectEntry, PartEntry, SensorEntry, ShapeEntry,
+    AllowedPair, BeamKeys, CellFile, ConveyorEnd, ConveyorEntry, FeedKeys, GripperEntry, HoldingState, ObjectEntry, PartEntry, SensorEntry, ShapeEntry,
     ShapeKeys, SignalLevel, SignalValues, WhenKey,
 };
 pub use self::gripper::{Gripper, GripperCommand, GripperControl, SignalWrite};
-pub use self::handling::{Handling, HandlingEvent, NearPart};
+pub use self::handling::{CellOutputs, Handling, HandlingEvent, NearPart};
 pub use self::measure::Measured;
 pub use self::mesh::{Mesh, MeshError};
 pub use self::minima::{Minima, Minimum};
@@ -52,5 +56,5 @@ pub use self::scene::Scene;
 pub use self::sensor::{Sensor, SensorForm};
 pub use self::solids::{Solid, SolidForm};
 pub use self::step::Sight;
-pub use self::surroundings::{ArmBase, DataKind, SignalClass, Surroundings};
+pub use self::surroundings::{ArmBase, DataKind, KnownSignal, SignalClass, Surroundings};
 pub use self::watch::{Encounter, EncounterState, TOUCHING, Watch};

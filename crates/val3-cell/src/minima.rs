@@ -20,7 +20,7 @@ pub struct Minimum {
     pub names: [String; 2],
     /// The distance.
     pub measured: Measured,
-    /// Its time, in seconds.
+    /// Time in seconds.
     pub time: f64,
     /// Whether one of them is a part, which touches what it stands on.
     pub has_part: bool,

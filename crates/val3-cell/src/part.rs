@@ -1,4 +1,4 @@
-//! Parts: what grippers can carry.
+//! Parts, which grippers can carry.
 
 use std::sync::Arc;
 
@@ -13,13 +13,15 @@ use crate::solids::Solid;
 pub struct Part {
     /// Name in messages, with an index if there are copies: `carton[0]`.
     pub name: String,
-    /// What the part stands in at the start: `world` or a frame.
+    /// Carrier at the start: `world` or a frame.
     pub carrier: Carrier,
     /// Pose there of the frame that `in` names: an object, or the base of the arm.
     pub origin: IsometryMatrix3<f64>,
     /// Pose of the part there.
     pub pose: IsometryMatrix3<f64>,
-    /// Its shapes, which copies share.
+    /// Whether the part is outside of the cell at the start, and arrives on a conveyor.
+    pub is_outside: bool,
+    /// Shapes, which copies share.
     pub solids: Arc<Vec<Solid>>,
     /// Depth in mm of an overlap that is no contact.
     pub touch: f64,
@@ -39,21 +41,21 @@ impl Part {
 /// Where a part is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartPlace {
-    /// What carries it.
+    /// Holder.
     pub holder: PartHolder,
     /// Pose of the part in the frame of its holder.
     pub pose: IsometryMatrix3<f64>,
 }
 
-/// What carries a part.
+/// Holder of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PartHolder {
-    /// It stands in `world`.
+    /// `world`, in which the part stands.
     World,
-    /// It stands in the frame with this number in [`crate::Scene::data`].
+    /// The frame with this number in [`crate::Scene::data`], in which the part stands.
     Frame(usize),
     /// The gripper with this number holds it; the pose is in `flange`.
     Gripper(usize),
-    /// It was removed.
+    /// None: the part was removed, or has not arrived.
     Gone,
 }

@@ -49,7 +49,7 @@ pub(crate) enum BodyCarrier {
     Frame(usize),
     /// A tool with this number in [`Scene::data`].
     Tool(usize),
-    /// What carries the part with this number.
+    /// Holder of the part with this number.
     Part(usize),
 }
 
@@ -204,8 +204,9 @@ fn data(cell: &Cell) -> Vec<Carrier> {
     let parts = cell.parts.iter().map(|part| &part.carrier);
     let grippers = cell.grippers.iter().map(|gripper| &gripper.carrier);
     let sensors = cell.sensors.iter().map(|sensor| &sensor.carrier);
+    let conveyors = cell.conveyors.iter().map(|conveyor| &conveyor.carrier);
     let mut data: Vec<Carrier> = Vec::new();
-    for carrier in things.chain(parts).chain(grippers).chain(sensors) {
+    for carrier in things.chain(parts).chain(grippers).chain(sensors).chain(conveyors) {
         if matches!(carrier, Carrier::Frame(_) | Carrier::Tool(_)) && !data.contains(carrier) {
             data.push(carrier.clone());
         }

@@ -16,9 +16,9 @@ pub struct Sensor {
     pub is_inverted: bool,
     /// Delay in seconds after which the input changes.
     pub delay: f64,
-    /// What carries it.
+    /// Carrier.
     pub carrier: Carrier,
-    /// Its beam or zone.
+    /// Beam or zone.
     pub(crate) shape: Shape,
     /// Pose of the shape in the frame of the carrier.
     pub(crate) pose: IsometryMatrix3<f64>,

@@ -21,7 +21,7 @@ const HUGE: f64 = 50_000.0;
 pub struct Solid {
     /// The shape.
     pub shape: Shape,
-    /// Its pose in the frame of the thing.
+    /// Pose in the frame of the thing.
     pub pose: IsometryMatrix3<f64>,
     /// The shape for pictures: as it was described, or the hull of a mesh if that is compared.
     pub form: SolidForm,

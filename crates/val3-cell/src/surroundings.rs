@@ -27,11 +27,11 @@ pub trait Surroundings {
     /// Without a frame or tool of this name; a similar name, if one exists.
     fn carrier(&self, name: &str) -> Result<DataKind, Option<String>>;
 
-    /// Returns the kind of a signal, by path or name.
+    /// Returns a signal, by path or name.
     ///
     /// # Errors
     /// Without a signal of this name; a similar path or name, if one exists.
-    fn signal(&self, path: &str) -> Result<SignalClass, Option<String>>;
+    fn signal(&self, path: &str) -> Result<KnownSignal, Option<String>>;
 
     /// Whether the file may be about another application, so that things in unknown frames and tools are left out.
     fn may_lack_data(&self) -> bool {
@@ -55,6 +55,15 @@ impl DataKind {
             Self::Tool => "a tool",
         }
     }
+}
+
+/// An input or output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct KnownSignal {
+    /// Kind of its values.
+    pub class: SignalClass,
+    /// Whether only programs write it.
+    pub is_output: bool,
 }
 
 /// Kinds of signals.

@@ -11,7 +11,7 @@ use crate::file::CellFile;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::step::Sight;
-use crate::surroundings::{ArmBase, DataKind, SignalClass, Surroundings};
+use crate::surroundings::{ArmBase, DataKind, KnownSignal, SignalClass, Surroundings};
 
 /// An application with the frames `fTable`, `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
 /// other sizes.
@@ -44,10 +44,12 @@ impl Surroundings for Application {
         }
     }
 
-    fn signal(&self, path: &str) -> Result<SignalClass, Option<String>> {
+    fn signal(&self, path: &str) -> Result<KnownSignal, Option<String>> {
+        let digital = |is_output| Ok(KnownSignal { class: SignalClass::Digital, is_output });
         match path {
-            "valve" | "diPart" => Ok(SignalClass::Digital),
-            "aiVacuum" => Ok(SignalClass::Analog),
+            "valve" => digital(true),
+            "diPart" => digital(false),
+            "aiVacuum" => Ok(KnownSignal { class: SignalClass::Analog, is_output: false }),
             "dipart" => Err(Some("diPart".to_owned())),
             _ => Err(None),
         }

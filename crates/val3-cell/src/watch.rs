@@ -17,7 +17,7 @@ pub const TOUCHING: f64 = 1e-9;
 /// An encounter of two things.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Encounter<T> {
-    /// What has happened.
+    /// State.
     pub state: EncounterState,
     /// Names of both things.
     pub names: [String; 2],
@@ -27,7 +27,7 @@ pub struct Encounter<T> {
     pub time: f64,
     /// Joint position at this time, in degrees or mm.
     pub joints: Joints,
-    /// What the arm was doing at this time, as the caller has labelled it.
+    /// The caller's label of the cycle with this distance, for example the move.
     pub label: T,
     /// Whether they were so near when the run began.
     pub at_start: bool,

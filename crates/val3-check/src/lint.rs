@@ -5,6 +5,7 @@
 
 mod call;
 mod choices;
+mod contacts;
 mod corners;
 mod descriptors;
 mod edit;
@@ -18,6 +19,7 @@ mod motion;
 #[cfg(test)]
 pub(crate) mod motion_testing;
 pub(crate) mod naming;
+mod nominal;
 mod paths;
 mod program;
 mod project;
@@ -35,11 +37,12 @@ mod variable_use;
 
 pub(crate) use call::Call;
 pub(crate) use choices::Choices;
+pub(crate) use contacts::{CellContacts, MoveContact, PositionContact};
 pub(crate) use descriptors::descriptor_numbers;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{ArmActivity, MotionFacts};
-pub(crate) use paths::{ImpossibleMove, UnreachablePath, impossible_moves};
+pub(crate) use paths::{ImpossibleMove, UnreachablePath};
 pub(crate) use program::ProgramView;
 pub(crate) use project::{DataFile, ProjectView, is_library};
 pub(crate) use reachability::{ArmReach, FlangeTool, of_project as arm_of_project, range as range_of};

@@ -179,6 +179,8 @@ rules! {
     discarded_move,
     degenerate_circle,
     tiny_blend,
+    contact_at_position,
+    contact_in_move,
     // Project and data
     file_missing,
     file_unreadable,
@@ -252,14 +254,16 @@ pub fn all() -> &'static [&'static Rule] {
     ALL
 }
 
-/// Rules that compare positions, moves and speeds with the arm (`val3 check --motion`).
-pub fn of_motion() -> [&'static Rule; 5] {
+/// Rules that compare positions, moves and speeds with the arm and its cell (`val3 check --motion`).
+pub fn of_motion() -> [&'static Rule; 7] {
     [
         &point_out_of_reach::RULE,
         &joint_out_of_range::RULE,
         &impossible_move::RULE,
         &excess_speed::RULE,
         &excess_speed_data::RULE,
+        &contact_at_position::RULE,
+        &contact_in_move::RULE,
     ]
 }
 

@@ -1,4 +1,4 @@
-//! Distances between capsules in closed form: the distance of two line segments, minus both radii.
+//! Distances between capsules in closed form: the distance between two line segments, minus both radii.
 
 use val3_geometry::{IsometryMatrix3, Vector3};
 
@@ -33,7 +33,7 @@ impl Capsule {
     }
 }
 
-/// Square of the sine of the angle below which two axes count as parallel.
+/// Axes are parallel if the squared sine of their angle is smaller.
 const PARALLEL: f64 = 1e-14;
 
 #[cfg(test)]
@@ -48,7 +48,7 @@ mod tests {
     }
 
     proptest! {
-        /// No pair of points of the axes is nearer.
+        /// Other points on the axes are not nearer.
         #[test]
         fn no_points_are_nearer(a in capsule(), b in capsule(), s in 0.0..1.0_f64, t in 0.0..1.0_f64) {
             let [on_a, on_b] = a.nearest(&b);

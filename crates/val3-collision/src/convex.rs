@@ -102,22 +102,21 @@ impl ConvexPair<'_> {
         }
     }
 
-    /// Returns the distance of two planes across a direction, of which one has the first shape behind it, and the other
-    /// the second in front. It is at most the distance of the shapes, and negative where the planes are not between
-    /// them.
+    /// Returns the signed distance between two parallel planes with this normal: the first shape ends at one, the second
+    /// begins at the other. It is a lower bound of the distance between the shapes.
     fn gap(&self, normal: Vector) -> f64 {
         let [on_first, on_second] = self.extremes(normal);
         normal.dot(on_second - on_first)
     }
 
-    /// Returns the point of the first shape that is farthest in a direction, and the one of the second that is least
-    /// far.
+    /// Returns the extreme points along a direction: the farthest point of the first shape, and the nearest point of the
+    /// second.
     fn extremes(&self, normal: Vector) -> [Vector; 2] {
         [self.first.local_support_point(normal), self.second.support_point(self.pose, -normal)]
     }
 }
 
-/// Points of two shapes, and a gap between the shapes.
+/// An upper and a lower bound of a distance: a point on each shape, and a gap between the shapes.
 #[derive(Debug, Clone, Copy)]
 struct Proof {
     points: [Vector; 2],

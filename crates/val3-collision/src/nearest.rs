@@ -39,17 +39,17 @@ pub struct Closest {
     pub points: [Vector3<f64>; 2],
 }
 
-/// What two shapes share.
+/// Overlap of two shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
     /// Length of the shortest shift that separates them; `None` for surfaces, which have no inside.
     pub depth: Option<f64>,
-    /// A point of what they share, in the common frame.
+    /// A common point, in the common frame.
     pub at: Vector3<f64>,
 }
 
-/// Returns how near two shapes are. Pairs beyond `limit` are recognised quickly: for surfaces of many triangles a query
-/// with a limit of 10 mm takes a hundredth of the time of one without.
+/// Returns how near two shapes are. Pairs beyond `limit` are recognised quickly: on surfaces of many triangles
+/// a limit of 10 mm shortens a query to a hundredth of its time.
 #[must_use]
 pub fn nearest(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Nearness {
     if let (Form::Capsule(first), Form::Capsule(second)) = (&a.shape.form, &b.shape.form) {
@@ -238,7 +238,7 @@ mod tests {
             }
         }
 
-        /// A limit only leaves out what is farther.
+        /// Pairs within the limit have the distance that they have without a limit.
         #[test]
         fn a_limit_changes_no_distance(a in convex(), at_a in pose(), b in convex(), at_b in pose(), limit in 0.0..900.0) {
             let [a, b] = [PlacedShape { shape: &a, pose: &at_a }, PlacedShape { shape: &b, pose: &at_b }];

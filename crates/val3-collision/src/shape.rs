@@ -149,7 +149,7 @@ impl Shape {
         matches!(self.form, Form::Surface(_))
     }
 
-    /// Greatest distance of a point of the shape from the origin of its frame.
+    /// Radius of the sphere around the frame's origin that contains the shape, in mm.
     #[must_use]
     pub fn reach(&self) -> f64 {
         self.reach
@@ -183,7 +183,7 @@ fn reach(points: &[Vector3<f64>]) -> f64 {
     points.iter().map(Vector3::norm).fold(0.0, f64::max)
 }
 
-/// Share of the extent of points by which one has to be outside of the plane of three others.
+/// Points have a volume if one is farther from the plane through three others than this share of their extent.
 const FLAT: f64 = 1e-9;
 
 /// Whether points have a volume.

@@ -1,4 +1,4 @@
-//! Distances from surfaces: the nearest of their triangles, found by the tree of boxes around them.
+//! Distances from surfaces: a search for the nearest triangle in a tree of bounding boxes.
 
 use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::math::{Pose, Vector};

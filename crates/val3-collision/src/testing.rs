@@ -39,7 +39,7 @@ pub(crate) fn corners() -> impl Strategy<Value = Vec<Vector3<f64>>> {
     prop::collection::vec(point(150.0), 4..12).prop_filter("flat", |points| Shape::hull(points).is_ok())
 }
 
-/// Returns the surface of the hull of points: the triangles that have no point in front of them.
+/// Returns the surface of the hull of points: the triangles with all points on one side.
 pub(crate) fn outside(points: &[Vector3<f64>]) -> Shape {
     let numbers = 0..u32::try_from(points.len()).unwrap();
     let corner = |number: u32| points[usize::try_from(number).unwrap()];

@@ -31,8 +31,8 @@ pub struct Options {
     pub local_prefix: String,
     /// The text before the prefix of the type in names of parameters.
     pub parameter_prefix: String,
-    /// Whether points, joints, moves and speeds are compared with the arm, as by `val3 check --motion` (V0411 to V0413,
-    /// V0415, V0416).
+    /// Whether points, joints, moves and speeds are compared with the arm and with `cell.toml`, as by `val3 check
+    /// --motion` (V0411 to V0413, V0415, V0416, V0420, V0421).
     pub motion: bool,
     /// The version of VAL 3 to which the applications are moved: required changes are reported, as by `val3 check --for`
     /// (V0540 to V0542).

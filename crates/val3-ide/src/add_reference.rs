@@ -11,6 +11,7 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::xml;
 use val3_lang::keywords;
 
+use crate::RefactoringError;
 use crate::declare::{free, library, user_type};
 use crate::edit::SourceChange;
 use crate::project_tree::has_types;
@@ -49,10 +50,6 @@ pub struct ReferenceCandidate {
     /// Whether the project would contain itself through it as a type.
     pub type_circle: bool,
 }
-
-/// Reason why a library or a type cannot be added, as a sentence for the user.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct AddReferenceError(pub String);
 
 /// Whether the project's dialect has user types.
 pub fn takes_types(db: &dyn Db, project: Project) -> bool {
@@ -151,8 +148,8 @@ pub fn add_reference(
     kind: ReferenceKind,
     name: &str,
     path: &str,
-) -> Result<SourceChange, AddReferenceError> {
-    let refused = |reason: &str| Err(AddReferenceError(reason.to_owned()));
+) -> Result<SourceChange, RefactoringError> {
+    let refused = |reason: &str| Err(RefactoringError(reason.to_owned()));
     let file = project.manifest(db).path(db).file_name().unwrap_or("").to_owned();
     if !manifest(db, project.manifest(db)).complete {
         return refused(&format!("`{file}` has errors. Correct them first, so that nothing else changes"));
@@ -174,7 +171,7 @@ pub fn add_reference(
         ReferenceKind::Type => user_type(db, project, name, path),
     };
     edit.map(|edit| SourceChange::of([edit]))
-        .ok_or_else(|| AddReferenceError(format!("`{file}` has no place for the entry")))
+        .ok_or_else(|| RefactoringError(format!("`{file}` has no place for the entry")))
 }
 
 #[cfg(test)]

@@ -22,29 +22,26 @@ use val3_analysis::pages::{binding_files, bindings};
 use val3_analysis::ty::Base;
 use val3_syntax::TextRange;
 
+use crate::RefactoringError;
 use crate::edit::{FileEdit, SourceChange};
 use crate::owner::projects_of;
 use crate::references::uses;
 use crate::test_programs::is_test;
 use programs::AffectedProgram;
 
-/// Reason why the parameters or locals cannot be changed, as a sentence for the user.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SignatureError(pub String);
-
 /// Changes the parameters and locals of the program in `file`. Arguments in its callers are adapted, and so are the
 /// same programs in libraries that are loaded for the same interface.
 ///
 /// # Errors
 /// If a removed variable is still used, a name is in use, or a call cannot be adapted; the message gives the reason.
-pub fn change_signature(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, SignatureError> {
-    change(db, file, wanted).map(|change| change.sorted(db)).map_err(SignatureError)
+pub fn change_signature(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, RefactoringError> {
+    change(db, file, wanted).map(|change| change.sorted(db))
 }
 
-fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, String> {
+fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, RefactoringError> {
     let header = header(db, file);
     if !wanted.is_consistent(header) {
-        return Err("the program was changed meanwhile".to_owned());
+        return Err("the program was changed meanwhile".into());
     }
     let calls_change = !wanted.keeps_arguments(header);
     let are_parameters_same = !calls_change && !wanted.parameters.iter().any(|new| new.is_renamed(header));
@@ -59,7 +56,7 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     let mut renames: Vec<FileEdit> = programs.iter().flat_map(|program| renames(db, program)).collect();
     // The parameter of a test has its own name.
     if !are_parameters_same && let Some(reason) = fixed_parameters(db, file) {
-        return Err(reason);
+        return Err(reason.into());
     }
     if calls_change {
         wanted.parameters.iter().filter(|new| new.from.is_none()).try_for_each(arguments::check)?;
@@ -147,7 +144,11 @@ pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
 }
 
 /// Checks that removed parameters and locals are unused, except in arguments that are removed as well.
-fn removed_are_unused(db: &dyn Db, program: &AffectedProgram, removed: &[(File, TextRange)]) -> Result<(), String> {
+fn removed_are_unused(
+    db: &dyn Db,
+    program: &AffectedProgram,
+    removed: &[(File, TextRange)],
+) -> Result<(), RefactoringError> {
     let (file, header) = (program.file, header(db, program.file));
     let keeps_param = |index: usize| program.wanted.parameters.iter().any(|new| new.from == Some(index));
     let keeps_local = |index: usize| program.wanted.locals.iter().any(|new| new.from == Some(index));
@@ -161,7 +162,7 @@ fn removed_are_unused(db: &dyn Db, program: &AffectedProgram, removed: &[(File, 
         let left = uses.len();
         if left > 0 {
             let times = if left == 1 { "once".to_owned() } else { format!("{left} times") };
-            return Err(format!("{what} `{name}` is used {times} in `{}`", header.name));
+            return Err(format!("{what} `{name}` is used {times} in `{}`", header.name).into());
         }
     }
     Ok(())

@@ -9,6 +9,7 @@ use val3_analysis::xml;
 use val3_syntax::TextRange;
 
 use crate::FilePosition;
+use crate::RefactoringError;
 use crate::data_edits::{DataEdit, data_edits};
 use crate::declare::without;
 use crate::edit::SourceChange;
@@ -26,17 +27,13 @@ pub struct Deletion {
     pub uses: Vec<FileRange>,
 }
 
-/// Reason why an item cannot be deleted, as a sentence for the user.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct DeleteError(pub String);
-
 /// Deletes the program, data, library or type whose declared name is at the position.
 ///
 /// # Errors
 /// If no such declaration is there, or if its file has errors, because the deletion might then remove more than the
 /// declaration.
-pub fn delete_item(db: &dyn Db, at: FilePosition) -> Result<Deletion, DeleteError> {
-    let nothing = || DeleteError("there is no program, data, library or type declared here".to_owned());
+pub fn delete_item(db: &dyn Db, at: FilePosition) -> Result<Deletion, RefactoringError> {
+    let nothing = || RefactoringError("there is no program, data, library or type declared here".to_owned());
     let project = owner(db, at.file).ok_or_else(nothing)?;
     let item = find(db, project, at).ok_or_else(nothing)?;
     let change = match &item.symbol {
@@ -69,35 +66,35 @@ fn find_in<T>(items: &[TreeItem<T>], at: FilePosition, symbol: impl Fn(SmolStr) 
     Some(Item { symbol: symbol(item.name.clone()), range: item.range })
 }
 
-fn program(db: &dyn Db, project: Project, file: File) -> Result<SourceChange, DeleteError> {
+fn program(db: &dyn Db, project: Project, file: File) -> Result<SourceChange, RefactoringError> {
     sound(db, project.manifest(db))?;
     let parse = parse(db, file);
     let programs = xml::root(parse.view()).map_or(0, |root| root.elements().count());
     if programs > 1 {
         let reason = format!("`{}` has more programs than this one. Delete it in the text", name(db, file));
-        return Err(DeleteError(reason));
+        return Err(RefactoringError(reason));
     }
     let path = file.path(db).clone();
     let change = will_delete_files(db, std::slice::from_ref(&path));
     Ok(SourceChange { deletes: vec![path], ..change })
 }
 
-fn datum(db: &dyn Db, project: Project, file: File, name: &SmolStr) -> Result<SourceChange, DeleteError> {
+fn datum(db: &dyn Db, project: Project, file: File, name: &SmolStr) -> Result<SourceChange, RefactoringError> {
     let delete = DataEdit::Delete(vec![name.to_string()]);
-    data_edits(db, project, file, &[delete]).map_err(|problem| DeleteError(problem.reason))
+    data_edits(db, project, file, &[delete]).map_err(|problem| RefactoringError(problem.reason))
 }
 
-fn entry(db: &dyn Db, manifest: File, range: TextRange) -> Result<SourceChange, DeleteError> {
+fn entry(db: &dyn Db, manifest: File, range: TextRange) -> Result<SourceChange, RefactoringError> {
     sound(db, manifest)?;
     Ok(SourceChange::of([without(db, manifest, range)]))
 }
 
-fn sound(db: &dyn Db, file: File) -> Result<(), DeleteError> {
+fn sound(db: &dyn Db, file: File) -> Result<(), RefactoringError> {
     if manifest(db, file).complete {
         return Ok(());
     }
     let reason = format!("`{}` has errors. Correct them first, so that nothing else is deleted", name(db, file));
-    Err(DeleteError(reason))
+    Err(RefactoringError(reason))
 }
 
 fn name(db: &dyn Db, file: File) -> &str {

@@ -7,7 +7,6 @@ mod access;
 mod add_reference;
 mod assists;
 mod call_hierarchy;
-mod cell_faults;
 mod change_signature;
 mod code_lens;
 mod code_text;
@@ -37,9 +36,11 @@ mod navigate;
 mod new_test;
 mod owner;
 mod placement;
+mod program_text;
 mod project_tree;
 mod reachable_projects;
 mod reached;
+mod refactoring_error;
 mod references;
 mod rename;
 mod selection;
@@ -54,13 +55,10 @@ mod xml_context;
 mod xml_cursor;
 mod xml_list;
 
-pub use add_reference::{
-    AddReferenceError, ReferenceCandidate, ReferenceKind, add_reference, reference_candidates, takes_types,
-};
+pub use add_reference::{ReferenceCandidate, ReferenceKind, add_reference, reference_candidates, takes_types};
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
-pub use cell_faults::{CellFault, cell_faults};
-pub use change_signature::{NewLocal, NewParameter, NewVariables, SignatureError, change_signature};
+pub use change_signature::{NewLocal, NewParameter, NewVariables, change_signature};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use code_text::code_text;
 pub use completion::{
@@ -73,7 +71,7 @@ pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataOutline, DataPlace, DataProblem, DataTables, DataType, DatumSource,
     DatumValue, Dialect, FieldStep, TableVariable, TypeField, data_findings, data_outline, data_rows, data_tables,
 };
-pub use delete_item::{DeleteError, Deletion, delete_item};
+pub use delete_item::{Deletion, delete_item};
 pub use diagnostics::{CheckSettings, check_project, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
@@ -88,11 +86,13 @@ pub use linked_editing::linked_names;
 pub use navigate::{NavigationTarget, declarations, definition, implementations, type_definition};
 pub use new_test::new_test;
 pub use owner::{owner, projects_of};
+pub use program_text::{program_text, write_program};
 pub use project_tree::{
     ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,
 };
+pub use refactoring_error::RefactoringError;
 pub use references::references;
-pub use rename::{RenameError, prepare_rename, rename};
+pub use rename::{prepare_rename, rename};
 pub use selection::selections;
 pub use semantic_tokens::{SemanticToken, TokenKind, TokenModifier, semantic_tokens};
 pub use signature_help::{CallForm, SignatureHelp, signature_help};

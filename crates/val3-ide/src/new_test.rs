@@ -12,6 +12,7 @@ use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::versions::Version;
 use val3_syntax::{SyntaxKind, TextRange};
 
+use crate::RefactoringError;
 use crate::declare::{self, NewProgram, NewVariable};
 use crate::edit::{FileEdit, SourceChange};
 use crate::file_operations::relative;
@@ -26,15 +27,20 @@ const START: &str = "start";
 ///
 /// # Errors
 /// The reason why the test cannot be created, as a sentence without its full stop.
-pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>) -> Result<SourceChange, String> {
+pub fn new_test(
+    db: &dyn Db,
+    project: Project,
+    name: &str,
+    tested: Option<&str>,
+) -> Result<SourceChange, RefactoringError> {
     if !has_tests(db, project) {
-        return Err("it is no test application".to_owned());
+        return Err("it is no test application".into());
     }
     if !is_identifier(name) || !is_test(name) {
-        return Err(format!("`{name}` is no name of a test: it begins with `test`, as in `testTotal`"));
+        return Err(format!("`{name}` is no name of a test: it begins with `test`, as in `testTotal`").into());
     }
     if items(db, project).programs.keys().any(|known| known.eq_ignore_ascii_case(name)) {
-        return Err(format!("it has a program `{name}`"));
+        return Err(format!("it has a program `{name}`").into());
     }
     let assert = alias_of_assertions(db, project)
         .ok_or_else(|| format!("it does not load the library `{ASSERTIONS}`: `val3 test --init` writes one"))?;
@@ -93,7 +99,7 @@ struct TestedProgram {
 }
 
 /// Body of the test for a program of a library.
-fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<TestBody, String> {
+fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<TestBody, RefactoringError> {
     let TestedProgram { alias, project: tested_project, file } = find(db, project, assert, tested)?;
     let called = header(db, file);
     let mut body = TestBody::default();
@@ -130,7 +136,7 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Tes
 }
 
 /// Finds the library identifier and the file of the tested program.
-fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<TestedProgram, String> {
+fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<TestedProgram, RefactoringError> {
     let (wanted, name) = tested.split_once(':').map_or((None, tested), |(alias, name)| (Some(alias), name));
     let libraries = &items(db, project).libraries;
     let mut found: Vec<TestedProgram> = libraries
@@ -144,16 +150,21 @@ fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Tes
     found.sort_by(|one, other| one.alias.cmp(&other.alias));
     match found.as_slice() {
         [one] => Ok(one.clone()),
-        [] => Err(format!("none of its libraries has a program `{tested}`")),
+        [] => Err(format!("none of its libraries has a program `{tested}`").into()),
         several => {
             let names: Vec<String> = several.iter().map(|found| format!("`{}:{name}`", found.alias)).collect();
-            Err(format!("several of its libraries have the program: name one of {}", names.join(", ")))
+            Err(format!("several of its libraries have the program: name one of {}", names.join(", ")).into())
         }
     }
 }
 
 /// Name and path of a parameter's user type.
-fn user_type(db: &dyn Db, project: Project, tested: Project, param: &ParamDecl) -> Result<(String, String), String> {
+fn user_type(
+    db: &dyn Db,
+    project: Project,
+    tested: Project,
+    param: &ParamDecl,
+) -> Result<(String, String), RefactoringError> {
     let ParamDecl { name, type_name, .. } = param;
     let unknown = || format!("`{name}` has the type `{type_name}`, which cannot be found");
     let declared = items(db, tested).types.get(type_name).copied().flatten().ok_or_else(unknown)?;

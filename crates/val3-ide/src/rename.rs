@@ -17,24 +17,21 @@ use val3_analysis::occurrences::Symbol;
 use val3_syntax::TextRange;
 
 use crate::FilePosition;
+use crate::RefactoringError;
 use crate::edit::{FileEdit, SourceChange};
 use crate::navigate::{implemented, implementing, name_at};
 use crate::references::{text, uses};
-
-/// Reason why a name cannot be changed, as a sentence for the user.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RenameError(pub String);
 
 /// Range and text of the name, or key of a collection, at a position, if it can be renamed.
 ///
 /// # Errors
 /// If there is no name, or if it belongs to the language or the controller.
-pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, String), RenameError> {
+pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, String), RefactoringError> {
     if let Some(found) = keys::key_at(db, at) {
         return Ok((found.range, found.key));
     }
     let Some((_, found)) = name_at(db, at) else {
-        return Err(RenameError("there is no name here that can be changed".to_owned()));
+        return Err(RefactoringError("there is no name here that can be changed".to_owned()));
     };
     conflicts::is_declared_here(db, &found.symbol)?;
     Ok((found.range, text(&found.symbol).to_owned()))
@@ -44,7 +41,7 @@ pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, Strin
 ///
 /// # Errors
 /// If the name cannot be changed, or if `new_name` is invalid, in use, or would change the meaning of a use.
-pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceChange, RenameError> {
+pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceChange, RefactoringError> {
     prepare_rename(db, at)?;
     if let Some(found) = keys::key_at(db, at) {
         return keys::rename(db, &found, new_name);
@@ -52,8 +49,8 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     let Some((_, found)) = name_at(db, at) else { return Ok(SourceChange::default()) };
     let symbols = together(db, &found.symbol);
     match &found.symbol {
-        Symbol::Task(project, _) => tasks::check(db, *project, new_name).map_err(RenameError)?,
-        Symbol::Element(page, _) => elements::check(db, *page, new_name).map_err(RenameError)?,
+        Symbol::Task(project, _) => tasks::check(db, *project, new_name)?,
+        Symbol::Element(page, _) => elements::check(db, *page, new_name)?,
         _ => conflicts::check(db, &symbols, new_name)?,
     }
     let mut change = SourceChange::default();

@@ -9,8 +9,9 @@ use val3_analysis::occurrences::Symbol;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
+use crate::RefactoringError;
 use crate::assists::{FixContext, added_error};
-use crate::change_signature::{NewVariables, SignatureError, change_signature, fixed_parameters, in_code};
+use crate::change_signature::{NewVariables, change_signature, fixed_parameters, in_code};
 use crate::declare::is_old_program;
 use crate::edit::SourceChange;
 use crate::owner::owner;
@@ -115,13 +116,13 @@ pub fn edit_variables(
     context: FixContext<'_>,
     file: File,
     wanted: &NewVariables,
-) -> Result<SourceChange, SignatureError> {
+) -> Result<SourceChange, RefactoringError> {
     let change = change_signature(context.db, file, wanted)?;
     // Renaming, reordering and removing variables does not change any type.
     if !wanted.adds_or_retypes(header(context.db, file)) {
         return Ok(change);
     }
-    added_error(context, &change).map_or(Ok(change), |reason| Err(SignatureError(reason)))
+    added_error(context, &change).map_or(Ok(change), |reason| Err(RefactoringError(reason)))
 }
 
 #[cfg(test)]

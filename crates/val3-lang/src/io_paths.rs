@@ -16,6 +16,23 @@ pub fn is_input(path: &str) -> bool {
     INPUTS.iter().any(|start| address.starts_with(start))
 }
 
+/// Prefixes of output addresses.
+const OUTPUTS: [&str; 4] = ["%Q", "usrOut", "fOut", "valve"];
+
+/// Whether the address at the end of a path is certainly an output. Other addresses may be either, such as the words of
+/// a Modbus server.
+///
+/// ```
+/// use val3_lang::io_paths::is_output;
+/// assert!(is_output(r"BasicIO-1\%Q0") && is_output("valve1"));
+/// assert!(!is_output(r"BasicIO-1\%I0") && !is_output(r"ModbusSrv-0\Modbus-Word\Vacuum"));
+/// ```
+#[must_use]
+pub fn is_output(path: &str) -> bool {
+    let address = path.rsplit('\\').next().unwrap_or(path);
+    OUTPUTS.iter().any(|start| address.starts_with(start))
+}
+
 /// Prefixes of CS8 paths and their CS9 equivalents; `None` for boards that a CS9 does not have.
 const OF_CS8: [(&str, Option<&str>); 9] = [
     ("usrIn", Some(r"UserIO\usrIn")),

@@ -19,7 +19,6 @@ use val3_ide as ide;
 use val3_lines::LineIndex;
 
 use crate::lines::PositionConverter;
-use crate::overlay;
 use crate::snapshot::Snapshot;
 
 /// Source name of diagnostics.
@@ -53,7 +52,7 @@ fn cell_faults(snapshot: &Snapshot, project: Project) -> Option<(Url, Vec<Diagno
     if sharing.next() != Some(&project) {
         return None;
     }
-    let faults = ide::cell_faults(snapshot.db(), &overlay::files_of(snapshot), file);
+    let faults = val3_analysis::surroundings::cell_faults(snapshot.db(), file);
     Some((snapshot.uri(file), faults.iter().map(|fault| configuration_fault(snapshot, fault)).collect()))
 }
 

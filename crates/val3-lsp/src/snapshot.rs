@@ -11,7 +11,7 @@ use val3_analysis::db::{Database, Db, File, FileRange, Project, Sources};
 use val3_analysis::paths::path_key;
 use val3_check::diagnostic::Diagnostic;
 use val3_config::ConfigError;
-use val3_ide::{CheckSettings, FilePosition, FixContext};
+use val3_ide::{CheckSettings, FilePosition, FixContext, RefactoringError};
 use val3_lines::LineIndex;
 use val3_syntax::TextRange;
 
@@ -33,6 +33,12 @@ pub(crate) enum Refusal {
     Because(String),
     /// The request is based on a text that was edited since.
     Outdated,
+}
+
+impl From<RefactoringError> for Refusal {
+    fn from(RefactoringError(reason): RefactoringError) -> Self {
+        Self::Because(reason)
+    }
 }
 
 /// Snapshot of the server state.

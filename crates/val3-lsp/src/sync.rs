@@ -6,7 +6,7 @@ use camino::Utf8Path;
 use tower_lsp::lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
 };
-use val3_analysis::load::loads_alike;
+use val3_analysis::load::{loads_alike, names_meshes_alike};
 
 use crate::documents::Document;
 use crate::server_state::ServerState;
@@ -52,7 +52,8 @@ pub(crate) fn changed(server: &mut ServerState, params: DidChangeTextDocumentPar
     }
     let file = server.file(&path);
     server.edited(file, &text);
-    if file.is_none() || shapes_workspace(&path) || !loads_alike(&before, &text) {
+    let loads_alike = if is_table(&path) { names_meshes_alike(&before, &text) } else { loads_alike(&before, &text) };
+    if file.is_none() || shapes_workspace(&path) || !loads_alike {
         server.is_stale(&path);
     }
 }
@@ -77,4 +78,9 @@ pub(crate) fn closed(server: &mut ServerState, params: DidCloseTextDocumentParam
 pub(crate) fn shapes_workspace(path: &Utf8Path) -> bool {
     let is_manifest = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
     is_manifest || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(val3_config::FILE_NAME))
+}
+
+/// Whether the file is a TOML file: a `cell.toml`, or a configuration.
+fn is_table(path: &Utf8Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }

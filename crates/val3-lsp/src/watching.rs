@@ -19,8 +19,8 @@ use crate::uri;
 /// patterns case-sensitively.
 const PATTERN: &str = "**/*";
 
-/// Relevant file extensions: projects, the surrounding cell, and configurations.
-const ENDINGS: [&str; 6] = ["pgx", "dtx", "pjx", "toml", "cfx", "xml"];
+/// Relevant file extensions: projects, the surrounding cell, configurations, and meshes.
+const ENDINGS: [&str; 8] = ["pgx", "dtx", "pjx", "toml", "cfx", "xml", "stl", "glb"];
 
 /// Relevant file extensions in the folder of an application's user pages.
 const OF_PAGES: [&str; 2] = ["json", "html"];

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::LoadError;
-use val3_cell::{ArmBase, Cell, CellFile, DataKind, Mesh, SignalClass, Surroundings};
+use val3_cell::{ArmBase, Cell, CellFile, DataKind, KnownSignal, Mesh, Surroundings};
 use val3_config::{ConfigError, ConfigFile, TableFile};
 use val3_files::FileClass;
 use val3_lang::suggest::nearest;
@@ -148,8 +148,8 @@ impl Surroundings for OpenApplication<'_> {
         })
     }
 
-    fn signal(&self, path: &str) -> Result<SignalClass, Option<String>> {
-        self.controller.signal_class(path)
+    fn signal(&self, path: &str) -> Result<KnownSignal, Option<String>> {
+        self.controller.known_signal(path)
     }
 
     fn may_lack_data(&self) -> bool {

@@ -72,7 +72,7 @@ fn corners(mesh: &Mesh) -> String {
 
 #[cfg(test)]
 mod tests {
-    use val3_cell::{ArmBase, CellFile, DataKind, SignalClass, Surroundings};
+    use val3_cell::{ArmBase, CellFile, DataKind, KnownSignal, Surroundings};
 
     use super::*;
 
@@ -89,7 +89,7 @@ mod tests {
             if name == "fPallet" { Ok(DataKind::Frame) } else { Err(None) }
         }
 
-        fn signal(&self, _: &str) -> Result<SignalClass, Option<String>> {
+        fn signal(&self, _: &str) -> Result<KnownSignal, Option<String>> {
             Err(None)
         }
     }

@@ -7,6 +7,7 @@ mod controller;
 mod coverage;
 mod destination;
 mod diff;
+mod mcp;
 mod merge;
 mod new;
 mod packaging;
@@ -32,6 +33,7 @@ pub(crate) use check::CheckArgs;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
+pub(crate) use mcp::McpArgs;
 pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
@@ -168,6 +170,8 @@ pub(crate) enum CliCommand {
     Lsp(LspArgs),
     /// Debug applications for an editor with the Debug Adapter Protocol
     Dap(DapArgs),
+    /// Serve tools for language models with the Model Context Protocol, on standard input and output
+    Mcp(McpArgs),
     /// Trust the settings in a folder, so that they may reach outside the cell
     #[command(after_help = TRUST)]
     Trust(TrustArgs),

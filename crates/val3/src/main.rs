@@ -28,6 +28,7 @@ mod loose;
 mod lsp;
 mod man;
 mod markdown;
+mod mcp;
 mod merge;
 mod new;
 mod opening;
@@ -151,6 +152,7 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         CliCommand::Arm(arm) => arm::run(arm, args.color),
         CliCommand::Lsp(lsp) => lsp::run(lsp),
         CliCommand::Dap(dap) => dap::run(dap),
+        CliCommand::Mcp(mcp) => mcp::run(mcp),
         CliCommand::Trust(trust) => trust::run(trust),
         CliCommand::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
         CliCommand::Completions(completions) => completions::run(completions).map(|()| ExitCode::SUCCESS),

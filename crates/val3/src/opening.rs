@@ -6,10 +6,11 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use rustc_hash::FxHashMap;
 use val3_analysis::arm::arm;
-use val3_analysis::db::{Database, Project};
+use val3_analysis::db::{Database, File, Project};
 use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{self, LoadError, NO_APPLICATION, Workspace};
+use val3_analysis::surroundings::cell_faults;
 use val3_analysis::system::{Disk, OverlayFs};
 use val3_check::settings::{RuleSelection, WorkspaceSettings};
 use val3_config::ConfigError;
@@ -108,8 +109,19 @@ fn open_with(
     let applications: Vec<Project> =
         workspace.projects.iter().copied().filter(|project| !loose.stands_in(&workspace.db, *project)).collect();
     let notice = arm_choice::notice(&workspace.db, &applications, &settings)?;
+    check_surroundings(&workspace, &paths)?;
     applications.iter().for_each(|project| mention(&workspace.db, *project, &paths));
     Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, loose, notice })
+}
+
+/// Checks the `cell.toml` of each application.
+fn check_surroundings(workspace: &Workspace, paths: &Paths) -> Result<(), UserError> {
+    let db = &workspace.db;
+    let mut files: Vec<File> = workspace.projects.iter().filter_map(|project| project.surroundings(db)).collect();
+    files.sort_unstable_by_key(|file| file.path(db));
+    files.dedup();
+    let faults: Vec<ConfigError> = files.into_iter().flat_map(|file| cell_faults(db, file)).collect();
+    if faults.is_empty() { Ok(()) } else { Err(configuration_refused(faults, paths)) }
 }
 
 /// Writes the settings and the arm of an application if `--verbose` is set.

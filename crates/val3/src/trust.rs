@@ -7,6 +7,8 @@ use std::fmt::Display;
 use std::fs;
 use std::process::ExitCode;
 use std::sync::LazyLock;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use toml_edit::{Array, DocumentMut, Item, Value};
@@ -23,6 +25,14 @@ const VARIABLE: &str = "VAL3_TRUST";
 
 /// Key of the list in its file.
 const FOLDERS: &str = "folders";
+
+/// Whether this process ignores the user's list and the environment variable.
+static TRUSTS_NOTHING: AtomicBool = AtomicBool::new(false);
+
+/// Makes this process trust no folder, because its requests come from a language model and not from the user.
+pub(crate) fn trust_nothing() {
+    TRUSTS_NOTHING.store(true, Relaxed);
+}
 
 /// Registers the user's list for the readers of settings. The list is only read if a setting reaches outside.
 pub(crate) fn connect() {
@@ -54,6 +64,9 @@ pub(crate) fn run(args: &TrustArgs) -> Result<ExitCode, UserError> {
 
 /// Whether the folder, whose links are resolved, is a trusted folder or in a trusted folder.
 fn trusts(folder: &Utf8Path) -> bool {
+    if TRUSTS_NOTHING.load(Relaxed) {
+        return false;
+    }
     let named = std::env::var_os(VARIABLE).unwrap_or_default();
     let of_variable = std::env::split_paths(&named).filter_map(|path| Utf8PathBuf::from_path_buf(path).ok());
     let of_list = list_file().and_then(|path| listed(&read(&path)?, &path)).unwrap_or_else(|error| {

@@ -14,6 +14,7 @@ import { registerDataEditor } from "./dataEditor/provider";
 import { registerDebugging } from "./debug/register";
 import { registerEncodings } from "./encoding/documents";
 import { Findings } from "./findings";
+import { registerTools } from "./languageModels";
 import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { registerTesting } from "./testing/register";
@@ -64,6 +65,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerRename(views),
     ...registerVariables(context, started, views, report),
     whenTrusted(() => registerTesting(started, output)),
+    whenTrusted(() => registerTools(started)),
     ...registerDebugging(context, started, views, walkthrough, report, selection.event),
   );
   await started.restart();

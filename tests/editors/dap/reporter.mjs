@@ -1,10 +1,14 @@
-// Prints each test in the format of the other editor tests.
+// Prints each test in the format of the other editor tests. The suite has the name of its folder.
+import { basename, dirname } from "node:path";
+
 export default async function* reporter(events) {
+  let suite = "no tests";
   const count = { "test:pass": 0, "test:fail": 0 };
   for await (const { type, data } of events) {
     // A file is a test that consists of its tests.
     if (!(type in count) || data.name.endsWith(".test.js")) continue;
     count[type] += 1;
+    suite = basename(dirname(data.file));
     if (type === "test:pass") {
       yield `ok ${data.name} (${Math.round(data.details.duration_ms)} ms)\n`;
     } else {
@@ -12,5 +16,5 @@ export default async function* reporter(events) {
     }
   }
   const { "test:pass": passed, "test:fail": failed } = count;
-  yield `test result: ${failed === 0 ? "ok" : "FAILED"}. ${passed} passed; ${failed} failed; debugging\n`;
+  yield `test result: ${failed === 0 ? "ok" : "FAILED"}. ${passed} passed; ${failed} failed; ${suite}\n`;
 }

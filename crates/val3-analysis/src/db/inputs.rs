@@ -7,6 +7,7 @@ use std::sync::Arc;
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_cell::Mesh;
 use val3_config::ConfigFile;
 use val3_syntax::encoding::{Encoding, Mismatch};
 
@@ -62,6 +63,9 @@ pub struct Project {
     /// `cell.toml` with the things around the arm of an application.
     #[returns(copy)]
     pub surroundings: Option<File>,
+    /// Meshes that `cell.toml` names, in the order of the file.
+    #[returns(ref)]
+    pub meshes: Vec<MeshFile>,
     /// References in the project file to paths outside of the cell, as written. Their files are not read.
     #[returns(ref)]
     pub outside: Vec<SmolStr>,
@@ -71,6 +75,17 @@ pub struct Project {
     /// Whether a folder `tests` of the cell contains the project.
     #[returns(copy)]
     pub is_below_tests: bool,
+}
+
+/// A mesh that a `cell.toml` names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshFile {
+    /// Path in `cell.toml`, relative to its folder.
+    pub name: Utf8PathBuf,
+    /// Full path.
+    pub path: Utf8PathBuf,
+    /// Triangles, or the reason why the file cannot be used.
+    pub mesh: Result<Arc<Mesh>, String>,
 }
 
 /// A `val3.toml`.

@@ -39,8 +39,19 @@ fn is_link(ty: BaseType, name: &str) -> bool {
     attribute(ty, None, name).is_some_and(|attribute| attribute.value == AttributeValue::Link)
 }
 
-/// Returns the links of digital, numerical and serial data and of tools in a file, with their ranges without quotes.
-pub fn links(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+/// A link of data in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DataLink {
+    /// Type of the linked data.
+    pub ty: BaseType,
+    /// The link, for example `BasicIO-1\%I0`.
+    pub text: SmolStr,
+    /// Range without quotes.
+    pub range: TextRange,
+}
+
+/// Returns the links of digital, numerical and serial data and of tools in a file.
+pub fn links(db: &dyn Db, file: File) -> Vec<DataLink> {
     let parse = parse(db, file);
     let mut found = Vec::new();
     for element in data::elements(parse.view()) {
@@ -48,7 +59,7 @@ pub fn links(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
         let Some((ty, _)) = BaseType::from_file_name(&written) else { continue };
         let attributes = element.elements().flat_map(XmlElement::attributes);
         let links = attributes.filter(|attribute| is_link(ty, attribute.name));
-        found.extend(links.map(|link| (SmolStr::from(link.text().trim()), link.range)));
+        found.extend(links.map(|link| DataLink { ty, text: link.text().trim().into(), range: link.range }));
     }
     found
 }

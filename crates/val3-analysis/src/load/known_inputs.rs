@@ -11,7 +11,7 @@ use val3_syntax::encoding::Encoding;
 
 use super::{CellKey, Loader};
 use crate::cell::CellConfig;
-use crate::db::{CellFolder, Configuration, Database, File, FileStatus, Project, Sources};
+use crate::db::{CellFolder, Configuration, Database, File, FileStatus, MeshFile, Project, Sources};
 use crate::paths::{Roots, path_key};
 
 use crate::system::DecodedFile;
@@ -30,6 +30,8 @@ pub(super) struct KnownInputs {
     /// Configurations by the path key of the `val3.toml`.
     pub(super) configurations: FxHashMap<String, Configuration>,
     cells: FxHashMap<CellKey, CellFolder>,
+    /// Meshes by path key.
+    pub(super) meshes: FxHashMap<String, MeshFile>,
 }
 
 /// Parts of a project input.
@@ -40,6 +42,7 @@ pub(super) struct ProjectInput {
     pub(super) beside: Vec<SmolStr>,
     pub(super) pages: Vec<File>,
     pub(super) surroundings: Option<File>,
+    pub(super) meshes: Vec<MeshFile>,
     pub(super) outside: Vec<SmolStr>,
     pub(super) configuration: Option<Configuration>,
     pub(super) is_below_tests: bool,
@@ -58,6 +61,8 @@ impl KnownInputs {
             if let Some(configuration) = configuration {
                 known.configurations.insert(path_key(configuration.file(db).path.as_str()), configuration);
             }
+            let meshes = project.meshes(db).iter();
+            known.meshes.extend(meshes.map(|mesh| (path_key(mesh.path.as_str()), mesh.clone())));
             if let Some(cell) = project.cell(db) {
                 let usr = project.disk(db).and_then(Utf8Path::parent).map(Utf8Path::to_owned);
                 known.cells.insert((usr, configuration), cell);
@@ -107,8 +112,18 @@ impl Loader<'_> {
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {
-        let ProjectInput { file, roots, cell, beside, pages, surroundings, outside, configuration, is_below_tests } =
-            described;
+        let ProjectInput {
+            file,
+            roots,
+            cell,
+            beside,
+            pages,
+            surroundings,
+            meshes,
+            outside,
+            configuration,
+            is_below_tests,
+        } = described;
         let Some(project) = self.known.projects.get(key).copied() else {
             let input = Project::builder(
                 file,
@@ -117,6 +132,7 @@ impl Loader<'_> {
                 beside,
                 pages,
                 surroundings,
+                meshes,
                 outside,
                 configuration,
                 is_below_tests,
@@ -141,6 +157,9 @@ impl Loader<'_> {
         }
         if project.surroundings(db) != surroundings {
             project.set_surroundings(db).to(surroundings);
+        }
+        if *project.meshes(db) != meshes {
+            project.set_meshes(db).with_durability(STORED).to(meshes);
         }
         if *project.outside(db) != outside {
             project.set_outside(db).to(outside);

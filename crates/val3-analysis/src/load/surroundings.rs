@@ -1,14 +1,19 @@
-//! The file with the things around the arm of an application.
+//! The file with the things around the arm of an application, and the meshes that it names.
 
-use camino::Utf8Path;
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_cell::Mesh;
+use val3_files::FileClass;
 
 use super::Loader;
 use super::outside::is_in_folder;
 use crate::application::START;
-use crate::db::{Configuration, File};
+use crate::db::{Configuration, File, MeshFile};
 use crate::items::manifest::Manifest;
-use crate::paths::file_in;
-use crate::surroundings::FILE_NAME;
+use crate::paths::{file_in, path_key};
+use crate::surroundings::{FILE_NAME, mesh_names};
+use crate::system::System;
 
 impl Loader<'_> {
     /// Reads the `cell.toml` of the application in `folder`: the file that `[run] cell` names, the file beside
@@ -36,4 +41,39 @@ impl Loader<'_> {
         let is_readable = self.is_listed(&path) && is_in_folder(self.system, &around, &path);
         if is_readable { self.found_file(&path) } else { None }
     }
+
+    /// Reads the meshes that a `cell.toml` names. A mesh of an earlier load is read again only if it is stale.
+    pub(super) fn meshes(&mut self, file: File) -> Vec<MeshFile> {
+        let folder = file.path(&self.db).parent().unwrap_or(Utf8Path::new("")).to_owned();
+        let names = mesh_names(file.text(&self.db));
+        names.into_iter().map(|name| self.mesh(&folder, name)).collect()
+    }
+
+    fn mesh(&mut self, folder: &Utf8Path, name: Utf8PathBuf) -> MeshFile {
+        let path = folder.join(&name);
+        let key = path_key(path.as_str());
+        if let Some(known) = self.known.meshes.get(&key).filter(|_| !(self.is_stale)(&key)) {
+            return MeshFile { name, ..known.clone() };
+        }
+        let mesh = read_mesh(self.system, folder, &name).map(Arc::new);
+        let found = MeshFile { name, path, mesh };
+        self.known.meshes.insert(key, found.clone());
+        found
+    }
+}
+
+/// Reads a mesh in the folder of a `cell.toml` or below.
+fn read_mesh(system: &dyn System, folder: &Utf8Path, name: &Utf8Path) -> Result<Mesh, String> {
+    let is_below = name.is_relative() && !name.components().any(|part| part.as_str() == "..");
+    let path = folder.join(name);
+    if !is_below || !system.target(&path).starts_with(system.target(folder)) {
+        return Err(format!("`{name}` is not in the folder of this file"));
+    }
+    let bytes = system.read(&path, FileClass::Shape).map_err(|reason| format!("cannot read `{name}`: {reason}"))?;
+    Mesh::read(&bytes).map_err(|error| format!("cannot use `{name}`: {error}"))
+}
+
+/// Whether two versions of a `cell.toml` name the same meshes, so that the workspace need not be loaded again.
+pub fn names_meshes_alike(before: &str, after: &str) -> bool {
+    mesh_names(before) == mesh_names(after)
 }

@@ -25,5 +25,6 @@ mod names;
 mod operators;
 mod projects;
 mod silence;
+mod surroundings;
 mod variables;
 mod waiting;

@@ -43,8 +43,8 @@ impl CellMaker<'_> {
         let (Some(control), Some((carrier, pose)), Some(holding), Some(empty)) = (
             self.control(entry, &key)?,
             self.point(entry, &key)?,
-            self.signals(&entry.holding, &format!("{key}.holding"))?,
-            self.signals(&entry.empty, &format!("{key}.empty"))?,
+            self.inputs(&entry.holding, &format!("{key}.holding"))?,
+            self.inputs(&entry.empty, &format!("{key}.empty"))?,
         ) else {
             self.missing.push(format!("gripper {name}"));
             return Ok(None);
@@ -53,7 +53,7 @@ impl CellMaker<'_> {
         Ok(Some(Gripper { name, control, carrier, pose, within, holding, empty, pieces }))
     }
 
-    /// What makes a gripper hold; `None` if the application does not have a signal.
+    /// Returns the output that controls a gripper; `None` if the application does not have it.
     fn control(&self, entry: &GripperEntry, key: &str) -> Result<Option<GripperControl>, CellError> {
         let GripperEntry { tool, holds, when, carrier, at, .. } = entry;
         match (tool, when) {
@@ -82,7 +82,7 @@ impl CellMaker<'_> {
                 let help = "write `when = { io = { \"BasicIO-1\\\\%Q0\" = true } }`";
                 Err(CellError::new(format!("{key}.when"), "`when` names no signal", help))
             }
-            (None, Some(when)) => Ok(self.signals(&when.io, &format!("{key}.when.io"))?.map(GripperControl::Signals)),
+            (None, Some(when)) => Ok(self.compared(&when.io, &format!("{key}.when.io"))?.map(GripperControl::Signals)),
         }
     }
 

@@ -22,8 +22,14 @@ pub(super) fn names(entry: &PartEntry) -> Vec<String> {
 }
 
 impl CellMaker<'_> {
-    pub(super) fn parts(&mut self, entries: &[PartEntry]) -> Result<Vec<Part>, CellError> {
-        let parts = entries.iter().enumerate().map(|(index, entry)| self.copies(entry, &format!("part[{index}]")));
+    /// Builds the parts. Parts with the names `fed` are outside of the cell at the start.
+    pub(super) fn parts(&mut self, entries: &[PartEntry], fed: &[&str]) -> Result<Vec<Part>, CellError> {
+        let parts = entries.iter().enumerate().map(|(index, entry)| {
+            let mut parts = self.copies(entry, &format!("part[{index}]"))?;
+            let is_outside = fed.contains(&entry.name.as_str());
+            parts.iter_mut().for_each(|part| part.is_outside = is_outside);
+            Ok(parts)
+        });
         Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
     }
 
@@ -68,7 +74,7 @@ impl CellMaker<'_> {
         let solids = Arc::new(solids(ShapedEntry { name, shapes, shape }, key, maker)?);
         let parts = names(entry).into_iter().zip(places).map(|(name, (carrier, pose))| {
             let (colour, solids) = (colour.clone(), Arc::clone(&solids));
-            Part { name, carrier, origin, pose, solids, touch, clearance, colour }
+            Part { name, carrier, origin, pose, is_outside: false, solids, touch, clearance, colour }
         });
         Ok(parts.collect())
     }

@@ -43,13 +43,13 @@ impl CellMaker<'_> {
 
     /// Builds a sensor; `None` if the application does not have its frame or input.
     fn sensor(&mut self, entry: &SensorEntry, key: &str, names: &AllNames) -> Result<Option<Sensor>, CellError> {
-        let SensorEntry { name, carrier, io, not, sees, delay, .. } = entry;
+        let SensorEntry { name, carrier, io, not, sees: patterns, delay, .. } = entry;
         if !(0.0..=LONGEST_DELAY).contains(delay) {
             let help = format!("write seconds from 0 to {LONGEST_DELAY}");
             return Err(CellError::new(format!("{key}.delay"), format!("{delay} is no delay"), help));
         }
         let (shape, own, form) = self.sensor_shape(entry, key)?;
-        let detects = match sees {
+        let detects = match patterns {
             None => Detects::Parts,
             Some(patterns) => {
                 let matchers = patterns.iter().map(|name| names.matcher(name, &format!("{key}.sees")));
@@ -59,7 +59,7 @@ impl CellMaker<'_> {
         let keys = CarriedKeys { carrier: carrier.as_deref().unwrap_or("world"), at: &[], key };
         let Some((carrier, pose)) = self.carriers.of(keys, self.surroundings)? else { return Ok(None) };
         if let Some(path) = io {
-            match self.signal(path, &format!("{key}.io"))? {
+            match self.input(path, &format!("{key}.io"))? {
                 None => return Ok(None),
                 Some(SignalClass::Analog) => {
                     let help = "name a digital input";

@@ -4,34 +4,34 @@ use crate::build::CellMaker;
 use crate::error::CellError;
 use crate::file::{SignalLevel, SignalValues};
 use crate::gripper::SignalWrite;
-use crate::surroundings::SignalClass;
+use crate::surroundings::{KnownSignal, SignalClass};
 
 impl CellMaker<'_> {
-    /// Checks the values of signals; `None` if the application does not have a signal, and the file may be about
-    /// another one.
-    pub(super) fn signals(&self, values: &SignalValues, key: &str) -> Result<Option<Vec<SignalWrite>>, CellError> {
-        let writes = values.iter().map(|(path, level)| {
-            let class = self.signal(path, &format!("{key}.{path}"))?;
-            match (class, level) {
-                (Some(SignalClass::Digital), SignalLevel::Analog(_)) => {
-                    let message = format!("`{path}` is digital, and {} is a number", level.number());
-                    Err(CellError::new(format!("{key}.{path}"), message, "write true or false"))
-                }
-                (Some(SignalClass::Analog), SignalLevel::Digital(value)) => {
-                    let message = format!("`{path}` is analog, and {value} is no number");
-                    Err(CellError::new(format!("{key}.{path}"), message, "write a number"))
-                }
-                (Some(_), _) => Ok(Some(SignalWrite { path: path.clone(), value: level.number() })),
-                (None, _) => Ok(None),
-            }
-        });
-        writes.collect()
+    /// Checks values of signals that the cell compares; `None` if the application does not have a signal, and the file
+    /// may be about another one.
+    pub(super) fn compared(&self, values: &SignalValues, key: &str) -> Result<Option<Vec<SignalWrite>>, CellError> {
+        values_of(values, key, |path, key| Ok(self.signal(path, key)?.map(|signal| signal.class)))
     }
 
-    /// Returns the kind of a signal; `None` if the application does not have it, and the file may be about another one.
-    pub(super) fn signal(&self, path: &str, key: &str) -> Result<Option<SignalClass>, CellError> {
+    /// Checks values of inputs that the cell sets; `None` as for [`Self::compared`].
+    pub(super) fn inputs(&self, values: &SignalValues, key: &str) -> Result<Option<Vec<SignalWrite>>, CellError> {
+        values_of(values, key, |path, key| self.input(path, key))
+    }
+
+    /// Returns the kind of an input that the cell sets; `None` as for [`Self::compared`].
+    pub(super) fn input(&self, path: &str, key: &str) -> Result<Option<SignalClass>, CellError> {
+        match self.signal(path, key)? {
+            Some(KnownSignal { is_output: true, .. }) => {
+                let message = format!("`{path}` is an output, which only programs write");
+                Err(CellError::new(key, message, "name an input"))
+            }
+            signal => Ok(signal.map(|signal| signal.class)),
+        }
+    }
+
+    fn signal(&self, path: &str, key: &str) -> Result<Option<KnownSignal>, CellError> {
         match self.surroundings.signal(path) {
-            Ok(class) => Ok(Some(class)),
+            Ok(signal) => Ok(Some(signal)),
             Err(_) if self.surroundings.may_lack_data() => Ok(None),
             Err(similar) => {
                 let message = format!("there is no input or output `{path}`");
@@ -40,4 +40,28 @@ impl CellMaker<'_> {
             }
         }
     }
+}
+
+/// Checks that values suit the kinds of their signals, which `class` returns for a path and a key.
+fn values_of(
+    values: &SignalValues,
+    key: &str,
+    class: impl Fn(&str, &str) -> Result<Option<SignalClass>, CellError>,
+) -> Result<Option<Vec<SignalWrite>>, CellError> {
+    let writes = values.iter().map(|(path, level)| {
+        let key = format!("{key}.{path}");
+        match (class(path, &key)?, level) {
+            (Some(SignalClass::Digital), SignalLevel::Analog(_)) => {
+                let message = format!("`{path}` is digital, and {} is a number", level.number());
+                Err(CellError::new(key, message, "write true or false"))
+            }
+            (Some(SignalClass::Analog), SignalLevel::Digital(value)) => {
+                let message = format!("`{path}` is analog, and {value} is no number");
+                Err(CellError::new(key, message, "write a number"))
+            }
+            (Some(_), _) => Ok(Some(SignalWrite { path: path.clone(), value: level.number() })),
+            (None, _) => Ok(None),
+        }
+    });
+    writes.collect()
 }

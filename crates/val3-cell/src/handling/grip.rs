@@ -84,6 +84,7 @@ impl Handling {
             let here = view.body(BodyCarrier::Part(part), &self.parts)?;
             let pose = view.position.flange().inv_mul(&here);
             *Arc::make_mut(&mut self.parts).get_mut(part)? = PartPlace { holder: PartHolder::Gripper(number), pose };
+            self.has_part_moved = true;
             self.grippers.get_mut(number)?.holds = Some(part);
         }
         let name = |part: usize| view.scene.cell().parts.get(part).map(|part| part.name.clone());
@@ -125,6 +126,7 @@ impl Handling {
         let part = self.grippers.get_mut(number)?.holds.take()?;
         let pose = view.body(BodyCarrier::Part(part), &self.parts)?;
         *Arc::make_mut(&mut self.parts).get_mut(part)? = PartPlace { holder: PartHolder::World, pose };
+        self.has_part_moved = true;
         Some(HandlingEvent::Release {
             gripper: gripper.name.clone(),
             part: view.scene.cell().parts.get(part)?.name.clone(),

@@ -44,8 +44,8 @@ impl Bench {
             parts: Arc::clone(self.handling.parts()),
             time: self.time,
         };
-        let commands = vec![Some(GripperCommand { holds, delay }); self.scene.cell().grippers.len()];
-        self.handling.see(&self.scene, &sight, &commands)
+        let outputs = outputs(&self.scene, holds, delay);
+        self.handling.see(&self.scene, &sight, &outputs, 0.004)
     }
 
     fn place(&mut self, part: usize, offset: [f64; 3]) {
@@ -60,6 +60,12 @@ impl Bench {
         let pose = position.carrier(BodyCarrier::Part(part), places).unwrap();
         pose.translation.vector.map(|length| (length * 1e6).round() / 1e6).into()
     }
+}
+
+/// The same command for all grippers, and conveyors that run.
+fn outputs(scene: &Scene, holds: bool, delay: f64) -> CellOutputs {
+    let grippers = vec![Some(GripperCommand { holds, delay }); scene.cell().grippers.len()];
+    CellOutputs { grippers, conveyors: vec![Some(true); scene.cell().conveyors.len()] }
 }
 
 /// A bench whose first part is `gap` mm below the flange.
@@ -116,7 +122,7 @@ fn an_output_takes_effect_after_its_time() {
 #[test]
 fn nothing_is_to_do_until_the_output_changes() {
     let mut bench = bench(0.0);
-    let is_idle = |bench: &Bench, holds: bool| bench.handling.is_idle(&[Some(GripperCommand { holds, delay: 0.01 })]);
+    let is_idle = |bench: &Bench, holds| bench.handling.is_idle(&outputs(&bench.scene, holds, 0.01), bench.time);
     assert!(is_idle(&bench, false) && !is_idle(&bench, true));
     bench.see(true, 0.01);
     assert!(!is_idle(&bench, true), "the change has not taken effect");
@@ -228,8 +234,10 @@ fn errors_of_grippers_name_their_keys() {
     let frame = "gripper[0].tool: `fTable` is no tool, and the arm has to carry a gripper\nhelp: name a tool of the \
                  application, or `flange`";
     refused("[[gripper]]\ntool = \"fTable\"", frame);
-    let digital = "gripper[0].holding.valve: `valve` is digital, and 5 is a number\nhelp: write true or false";
-    refused("[[gripper]]\ntool = \"tGripper\"\nholding = { valve = 5 }", digital);
+    let digital = "gripper[0].holding.diPart: `diPart` is digital, and 5 is a number\nhelp: write true or false";
+    refused("[[gripper]]\ntool = \"tGripper\"\nholding = { diPart = 5 }", digital);
+    let output = "gripper[0].holding.valve: `valve` is an output, which only programs write\nhelp: name an input";
+    refused("[[gripper]]\ntool = \"tGripper\"\nholding = { valve = true }", output);
     let signal = "gripper[0].empty.dipart: there is no input or output `dipart`\nhelp: did you mean `diPart`?";
     refused("[[gripper]]\ntool = \"tGripper\"\nempty = { dipart = true }", signal);
     let object = "gripper[0].objects: there is no object `claw`\nhelp: the objects are `pad`";

@@ -1,10 +1,15 @@
 //! Reading of GLB files (glTF 2.0, binary): positions and indices of triangles, and the transformations of nodes.
 //!
-//! Compressed and sparse data, external buffers, strips and fans are rejected.
+//! Compressed and sparse data, external buffers, strips and fans are rejected. The crate `gltf` is not used, because its
+//! iterators panic on damaged files: on a list with 0 entries, on a stride that is too small.
 
-use serde::Deserialize;
+mod document;
+mod placement;
+
 use val3_geometry::Vector3;
 
+use self::document::{BufferView, Document, Primitive};
+use self::placement::Placement;
 use super::{MOST_TRIANGLES, Mesh, MeshError};
 
 /// First bytes of a file.
@@ -29,131 +34,6 @@ const TRIANGLES: u32 = 4;
 /// Nesting limit and maximum number of placed nodes.
 const DEEPEST: usize = 64;
 const MOST_NODES: usize = 100_000;
-
-#[derive(Deserialize, Default)]
-#[serde(rename_all = "camelCase", default)]
-struct Document {
-    extensions_required: Vec<String>,
-    scene: Option<usize>,
-    scenes: Vec<GltfScene>,
-    nodes: Vec<GltfNode>,
-    meshes: Vec<GltfMesh>,
-    accessors: Vec<Accessor>,
-    buffer_views: Vec<BufferView>,
-    buffers: Vec<GltfBuffer>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-struct GltfScene {
-    nodes: Vec<usize>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-struct GltfNode {
-    mesh: Option<usize>,
-    children: Vec<usize>,
-    /// Columns of four numbers.
-    matrix: Option<[f64; 16]>,
-    translation: Option<[f64; 3]>,
-    /// Quaternion x, y, z, w.
-    rotation: Option<[f64; 4]>,
-    scale: Option<[f64; 3]>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-struct GltfMesh {
-    primitives: Vec<Primitive>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-struct Primitive {
-    attributes: Attributes,
-    indices: Option<usize>,
-    mode: Option<u32>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-struct Attributes {
-    #[serde(rename = "POSITION")]
-    position: Option<usize>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(rename_all = "camelCase", default)]
-struct Accessor {
-    buffer_view: Option<usize>,
-    byte_offset: usize,
-    component_type: u32,
-    count: usize,
-    #[serde(rename = "type")]
-    form: String,
-    sparse: Option<serde_json::Value>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(rename_all = "camelCase", default)]
-struct BufferView {
-    buffer: usize,
-    byte_offset: usize,
-    byte_length: usize,
-    byte_stride: Option<usize>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-struct GltfBuffer {
-    uri: Option<String>,
-}
-
-/// A linear map, as the images of the axes, and a shift.
-#[derive(Clone, Copy)]
-struct Placement {
-    axes: [Vector3<f64>; 3],
-    shift: Vector3<f64>,
-}
-
-impl Placement {
-    fn identity() -> Self {
-        Self { axes: [Vector3::x(), Vector3::y(), Vector3::z()], shift: Vector3::zeros() }
-    }
-
-    fn of(node: &GltfNode) -> Self {
-        if let Some([a, b, c, _, d, e, f, _, g, h, i, _, x, y, z, _]) = node.matrix {
-            return Self { axes: [[a, b, c].into(), [d, e, f].into(), [g, h, i].into()], shift: [x, y, z].into() };
-        }
-        let [x, y, z] = turn(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
-        let [along_x, along_y, along_z] = node.scale.unwrap_or([1.0; 3]);
-        let shift = node.translation.unwrap_or_default().into();
-        Self { axes: [x * along_x, y * along_y, z * along_z], shift }
-    }
-
-    fn then(&self, inner: &Self) -> Self {
-        Self { axes: inner.axes.map(|axis| self.direction(&axis)), shift: self.point(&inner.shift) }
-    }
-
-    fn direction(&self, direction: &Vector3<f64>) -> Vector3<f64> {
-        let [x, y, z] = self.axes;
-        x * direction.x + y * direction.y + z * direction.z
-    }
-
-    fn point(&self, point: &Vector3<f64>) -> Vector3<f64> {
-        self.direction(point) + self.shift
-    }
-}
-
-/// Images of the axes under the rotation of a unit quaternion.
-fn turn([x, y, z, w]: [f64; 4]) -> [Vector3<f64>; 3] {
-    [
-        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)].into(),
-        [2.0 * (x * y - z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + x * w)].into(),
-        [2.0 * (x * z + y * w), 2.0 * (y * z - x * w), 1.0 - 2.0 * (x * x + y * y)].into(),
-    ]
-}
 
 /// A file in memory.
 struct Glb<'b> {
@@ -187,10 +67,10 @@ impl<'b> Glb<'b> {
     fn parse(bytes: &'b [u8]) -> Result<Self, MeshError> {
         let mut rest = bytes.get(HEAD..).ok_or(MeshError::Glb("it is cut off"))?;
         let (mut document, mut binary) = (None, &[] as &[u8]);
-        while let Some((head, behind)) = rest.split_at_checked(CHUNK_HEAD) {
+        while let Some((head, body)) = rest.split_at_checked(CHUNK_HEAD) {
             let (length, kind) = head.split_at_checked(4).unwrap_or_default();
             let length = number(length).ok_or(MeshError::Glb("it is cut off"))?;
-            let (chunk, next) = behind.split_at_checked(length).ok_or(MeshError::Glb("it is cut off"))?;
+            let (chunk, next) = body.split_at_checked(length).ok_or(MeshError::Glb("it is cut off"))?;
             if kind == JSON && document.is_none() {
                 let parsed = serde_json::from_slice(chunk);
                 document = Some(parsed.map_err(|_| MeshError::Glb("its description is no glTF 2.0"))?);

@@ -9,19 +9,17 @@ use val3_analysis::changes::is_changed;
 use val3_analysis::effects::RootVariable;
 use val3_analysis::items::manifest::length_unit;
 use val3_analysis::placement::{joints, placement, position, transformation};
-use val3_analysis::reach::{reach, without_same};
+use val3_analysis::reach::reach;
 use val3_analysis::targets::path;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, ConfigurationRequest, Joints, RequestedConfiguration};
 use val3_lang::motion::{self, MotionRole, RequestedPath, keeps_configuration, moves_along_own_axes};
 use val3_lang::types::BaseType;
-use val3_motion::{
-    Blend, Cause, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget,
-    SpeedLimits, blend_fault,
-};
+use val3_motion::{Cause, Millimetres, MovePath, MoveTarget, blend_fault};
 
 use super::motion::{ArmCall, ArmState, MoveCorner};
-use super::reachability::{is_for, of_project, root};
+use super::nominal::{end_of, nominal_move};
+use super::reachability::{is_for, of_project, root, solutions};
 use super::{Call, ProgramView};
 
 /// A move that the arm cannot make from any possible start.
@@ -59,13 +57,25 @@ struct KnownPose {
     is_computed: bool,
 }
 
-/// Moves between known positions that the project's arm cannot make.
-pub(crate) fn impossible_moves(program: &ProgramView<'_>) -> Vec<ImpossibleMove> {
+/// Moves of a program between known positions, as far as they are known.
+#[derive(Default)]
+pub(crate) struct PlannedMoves {
+    /// Moves that the project's arm cannot make.
+    pub(crate) impossible: Vec<ImpossibleMove>,
+    /// Moves with a known target that the arm can make, by call, in the order of the program.
+    pub(crate) moves: Vec<(ExprId, PlannedMove)>,
+}
+
+fn plan(program: &ProgramView<'_>) -> PlannedMoves {
     let calls = program.arm_calls();
-    let Some(arm) = of_project(program.db, program.project).filter(|_| !calls.is_empty()) else { return Vec::new() };
+    let Some(arm) = of_project(program.db, program.project).filter(|_| !calls.is_empty()) else {
+        return PlannedMoves::default();
+    };
     let mut check = PathCheck { program, arm: &arm.model, moves: FxHashMap::default(), found: Vec::new() };
     calls.iter().for_each(|call| check.call(call));
-    check.found
+    let mut moves: Vec<(ExprId, PlannedMove)> = check.moves.into_iter().collect();
+    moves.sort_unstable_by_key(|(call, _)| *call);
+    PlannedMoves { impossible: check.found, moves }
 }
 
 struct PathCheck<'p, 'db> {
@@ -76,21 +86,24 @@ struct PathCheck<'p, 'db> {
 }
 
 /// A move with a known target that the arm can make.
-struct PlannedMove {
+pub(crate) struct PlannedMove {
     /// Possible joint positions at the end, at least one.
     ends: Vec<Joints>,
     /// Possible ways to these ends; empty if the start is unknown.
-    ways: Vec<PossibleWay>,
-    tool: IsometryMatrix3<f64>,
+    pub(super) ways: Vec<PossibleWay>,
+    /// Tool on the flange.
+    pub(super) tool: IsometryMatrix3<f64>,
+    /// The previous move, if its target is known.
+    pub(super) last: Option<ExprId>,
     /// Reach distance of the preceding blend in mm, 0 without a blend; `None` if it is uncertain.
     reach: Option<f64>,
 }
 
 /// A possible way of the arm in a move.
-struct PossibleWay {
-    start: Joints,
-    path: MovePath,
-    end: Joints,
+pub(super) struct PossibleWay {
+    pub(super) start: Joints,
+    pub(super) path: MovePath,
+    pub(super) end: Joints,
 }
 
 impl PathCheck<'_, '_> {
@@ -121,7 +134,8 @@ impl PathCheck<'_, '_> {
             self.unreachable(call);
             return;
         }
-        let planned = PlannedMove { ends, ways, tool, reach: self.reach_before(step.arm) };
+        let last = before.map(|(last, _)| last);
+        let planned = PlannedMove { ends, ways, tool, last, reach: self.reach_before(step.arm) };
         if let (Some(last), MoveCorner::Open) = (step.arm.last, step.arm.corner) {
             self.corner(last, call.id, &planned);
         }
@@ -150,9 +164,9 @@ impl PathCheck<'_, '_> {
         let (blend, next_blend, reach) = (self.program.blend(last)?, self.program.blend(next)?, from.reach?);
         let mut found = None;
         for first in &from.ways {
-            let first_move = self.request(&first.path, &from.tool, blend);
+            let first_move = nominal_move(self.arm, &first.path, &from.tool, blend);
             for second in to.ways.iter().filter(|second| second.start == first.end) {
-                let moves = [&first_move, &self.request(&second.path, &to.tool, next_blend)];
+                let moves = [&first_move, &nominal_move(self.arm, &second.path, &to.tool, next_blend)];
                 match blend_fault(self.arm, first.start, moves, Millimetres(reach)) {
                     Ok(Some(cause)) => found = found.or(Some(cause)),
                     Ok(None) => return None,
@@ -180,12 +194,7 @@ impl PathCheck<'_, '_> {
     /// All joint positions for a target, in all turns of the axes.
     fn positions_of(&self, target: &KnownPose, tool: &IsometryMatrix3<f64>) -> Vec<Joints> {
         let flange = target.pose * tool.inverse();
-        let requested = without_same(target.configuration);
-        let mut found: Vec<Joints> = self.arm.solutions(&flange, &[0.0; 6]).collect();
-        found.retain(|joints| {
-            let configuration = self.arm.configuration(joints);
-            requested.allows(configuration, configuration)
-        });
+        let mut found = solutions(self.arm, &flange, target.configuration);
         for axis in (0..self.arm.axes()).filter(|axis| !self.arm.is_stroke(*axis)) {
             let turned = found.iter().flat_map(|joints| [-360.0, 360.0].map(|turn| turned(joints, axis, turn)));
             let turned: Vec<Joints> = turned.filter(|joints| self.arm.is_in_range(joints)).collect();
@@ -216,7 +225,7 @@ impl PathCheck<'_, '_> {
         let mut cause = None;
         let mut ways = Vec::new();
         for start in starts {
-            match self.follow(*start, &path, tool) {
+            match end_of(self.arm, *start, &path, tool) {
                 Ok(end) => ways.push(PossibleWay { start: *start, path: path.clone(), end }),
                 Err(other) => cause = cause.or(Some(other)),
             }
@@ -226,27 +235,6 @@ impl PathCheck<'_, '_> {
             self.found.push(ImpossibleMove { target: to, from, shape, cause });
         }
         Some(ways)
-    }
-
-    /// Joint position at the end of a path, according to the planner of `val3 run`.
-    fn follow(&self, start: Joints, path: &MovePath, tool: &IsometryMatrix3<f64>) -> Result<Joints, Cause> {
-        let mut motion = Motion::new(Arc::clone(self.arm), start);
-        motion.record(&self.request(path, tool, Blend::Off))?;
-        motion.close()?;
-        Ok(motion.destination())
-    }
-
-    /// A move with the nominal speeds of the arm.
-    fn request(&self, path: &MovePath, tool: &IsometryMatrix3<f64>, blend: Blend) -> Move {
-        let axes = [0, 1, 2, 3, 4, 5];
-        let limits = SpeedLimits {
-            speed: axes.map(|axis| self.arm.nominal_speed(axis)),
-            acceleration: axes.map(|axis| self.arm.nominal_acceleration(axis)),
-            deceleration: axes.map(|axis| self.arm.nominal_deceleration(axis)),
-            translation: MillimetresPerSecond(f64::from(u16::MAX)),
-            rotation: DegreesPerSecond(f64::from(u16::MAX)),
-        };
-        Move { path: path.clone(), tool: *tool, limits, blend, id: 0.0, manner: Manner::Rigid }
     }
 
     /// Whether both targets request different configurations explicitly, which is reported for every arm (V0405).
@@ -308,6 +296,11 @@ fn turned(joints: &Joints, axis: usize, turn: f64) -> Joints {
 }
 
 impl ProgramView<'_> {
+    /// Moves between known positions, computed on demand.
+    pub(crate) fn planned_moves(&self) -> &PlannedMoves {
+        self.planned_moves.get_or_init(|| plan(self))
+    }
+
     /// An expression's constant position.
     fn known(&self, id: ExprId) -> Option<Known> {
         let id = self.body.without_parentheses(id);
@@ -371,7 +364,7 @@ impl ProgramView<'_> {
     }
 
     /// Data path that no program changes.
-    fn constant_path(&self, id: ExprId) -> Option<SmolStr> {
+    pub(super) fn constant_path(&self, id: ExprId) -> Option<SmolStr> {
         let Some(RootVariable::Data(_)) = self.effects.root(id) else { return None };
         path(self.body, id).filter(|path| self.is_constant_path(path))
     }

@@ -17,6 +17,7 @@ use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, text_at};
 
 use super::motion::ArmCall;
+use super::paths::PlannedMoves;
 use super::variable_use::VariableUse;
 use super::{Call, LocalUse, MotionFacts};
 
@@ -36,6 +37,7 @@ pub(crate) struct ProgramView<'db> {
     /// State of the arm, computed on demand.
     pub(super) motion: OnceCell<Option<MotionFacts>>,
     pub(super) arm_calls: OnceCell<Vec<ArmCall<'db>>>,
+    pub(super) planned_moves: OnceCell<PlannedMoves>,
     calls: OnceCell<Vec<Call<'db>>>,
     pub(super) calls_by_point: OnceCell<PerPoint<Call<'db>>>,
     local_use: OnceCell<LocalUse<'db>>,
@@ -57,6 +59,7 @@ impl<'db> ProgramView<'db> {
             effects: Effects::new(db, project, file),
             motion: OnceCell::new(),
             arm_calls: OnceCell::new(),
+            planned_moves: OnceCell::new(),
             calls: OnceCell::new(),
             calls_by_point: OnceCell::new(),
             local_use: OnceCell::new(),

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -9,8 +10,8 @@ use val3_analysis::arm::{ProjectArm, arm};
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::positions::{TaughtPosition, positions};
 use val3_analysis::items::project::data_files;
-use val3_analysis::placement::placement;
-use val3_analysis::reach::reach;
+use val3_analysis::placement::{joints, placement};
+use val3_analysis::reach::{reach, without_same};
 use val3_analysis::targets::targets;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints, RequestedConfiguration, Unreachable};
@@ -48,7 +49,7 @@ pub(crate) fn range(arm: &Arm, axis: usize, [min, max]: [f64; 2]) -> String {
 /// Reachability of positions in data files.
 pub(crate) struct ArmReach<'a> {
     view: &'a ProjectView<'a>,
-    pub(crate) arm: &'a Arm,
+    pub(crate) arm: &'a Arc<Arm>,
     /// The flange, and every tool of the project whose data no program changes.
     tools: Rc<[FlangeTool]>,
     /// Cached uses of data by name, which are equal for all elements of a container.
@@ -119,6 +120,28 @@ impl<'a> ArmReach<'a> {
         first
     }
 
+    /// Joint positions in which the arm may be at a position of the data files, with their tools: for a point, all
+    /// configurations that it allows, with each tool that may be used there. `None` if its placement is unknown.
+    pub(crate) fn possible_joints(
+        &self,
+        path: &str,
+        position: &TaughtPosition,
+    ) -> Option<Vec<(Option<FlangeTool>, Joints)>> {
+        match position.ty {
+            BaseType::Joint => Some(vec![(None, joints(self.view.db, self.view.project, position, self.arm))]),
+            BaseType::Point => {
+                let pose = constant_placement(self.view, path)?;
+                let tools = self.data_use(root(path)).tools;
+                let all = tools.iter().flat_map(|tool| {
+                    let solutions = solutions(self.arm, &(pose * tool.to_flange), position.configuration.requested());
+                    solutions.into_iter().map(|joints| (Some(tool.clone()), joints))
+                });
+                Some(all.collect())
+            }
+            _ => None,
+        }
+    }
+
     /// Tools with which data may be used: the tools of the moves to them if all are known, otherwise all tools of the
     /// project.
     fn tools_at(&self, name: &str) -> Rc<[FlangeTool]> {
@@ -147,8 +170,23 @@ pub(super) fn is_for(arm: &Arm, position: &TaughtPosition) -> bool {
     position.arm.is_none_or(|arm| arm == kind)
 }
 
+/// Joint positions at a flange pose in the requested configurations, in one turn of each axis.
+pub(super) fn solutions(
+    arm: &Arm,
+    flange: &IsometryMatrix3<f64>,
+    requested: RequestedConfiguration,
+) -> Vec<Joints> {
+    let requested = without_same(requested);
+    let mut solutions: Vec<Joints> = arm.solutions(flange, &[0.0; 6]).collect();
+    solutions.retain(|joints| {
+        let configuration = arm.configuration(joints);
+        requested.allows(configuration, configuration)
+    });
+    solutions
+}
+
 /// Placement of a value, if no program changes it or its fathers.
-fn constant_placement(view: &ProjectView<'_>, path: &str) -> Option<IsometryMatrix3<f64>> {
+pub(super) fn constant_placement(view: &ProjectView<'_>, path: &str) -> Option<IsometryMatrix3<f64>> {
     let placement = placement(view.db, view.project, path).ok()?;
     let is_constant = placement.chain.iter().all(|path| !view.is_changed(path));
     is_constant.then_some(placement.pose)

@@ -5,7 +5,7 @@ use val3_kinematics::Unreachable;
 use val3_motion::Cause;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, ImpossibleMove, ProgramView, UnreachablePath, arm_of_project, impossible_moves};
+use crate::lint::{Findings, ImpossibleMove, ProgramView, UnreachablePath, arm_of_project};
 use crate::rule::rule;
 
 rule! {
@@ -70,9 +70,9 @@ rule! {
 
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(arm) = arm_of_project(program.db, program.project) else { return };
-    for fault in impossible_moves(program) {
+    for fault in &program.planned_moves().impossible {
         let target = program.range(fault.target);
-        let reported = found.report(&RULE, target, word(program, &fault, arm.model.name()));
+        let reported = found.report(&RULE, target, word(program, fault, arm.model.name()));
         if let Some(from) = fault.from {
             let label = if fault.shape == UnreachablePath::Blend { "the corner" } else { "the arm starts here" };
             reported.related(program.range(from), label);

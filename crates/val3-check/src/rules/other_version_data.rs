@@ -67,9 +67,9 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if data.view.items.version.language() >= CS9 {
         return;
     }
-    for (link, range) in links(data.view.db, data.file) {
-        if let Some(path) = cs9_path(&link) {
-            found.report(&RULE, range, word(&link, path.as_deref(), &target.to_string()));
+    for link in links(data.view.db, data.file) {
+        if let Some(path) = cs9_path(&link.text) {
+            found.report(&RULE, link.range, word(&link.text, path.as_deref(), &target.to_string()));
         }
     }
 }

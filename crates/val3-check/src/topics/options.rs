@@ -17,7 +17,7 @@ static OPTIONS: [(&str, &[&str]); 10] = [
     ("prefixes", &["V0710", "V0711"]),
     ("local-prefix", &["V0711"]),
     ("parameter-prefix", &["V0711"]),
-    ("motion", &["V0411", "V0412", "V0413", "V0415", "V0416"]),
+    ("motion", &["V0411", "V0412", "V0413", "V0415", "V0416", "V0420", "V0421"]),
     ("task-words", &["V0714"]),
 ];
 

@@ -100,7 +100,7 @@ fn added(manifest: &str, kind: ReferenceKind, name: &str, path: &str) -> String 
             text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
             text
         }
-        Err(AddReferenceError(reason)) => reason,
+        Err(RefactoringError(reason)) => reason,
     }
 }
 

@@ -9,6 +9,7 @@ use val3_syntax::{TextRange, TextSize, TextSlice};
 use super::container_uses::{IndexUse, index_uses};
 use super::context::Context;
 use super::{AssistKind, Assists};
+use crate::RefactoringError;
 use crate::edit::{FileEdit, SourceChange};
 
 const ID: &str = "array-to-collection";
@@ -38,14 +39,14 @@ fn obstacle(
     element: XmlElement<'_>,
     decl: &DataDecl,
     size: u32,
-) -> Result<Vec<IndexUse>, String> {
+) -> Result<Vec<IndexUse>, RefactoringError> {
     let name = &decl.name;
     if context.is_broken(element.view().range()) || present(element, size).is_none() {
-        return Err(format!("the values of `{name}` are not in the order of their indexes"));
+        return Err(format!("the values of `{name}` are not in the order of their indexes").into());
     }
     let uses = index_uses(context.db, context.project, name)?;
     match uses.iter().find(|found| found.is_key || number(&found.text).is_none_or(|index| index >= size)) {
-        Some(found) => Err(format!("`{name}` has no value with the index `{}`", found.text)),
+        Some(found) => Err(format!("`{name}` has no value with the index `{}`", found.text).into()),
         None => Ok(uses),
     }
 }

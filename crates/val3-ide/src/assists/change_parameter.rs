@@ -55,7 +55,7 @@ impl ChangeOffers<'_, '_, '_> {
         edit(&mut wanted.parameters);
         match change_signature(self.context.db, self.context.file, &wanted) {
             Ok(change) => self.assists.add(id, AssistKind::Rewrite, title, || Some(change)),
-            Err(error) => self.assists.refuse(None, id, AssistKind::Rewrite, title, error.0),
+            Err(error) => self.assists.refuse(None, id, AssistKind::Rewrite, title, error),
         }
     }
 }

@@ -8,6 +8,7 @@ use val3_syntax::{TextRange, TextSize};
 use super::container_uses::{IndexUse, index_uses};
 use super::context::Context;
 use super::{AssistKind, Assists};
+use crate::RefactoringError;
 use crate::edit::{FileEdit, SourceChange};
 
 const ID: &str = "collection-to-array";
@@ -31,10 +32,10 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 }
 
 /// Uses of the collection, or the reason why it cannot be converted.
-fn obstacle(context: &Context<'_>, name: &str, indexes: &Indexes) -> Result<Vec<IndexUse>, String> {
+fn obstacle(context: &Context<'_>, name: &str, indexes: &Indexes) -> Result<Vec<IndexUse>, RefactoringError> {
     let uses = index_uses(context.db, context.project, name)?;
     match uses.iter().find(|found| !found.is_key || indexes.index(&found.text).is_none()) {
-        Some(found) => Err(format!("`{name}` has no value with the key `{}` at the start", found.text)),
+        Some(found) => Err(format!("`{name}` has no value with the key `{}` at the start", found.text).into()),
         None => Ok(uses),
     }
 }

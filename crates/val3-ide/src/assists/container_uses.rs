@@ -12,6 +12,7 @@ use val3_analysis::pages::is_bindings;
 use val3_lang::instruction::ArgumentForm;
 use val3_syntax::{SyntaxKind, TextRange, text_at};
 
+use crate::RefactoringError;
 use crate::edit::FileEdit;
 use crate::navigate::{implemented, implementing};
 use crate::references::{projects_using, uses};
@@ -43,18 +44,20 @@ impl IndexUse {
 }
 
 /// All uses of the data in all projects, or the reason why the container cannot be converted.
-pub(super) fn index_uses(db: &dyn Db, project: Project, name: &str) -> Result<Vec<IndexUse>, String> {
+pub(super) fn index_uses(db: &dyn Db, project: Project, name: &str) -> Result<Vec<IndexUse>, RefactoringError> {
     let users = projects_using(db, project);
     if users.iter().any(|user| items(db, *user).types.values().any(|of| *of == Some(project))) {
-        return Err("the fields of user types are arrays".to_owned());
+        return Err("the fields of user types are arrays".into());
     }
     let is_public = items(db, project).data.get(name).is_some_and(|item| item.decl.may_be_public());
     if is_public && implementing(db, project).chain(implemented(db, project)).next().is_some() {
-        return Err(format!("`{name}` is part of an interface"));
+        return Err(format!("`{name}` is part of an interface").into());
     }
     let reads_text = |user: &Project| application(db, *user).is_named_in_text(name);
     if users.iter().any(reads_text) || unlisted_may_use(db, project, name) {
-        return Err(format!("a program may read `{name}` by its name, as a text, or is not listed in the project"));
+        return Err(
+            format!("a program may read `{name}` by its name, as a text, or is not listed in the project").into()
+        );
     }
     let symbol = Symbol::Data(project, name.into());
     let mut found = Vec::new();

@@ -9,6 +9,7 @@ use val3_lang::operators::BinaryOp;
 use val3_lang::types::BaseType;
 
 use super::context::Context;
+use crate::RefactoringError;
 
 /// Whether the statement is a loop.
 pub(super) fn is_loop(stmt: &Stmt) -> bool {
@@ -134,12 +135,12 @@ impl<'db> Evaluation<'db> {
 
     /// Checks that `id` can be evaluated just before its statement, at the same time and equally often. The error is a
     /// reason for the user.
-    pub(super) fn movable(&self, id: ExprId) -> Result<(), String> {
+    pub(super) fn movable(&self, id: ExprId) -> Result<(), RefactoringError> {
         self.movable_as(id, id)
     }
 
     /// Like [`Self::movable`], for `value` in place of `id`.
-    pub(super) fn movable_as(&self, id: ExprId, value: ExprId) -> Result<(), String> {
+    pub(super) fn movable_as(&self, id: ExprId, value: ExprId) -> Result<(), RefactoringError> {
         let (block, at) = self.stmt(id).ok_or_else(|| "No statement evaluates the expression".to_owned())?;
         let stmt = block.get(at).ok_or_else(|| "No statement evaluates the expression".to_owned())?;
         let chain: Vec<ExprId> = self.ancestors(id).collect();
@@ -153,7 +154,7 @@ impl<'db> Evaluation<'db> {
             earlier.extend(evaluated.into_iter().take_while(|other| other != part));
         }
         if self.body.constant(value).is_none() && earlier.iter().any(|other| self.conflict(value, *other)) {
-            return Err("The statement evaluates something else first, and one of the two has an effect".to_owned());
+            return Err("The statement evaluates something else first, and one of the two has an effect".into());
         }
         Ok(())
     }
@@ -167,14 +168,15 @@ impl<'db> Evaluation<'db> {
     }
 
     /// Checks that `whole` evaluates `part` exactly once.
-    fn always(&self, part: ExprId, whole: ExprId) -> Result<(), String> {
+    fn always(&self, part: ExprId, whole: ExprId) -> Result<(), RefactoringError> {
         match self.body.expr(whole) {
             Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), _, right) if *right == part => {
-                Err(format!("The right side of `{}` is evaluated only if the left side does not decide", op.symbol()))
+                Err(format!("The right side of `{}` is evaluated only if the left side does not decide", op.symbol())
+                    .into())
             }
             Expr::Call(callee, _) => match self.body.expr(*callee) {
                 Expr::Name(name) if [WAIT, WATCH].contains(&name.as_str()) && self.waits_for(whole, part) => {
-                    Err(format!("`{name}` evaluates its condition again in every cycle"))
+                    Err(format!("`{name}` evaluates its condition again in every cycle").into())
                 }
                 _ => Ok(()),
             },
@@ -222,7 +224,7 @@ fn evaluated(expr: &Expr) -> Vec<ExprId> {
 }
 
 /// Checks that a statement evaluates its expression `root` exactly once, when it begins.
-fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
+fn once(kind: &StmtKind, root: ExprId) -> Result<(), RefactoringError> {
     let reason = match kind {
         StmtKind::While { .. } => "The condition of `while` is evaluated before every pass",
         StmtKind::Do { .. } => "The condition of `until` is evaluated after every pass",
@@ -235,7 +237,7 @@ fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
         }
         _ => return Ok(()),
     };
-    Err(reason.to_owned())
+    Err(reason.into())
 }
 
 /// Expressions of a statement that are evaluated before `root`.

@@ -64,7 +64,7 @@ fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: 
     if resolve_type(&context.items().types, &name).is_none_or(|base| !base.same_as(ty.base)) {
         return Some(format!("The project does not list the type `{name}`"));
     }
-    evaluation.movable(id).err()
+    evaluation.movable(id).err().map(|error| error.0)
 }
 
 /// Nesting limit of user types within user types.

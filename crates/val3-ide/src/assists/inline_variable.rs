@@ -14,6 +14,7 @@ use super::lines::whole_lines;
 use super::precedence::needs_parentheses;
 use super::stability::Dependencies;
 use super::{AssistKind, Assists};
+use crate::RefactoringError;
 use crate::declare;
 use crate::edit::SourceChange;
 
@@ -47,17 +48,21 @@ struct Inlining<'c, 'db> {
 
 impl<'c, 'db> Inlining<'c, 'db> {
     /// Collects the assignment and the reads. The error is a reason for the user.
-    fn of(context: &'c Context<'db>, evaluation: &'c Evaluation<'db>, local: &'c LocalDecl) -> Result<Self, String> {
+    fn of(
+        context: &'c Context<'db>,
+        evaluation: &'c Evaluation<'db>,
+        local: &'c LocalDecl,
+    ) -> Result<Self, RefactoringError> {
         let root = RootVariable::Local(local.name.clone());
         let uses: Vec<&Access> = evaluation.effects.all().iter().filter(|access| access.root == root).collect();
         let reads = uses.iter().filter(|access| access.kind == AccessKind::Read).map(|access| access.id);
         let reads: Vec<ExprId> = reads.filter_map(|id| name_in(evaluation, id)).collect();
         let written: Vec<&&Access> = uses.iter().filter(|access| access.kind != AccessKind::Read).collect();
         let [Access { id: target, kind: AccessKind::Write, .. }] = written.as_slice() else {
-            return Err(format!("`{}` is set at {} places, not at one", local.name, written.len()));
+            return Err(format!("`{}` is set at {} places, not at one", local.name, written.len()).into());
         };
         if reads.is_empty() {
-            return Err(format!("`{}` is never read", local.name));
+            return Err(format!("`{}` is never read", local.name).into());
         }
         let (block, at, value) = assignment(evaluation, *target)
             .ok_or_else(|| format!("`{}` is not set by a separate assignment", local.name))?;
@@ -69,23 +74,23 @@ impl<'c, 'db> Inlining<'c, 'db> {
     }
 
     /// Checks that the expression has the variable's type, and that the surrounding code has no syntax errors.
-    fn check_type(&self, local: &LocalDecl) -> Result<(), String> {
+    fn check_type(&self, local: &LocalDecl) -> Result<(), RefactoringError> {
         let ty = self.evaluation.inference.ty(self.value);
         let declared = resolve_type(&self.context.items().types, &local.type_name);
         let is_single = matches!(local.sizes.as_slice(), [] | [1]);
         let is_same = declared.is_some_and(|base| base.builtin() == ty.base.builtin() && base.same_as(ty.base));
         if !is_single || ty.is_unknown() || !is_same {
-            return Err(format!("The value has another type than `{}`", self.name));
+            return Err(format!("The value has another type than `{}`", self.name).into());
         }
         let code = self.context.code().ok_or_else(|| "The program has no code".to_owned())?;
         match self.context.is_broken(val3_syntax::ast::AstNode::syntax(&code).text_range()) {
-            true => Err("Lines of the program cannot be read".to_owned()),
+            true => Err("Lines of the program cannot be read".into()),
             false => Ok(()),
         }
     }
 
     /// Checks that the expression can replace the variable at all reads.
-    fn check_reads(&self) -> Result<(), String> {
+    fn check_reads(&self) -> Result<(), RefactoringError> {
         let body = self.evaluation.body;
         let is_list = matches!(body.expr(body.without_parentheses(self.value)), Expr::Struct(_));
         for read in &self.reads {
@@ -99,19 +104,19 @@ impl<'c, 'db> Inlining<'c, 'db> {
             };
             let is_variable = self.evaluation.effects.root(self.value).is_some();
             if !self.evaluation.is_value(*read) || !takes_place || is_part && is_list {
-                return Err(format!("`{}` is not used as a plain value everywhere", self.name));
+                return Err(format!("`{}` is not used as a plain value everywhere", self.name).into());
             }
             if is_part && !is_variable && matches!(parent, Some(Expr::Field { .. })) {
-                return Err(format!("A field of `{}` is read, and its value is no variable", self.name));
+                return Err(format!("A field of `{}` is read, and its value is no variable", self.name).into());
             }
         }
         Ok(())
     }
 
     /// Checks that the replaced text does not contain `]]>`, which would end the CDATA section.
-    fn check_text(&self) -> Result<(), String> {
+    fn check_text(&self) -> Result<(), RefactoringError> {
         if !self.context.is_escaped() && self.reads.iter().any(|read| self.ends_section(*read)) {
-            return Err("The code would contain `]]>`, which ends its CDATA section".to_owned());
+            return Err("The code would contain `]]>`, which ends its CDATA section".into());
         }
         Ok(())
     }
@@ -125,7 +130,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
     }
 
     /// Checks that the expression has the same value at all reads.
-    fn check_value(&self) -> Result<(), String> {
+    fn check_value(&self) -> Result<(), RefactoringError> {
         let body = self.evaluation.body;
         let later = self.block.part(self.at + 1..);
         let index = |read: &ExprId| later.iter().position(|it| it.range.contains_range(body.range(*read)));
@@ -141,7 +146,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
             return Ok(());
         }
         if self.reads.iter().any(|read| self.is_in_loop(later, *read)) {
-            return Err(format!("`{}` is computed outside of a loop and read in it", self.name));
+            return Err(format!("`{}` is computed outside of a loop and read in it", self.name).into());
         }
         let dependencies = Dependencies::of(self.context, self.evaluation, self.value).ok_or_else(|| {
             "The value has an effect, or depends on more than variables, and would be computed at another time"
@@ -151,7 +156,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
             && later.get(last).is_some_and(|stmt| dependencies.survive_reads_of(stmt));
         match kept {
             true => Ok(()),
-            false => Err("Something between may change the value".to_owned()),
+            false => Err("Something between may change the value".into()),
         }
     }
 

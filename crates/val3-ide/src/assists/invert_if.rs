@@ -21,14 +21,14 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     }
     if chain.else_if_clauses().next().is_some() {
         let reason = "The `if` has `elseIf` as well, so that its branches cannot change places";
-        assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason.to_owned());
+        assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason);
         return None;
     }
     let branches = Branches::of(context, &chain)?;
     let is_first_empty = context.slice(branches.first).trim().is_empty();
     if context.slice(branches.second).trim().is_empty() && !is_first_empty {
         let reason = "The `else` is empty, and would become an empty first branch: remove it instead";
-        assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason.to_owned());
+        assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason);
         return None;
     }
     let condition = chain.condition()?.syntax().text_range();

@@ -1,5 +1,6 @@
 //! Offers of assists at a position.
 
+use crate::RefactoringError;
 use crate::edit::SourceChange;
 
 /// Assist kind, by which editors group.
@@ -95,10 +96,10 @@ impl<'a> Assists<'a> {
         id: &'static str,
         kind: AssistKind,
         title: impl Into<String>,
-        reason: String,
+        reason: impl Into<RefactoringError>,
     ) {
         if self.wanted.is_none() {
-            self.show(Assist { id, kind, title: title.into(), group, disabled: Some(reason) });
+            self.show(Assist { id, kind, title: title.into(), group, disabled: Some(reason.into().0) });
         }
     }
 

@@ -64,7 +64,7 @@ fn offer_nested(context: &Context<'_>, assists: &mut Assists<'_>, chain: &IfStmt
         _ => None,
     };
     if let Some(reason) = obstacle {
-        assists.refuse(None, ID, AssistKind::Rewrite, NESTED, reason.to_owned());
+        assists.refuse(None, ID, AssistKind::Rewrite, NESTED, reason);
         return None;
     }
     let lines = IfLines::of(context, chain)?;

@@ -8,6 +8,7 @@ use val3_syntax::{SyntaxKind, TextRange, text_at};
 use super::calls::Call;
 use super::slots::{ListSlot, Removal, SlotEdit, Slots};
 use super::variables::NewParameter;
+use crate::RefactoringError;
 use crate::edit::FileEdit;
 use crate::xml_list::escaped;
 
@@ -27,7 +28,7 @@ pub(super) fn edits(
     call: &Call,
     wanted: &[NewParameter],
     renames: &[FileEdit],
-) -> Result<NewArguments, String> {
+) -> Result<NewArguments, RefactoringError> {
     keeps_effects(db, call, wanted)?;
     let places = call.places(db);
     let order: Vec<ListSlot> = wanted.iter().map(|new| entry(call, new)).collect();
@@ -61,20 +62,21 @@ fn entry(call: &Call, new: &NewParameter) -> ListSlot {
 }
 
 /// Checks that arguments with side effects are still passed, in the same order.
-fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<(), String> {
+fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<(), RefactoringError> {
     let acting = call.with_effects(db);
     let Some(first) = acting.first() else { return Ok(()) };
     let kept: Vec<usize> = wanted.iter().filter_map(|new| new.from).collect();
     let caller = &header(db, call.file).name;
     if let Some(removed) = acting.iter().find(|index| !kept.contains(index)) {
         let argument = argument_text(db, call, *removed);
-        return Err(format!("the argument `{argument}` of a call in `{caller}` has an effect"));
+        return Err(format!("the argument `{argument}` of a call in `{caller}` has an effect").into());
     }
     if !kept.is_sorted() {
         let argument = argument_text(db, call, *first);
         return Err(format!(
             "the argument `{argument}` of a call in `{caller}` has an effect, so the order of its arguments matters"
-        ));
+        )
+        .into());
     }
     Ok(())
 }
@@ -85,10 +87,10 @@ fn argument_text<'db>(db: &'db dyn Db, call: &Call, index: usize) -> &'db str {
 }
 
 /// Checks that the expression that callers pass is a single expression on one line.
-pub(super) fn check(new: &NewParameter) -> Result<(), String> {
+pub(super) fn check(new: &NewParameter) -> Result<(), RefactoringError> {
     let argument = new.argument.trim();
     if argument.is_empty() {
-        return Err(format!("calls need an expression to pass for the new parameter `{}`", new.name));
+        return Err(format!("calls need an expression to pass for the new parameter `{}`", new.name).into());
     }
     let code =
         format!("<Programs><Program name=\"p\"><Code>begin\n{}\nend</Code></Program></Programs>", call(argument));
@@ -99,7 +101,7 @@ pub(super) fn check(new: &NewParameter) -> Result<(), String> {
     let count = list.map_or(0, |list| list.children().filter_map(Expr::cast).count());
     let is_one = parse.errors().is_empty() && count == 1 && !argument.contains(['\n', '\r']);
     let is_plain = !argument.contains("//") && !argument.contains("]]>");
-    if is_one && is_plain { Ok(()) } else { Err(format!("`{argument}` is no expression")) }
+    if is_one && is_plain { Ok(()) } else { Err(format!("`{argument}` is no expression").into()) }
 }
 
 fn call(argument: &str) -> String {

@@ -13,6 +13,7 @@ use val3_analysis::ty::Base;
 use val3_lang::instruction::CallClass;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, text_at};
 
+use crate::RefactoringError;
 use crate::references::{projects_using, uses};
 
 /// Call of a program, by `call` or as a task.
@@ -30,7 +31,7 @@ pub(crate) struct Call {
 ///
 /// # Errors
 /// If a call cannot be parsed, or passes another number of arguments.
-pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec<Call>, String> {
+pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec<Call>, RefactoringError> {
     let mut calls: Vec<Call> = Vec::new();
     for symbol in symbols {
         can_be_read(db, symbol)?;
@@ -38,7 +39,7 @@ pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec
             let Some(call) = Call::at(db, file, project, range)? else { continue };
             if call.arguments.len() != count {
                 let (caller, passed) = (&header(db, file).name, call.arguments.len());
-                return Err(format!("a call in `{caller}` passes {passed} arguments instead of {count}"));
+                return Err(format!("a call in `{caller}` passes {passed} arguments instead of {count}").into());
             }
             if calls.iter().all(|known| (known.file, known.end) != (call.file, call.end)) {
                 calls.push(call);
@@ -49,13 +50,13 @@ pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec
 }
 
 /// Checks that all programs that may call this program are free of syntax errors.
-fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), String> {
+fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
     let Symbol::Program(project, name) = symbol else { return Ok(()) };
     for user in projects_using(db, *project) {
         for file in program_files(db, user).iter().filter(|file| mentions(db, **file, name)) {
             if !parse(db, *file).errors().is_empty() {
                 let path = file.path(db).file_name().unwrap_or("");
-                return Err(format!("`{path}` may call `{name}` and has syntax errors"));
+                return Err(format!("`{path}` may call `{name}` and has syntax errors").into());
             }
         }
     }
@@ -63,7 +64,7 @@ fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), String> {
 }
 
 /// Checks that no program calls a program of this name in an unresolved library.
-fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
+fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), RefactoringError> {
     if !val3_analysis::interfaces::is_public(db, project, name) {
         return Ok(());
     }
@@ -81,7 +82,8 @@ fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), 
                 let caller = &header(db, *file).name;
                 return Err(format!(
                     "`{caller}` calls `{library}:{name}`, and the library `{library}` cannot be resolved"
-                ));
+                )
+                .into());
             }
         }
     }
@@ -108,7 +110,12 @@ fn is_in_word(byte: &u8) -> bool {
 
 impl Call {
     /// Call whose program name is at `range`; `None` if the name is not called.
-    pub(crate) fn at(db: &dyn Db, file: File, project: Project, range: TextRange) -> Result<Option<Self>, String> {
+    pub(crate) fn at(
+        db: &dyn Db,
+        file: File,
+        project: Project,
+        range: TextRange,
+    ) -> Result<Option<Self>, RefactoringError> {
         let body = body(db, file);
         let mut calls = body.exprs().filter_map(|(_, expr, whole)| match expr {
             Expr::Call(callee, arguments) => Some((whole, body.range(*callee), arguments)),
@@ -119,7 +126,7 @@ impl Call {
         let arguments = arguments.to_vec();
         let text = text_at(file.text(db), whole);
         if !text.ends_with(')') {
-            return Err(format!("a call in `{}` has no end", header(db, file).name));
+            return Err(format!("a call in `{}` has no end", header(db, file).name).into());
         }
         let end = whole.end() - TextSize::of(')');
         let parse = parse(db, file);

@@ -10,6 +10,7 @@ use val3_syntax::{TextRange, TextSize, text_at};
 use super::attributes;
 use super::slots::{ListSlot, Removal, SlotEdit, Slots};
 use super::variables::{NewLocal, NewParameter, NewVariables};
+use crate::RefactoringError;
 use crate::declare::{self, NewVariable};
 use crate::edit::FileEdit;
 use crate::xml_list::whole_line;
@@ -18,7 +19,7 @@ use crate::xml_list::whole_line;
 ///
 /// # Errors
 /// If the file has no suitable element for the declarations.
-pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Vec<FileEdit>, String> {
+pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Vec<FileEdit>, RefactoringError> {
     let parse = parse(db, file);
     let Some(program) = program::element(parse.view()) else { return Ok(Vec::new()) };
     let header = header(db, file);
@@ -99,7 +100,7 @@ impl Declarations<'_> {
         old: &[XmlElement<'_>],
         new: &NewList,
         of_parameters: bool,
-    ) -> Result<Vec<SlotEdit>, String> {
+    ) -> Result<Vec<SlotEdit>, RefactoringError> {
         let NewList { order, inner } = new;
         let Some(first) = old.first() else { return self.first_entries(order, of_parameters) };
         let entries: Vec<TextRange> = old.iter().map(|element| element.view().range()).collect();
@@ -115,7 +116,7 @@ impl Declarations<'_> {
     }
 
     /// Edits that fill an empty or missing list.
-    fn first_entries(&self, order: &[ListSlot], of_parameters: bool) -> Result<Vec<SlotEdit>, String> {
+    fn first_entries(&self, order: &[ListSlot], of_parameters: bool) -> Result<Vec<SlotEdit>, RefactoringError> {
         let entries: Vec<String> = order.iter().filter_map(ListSlot::added).map(str::to_owned).collect();
         if entries.is_empty() {
             return Ok(Vec::new());

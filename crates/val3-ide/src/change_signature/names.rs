@@ -10,11 +10,12 @@ use val3_lang::types::Container;
 
 use super::programs::AffectedProgram;
 use super::variables::{NewLocal, NewParameter, NewVariables, has_sizes};
+use crate::RefactoringError;
 use crate::declare::is_old_program;
-use crate::rename::{RenameError, takes_no_unknown, variable_name};
+use crate::rename::{takes_no_unknown, variable_name};
 
 /// Checks that the new variables have valid names and types.
-pub(super) fn check(db: &dyn Db, program: &AffectedProgram) -> Result<(), String> {
+pub(super) fn check(db: &dyn Db, program: &AffectedProgram) -> Result<(), RefactoringError> {
     let header = header(db, program.file);
     are_different(program)?;
     for new in &program.wanted.parameters {
@@ -30,22 +31,21 @@ pub(super) fn check(db: &dyn Db, program: &AffectedProgram) -> Result<(), String
     Ok(())
 }
 
-fn are_different(program: &AffectedProgram) -> Result<(), String> {
+fn are_different(program: &AffectedProgram) -> Result<(), RefactoringError> {
     let mut seen = FxHashSet::default();
     match program.wanted.names().find(|name| !seen.insert(*name)) {
-        Some(name) => Err(format!("two variables of the program would be called `{name}`")),
+        Some(name) => Err(format!("two variables of the program would be called `{name}`").into()),
         None => Ok(()),
     }
 }
 
-fn name(db: &dyn Db, program: &AffectedProgram, name: &str, old: Option<&str>) -> Result<(), String> {
+fn name(db: &dyn Db, program: &AffectedProgram, name: &str, old: Option<&str>) -> Result<(), RefactoringError> {
     if old == Some(name) {
         return Ok(());
     }
-    let reason = |error: RenameError| error.0;
-    variable_name(db, program.file, name).map_err(reason)?;
+    variable_name(db, program.file, name)?;
     // An added variable may resolve an unresolved name of the program.
-    if old.is_some() { takes_no_unknown(db, program.file, name).map_err(reason) } else { Ok(()) }
+    if old.is_some() { takes_no_unknown(db, program.file, name) } else { Ok(()) }
 }
 
 fn parameter_type(
@@ -53,7 +53,7 @@ fn parameter_type(
     program: &AffectedProgram,
     new: &NewParameter,
     old: Option<&ParamDecl>,
-) -> Result<(), String> {
+) -> Result<(), RefactoringError> {
     if old.is_some_and(|old| !new.is_retyped(old)) {
         return Ok(());
     }
@@ -63,16 +63,24 @@ fn parameter_type(
     let name = &new.name;
     match new.container {
         Container::Element => Ok(()),
-        _ if !new.by_reference => Err(format!("arrays and collections are passed by reference, and so is `{name}`")),
-        Container::Array { dims: 0 | 4.. } => Err(format!("`{name}` has one to three dimensions")),
+        _ if !new.by_reference => {
+            Err(format!("arrays and collections are passed by reference, and so is `{name}`").into())
+        }
+        Container::Array { dims: 0 | 4.. } => Err(format!("`{name}` has one to three dimensions").into()),
         Container::Array { dims: 2.. } | Container::Collection if is_old_program(db, program.file) => {
-            Err(format!("programs of s5 and s6 have no collections and arrays of one dimension, and so has `{name}`"))
+            Err(format!("programs of s5 and s6 have no collections and arrays of one dimension, and so has `{name}`")
+                .into())
         }
         _ => Ok(()),
     }
 }
 
-fn local_type(db: &dyn Db, program: &AffectedProgram, new: &NewLocal, old: Option<&LocalDecl>) -> Result<(), String> {
+fn local_type(
+    db: &dyn Db,
+    program: &AffectedProgram,
+    new: &NewLocal,
+    old: Option<&LocalDecl>,
+) -> Result<(), RefactoringError> {
     if old.is_some_and(|old| !new.is_retyped(old)) {
         return Ok(());
     }
@@ -81,37 +89,37 @@ fn local_type(db: &dyn Db, program: &AffectedProgram, new: &NewLocal, old: Optio
     }
     let is_resized = old.is_none_or(|old| old.sizes != new.sizes);
     if is_resized && old.is_some_and(|old| !has_sizes(old)) {
-        return Err(format!("`{}` is a collection, which has no size", new.name));
+        return Err(format!("`{}` is a collection, which has no size", new.name).into());
     }
     if is_resized && new.sizes.len() > 1 && is_old_program(db, program.file) {
-        return Err(format!("arrays of programs of s5 and s6 have one dimension, and so has `{}`", new.name));
+        return Err(format!("arrays of programs of s5 and s6 have one dimension, and so has `{}`", new.name).into());
     }
     if is_resized && (new.sizes.contains(&0) || !(1..=3).contains(&new.sizes.len())) {
-        return Err(format!("`{}` has one to three dimensions, each with at least one value", new.name));
+        return Err(format!("`{}` has one to three dimensions, each with at least one value", new.name).into());
     }
     Ok(())
 }
 
-fn is_type(db: &dyn Db, program: &AffectedProgram, name: &str) -> Result<(), String> {
+fn is_type(db: &dyn Db, program: &AffectedProgram, name: &str) -> Result<(), RefactoringError> {
     match resolve_type(&items(db, program.project).types, name) {
-        None => Err(format!("there is no type `{name}`")),
-        Some(Base::Unknown) => Err(format!("the project of the user type `{name}` cannot be found")),
+        None => Err(format!("there is no type `{name}`").into()),
+        Some(Base::Unknown) => Err(format!("the project of the user type `{name}` cannot be found").into()),
         Some(_) => Ok(()),
     }
 }
 
 /// Checks that all declarations of a program can be read, and if names are removed or changed, also that its code has
 /// no syntax errors.
-pub(super) fn is_readable(db: &dyn Db, program: &AffectedProgram) -> Result<(), String> {
+pub(super) fn is_readable(db: &dyn Db, program: &AffectedProgram) -> Result<(), RefactoringError> {
     let header = header(db, program.file);
     let path = program.file.path(db).file_name().unwrap_or("");
     if !header.complete {
-        return Err(format!("the parameters and locals of `{path}` cannot be read"));
+        return Err(format!("the parameters and locals of `{path}` cannot be read").into());
     }
     if keeps_names(&program.wanted, header) || parse(db, program.file).errors().is_empty() {
         return Ok(());
     }
-    Err(format!("`{path}` has syntax errors, so some uses of its variables may be missing"))
+    Err(format!("`{path}` has syntax errors, so some uses of its variables may be missing").into())
 }
 
 /// Whether every variable is kept with its name.

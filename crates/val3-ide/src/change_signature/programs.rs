@@ -10,6 +10,7 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 
 use super::variables::{NewParameter, NewVariables};
+use crate::RefactoringError;
 use crate::owner::{owner, projects_of};
 use crate::rename::together;
 
@@ -46,7 +47,7 @@ pub(super) fn programs(
     file: File,
     symbols: &[Symbol],
     wanted: &NewVariables,
-) -> Result<Vec<AffectedProgram>, String> {
+) -> Result<Vec<AffectedProgram>, RefactoringError> {
     let project = owner(db, file).ok_or("no project lists the file")?;
     let mut programs = vec![AffectedProgram { project, file, wanted: wanted.clone() }];
     for symbol in symbols {
@@ -54,7 +55,7 @@ pub(super) fn programs(
         let other = of_symbol(db, symbol).filter(|(_, other)| programs.iter().all(|known| known.file != *other));
         let Some((project, other)) = other else { continue };
         let translation = Translation { db, file, project, other };
-        let parameters = translation.parameters(&wanted.parameters).map_err(|reason| {
+        let parameters = translation.parameters(&wanted.parameters).map_err(|RefactoringError(reason)| {
             format!("`{}` has the program `{name}` for the same interface, and {reason}", folder(db, project))
         })?;
         let wanted = NewVariables { parameters, ..NewVariables::of(header(db, other)) };
@@ -85,15 +86,15 @@ struct Translation<'db> {
 }
 
 impl Translation<'_> {
-    fn parameters(&self, changed: &[NewParameter]) -> Result<Vec<NewParameter>, String> {
+    fn parameters(&self, changed: &[NewParameter]) -> Result<Vec<NewParameter>, RefactoringError> {
         let (own, others) = (header(self.db, self.file), header(self.db, self.other));
         if own.params.len() != others.params.len() || !others.complete {
-            return Err("its parameters are others or cannot be read".to_owned());
+            return Err("its parameters are others or cannot be read".into());
         }
         changed.iter().map(|new| self.parameter(new)).collect()
     }
 
-    fn parameter(&self, new: &NewParameter) -> Result<NewParameter, String> {
+    fn parameter(&self, new: &NewParameter) -> Result<NewParameter, RefactoringError> {
         let (own, others) = (header(self.db, self.file), header(self.db, self.other));
         let known = new.from.and_then(|index| Some((index, own.params.get(index)?, others.params.get(index)?)));
         let Some((index, old, there)) = known else {
@@ -115,12 +116,12 @@ impl Translation<'_> {
 }
 
 /// Name in `project` of a type that the program in `file` uses.
-fn type_name(db: &dyn Db, file: File, project: Project, name: &str) -> Result<String, String> {
+fn type_name(db: &dyn Db, file: File, project: Project, name: &str) -> Result<String, RefactoringError> {
     let base = owner(db, file).and_then(|own| resolve_type(&items(db, own).types, name));
     let Some(Base::User(wanted)) = base else { return Ok(name.to_owned()) };
     let types = &items(db, project).types;
     let mut same: Vec<&SmolStr> = types.iter().filter(|(_, of)| **of == Some(wanted)).map(|(name, _)| name).collect();
     same.sort_unstable();
     let found = same.first().map(ToString::to_string);
-    found.ok_or_else(|| format!("its project does not list the user type `{name}`"))
+    found.ok_or_else(|| format!("its project does not list the user type `{name}`").into())
 }

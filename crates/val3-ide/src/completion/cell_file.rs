@@ -29,7 +29,7 @@ const ARM_CARRIERS: [&str; 3] = ["world", "base", "flange"];
 const SIGNALS: [&str; 3] = ["io", "holding", "empty"];
 
 /// Tables of things, whose names other keys mention.
-const THINGS: [&str; 3] = ["object", "part", "sensor"];
+const THINGS: [&str; 4] = ["object", "part", "sensor", "conveyor"];
 
 /// Nesting limit of folders with meshes.
 const DEEPEST: usize = 4;
@@ -126,7 +126,8 @@ fn values(found: &mut CompletionList<'_>, path: &[&str], cursor: &TomlCursor) {
             bodies(found, cursor);
             things(found, cursor, THINGS.as_slice());
         }
-        "part" | "objects" | "sees" => things(found, cursor, &["object", "part"]),
+        "part" => things(found, cursor, &["part"]),
+        "objects" | "sees" => things(found, cursor, &["object", "part", "conveyor"]),
         key if SIGNALS.contains(&key) => signals(found, cursor),
         _ => {
             for word in schema_words::<CellFile>(path) {
@@ -319,6 +320,14 @@ mod tests {
             fPallet -> \"fPallet\"
         "#]],
         );
+    }
+
+    #[test]
+    fn a_feed_names_parts_and_a_conveyor_its_end() {
+        let part = "[[part]]\nname = \"carton\"\n[[object]]\nname = \"plate\"\n[[conveyor]]\n";
+        check(&format!("{part}feed = {{ part = \"$0\" }}"), expect![[""]]);
+        check(&format!("{part}end = \"$0\""), expect![[""]]);
+        check(&format!("{part}fe$0"), expect![[""]]);
     }
 
     #[test]

@@ -11,7 +11,7 @@ fn check(listing: &str, expected: Expect) {
     let db = marked.db();
     let text = match delete_item(db, marked.at()) {
         Ok(Deletion { change, uses }) => format!("{}used at\n{}", shown(db, &change), shown_all(db, uses)),
-        Err(DeleteError(reason)) => reason + "\n",
+        Err(RefactoringError(reason)) => reason + "\n",
     };
     expected.assert_eq(&text);
 }

@@ -10,15 +10,16 @@ use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
 use val3_lang::versions::Version;
 
-use super::{RenameError, elements, tasks};
+use super::{elements, tasks};
+use crate::RefactoringError;
 use crate::references::{text, uses};
 
-fn refused(reason: String) -> Result<(), RenameError> {
-    Err(RenameError(reason))
+fn refused(reason: String) -> Result<(), RefactoringError> {
+    Err(RefactoringError(reason))
 }
 
 /// Checks that the files declare the name, and that nothing outside them depends on it.
-pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), RenameError> {
+pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
     let name = text(symbol);
     match symbol {
         Symbol::Program(_, name) if ENTRY_POINTS.contains(&name.as_str()) => {
@@ -33,8 +34,8 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
         | Symbol::Program(..)
         | Symbol::Library(..)
         | Symbol::Type(..) => Ok(()),
-        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name).map_err(RenameError),
-        Symbol::Element(page, id) => elements::check_no_other_use(db, *page, id).map_err(RenameError),
+        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name),
+        Symbol::Element(page, id) => elements::check_no_other_use(db, *page, id),
         Symbol::Instruction(_)
         | Symbol::Builtin(_)
         | Symbol::Enumerator(_)
@@ -49,7 +50,7 @@ fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
 }
 
 /// Checks that the new name is valid and unused, and that all uses keep their meaning.
-pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
+pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RefactoringError> {
     symbols.iter().try_for_each(|symbol| {
         is_name(db, symbol, new_name)?;
         free(db, symbol, new_name)
@@ -68,13 +69,13 @@ pub(crate) fn name_fault(name: &str, version: Option<Version>) -> Option<String>
     Some(format!("names have at most {limit} characters in this version"))
 }
 
-fn is_name(db: &dyn Db, symbol: &Symbol, name: &str) -> Result<(), RenameError> {
+fn is_name(db: &dyn Db, symbol: &Symbol, name: &str) -> Result<(), RefactoringError> {
     let version = project_of(db, symbol).map(|project| items(db, project).version);
     name_fault(name, version).map_or(Ok(()), refused)
 }
 
 /// Checks that a new parameter or local of the program in `file` can have the name, regardless of the other variables.
-pub(crate) fn variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), RenameError> {
+pub(crate) fn variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), RefactoringError> {
     let symbol = Symbol::Local(file, name.into());
     is_name(db, &symbol, name)?;
     is_no_item(db, &symbol, name)?;
@@ -91,7 +92,7 @@ fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     }
 }
 
-fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
+fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RefactoringError> {
     is_no_item(db, symbol, new_name)?;
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
@@ -109,7 +110,7 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
     }
 }
 
-fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
+fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RefactoringError> {
     let other = project_of(db, symbol).and_then(|project| other_item(db, project, symbol, new_name));
     other.map_or(Ok(()), |what| refused(format!("there is already {what} called `{new_name}`")))
 }
@@ -145,7 +146,7 @@ fn users(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = File> {
 
 /// Checks that no local or parameter of the program has the name, because it would hide or duplicate the renamed
 /// symbol.
-fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
+fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
     let header = header(db, file);
     let local = header.locals.iter().any(|local| local.name == new_name);
     let param = header.params.iter().any(|param| param.name == new_name);
@@ -157,7 +158,7 @@ fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), Rename
 }
 
 /// Checks that the program does not use global data of this name, which a local would hide.
-fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
+fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
     for project in crate::owner::projects_of(db, file) {
         let data = Symbol::Data(*project, new_name.into());
         if items(db, *project).data.contains_key(new_name) && users(db, &data).any(|user| user == file) {
@@ -168,7 +169,7 @@ fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameEr
 }
 
 /// Checks that the program has no unresolved use of `new_name`, which would resolve to the renamed symbol afterwards.
-pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
+pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
     if memmem::find(file.text(db).as_bytes(), new_name.as_bytes()).is_none() {
         return Ok(());
     }

@@ -7,13 +7,14 @@ use val3_analysis::items::project::program_files;
 use val3_analysis::occurrences::page_elements;
 use val3_analysis::pages::{HTML, page_ids, page_name};
 
+use crate::RefactoringError;
 use crate::owner::projects_of;
 
 /// Checks that no script or style of the page names the element, and that no program computes its id.
-pub(super) fn check_no_other_use(db: &dyn Db, page: File, id: &str) -> Result<(), String> {
+pub(super) fn check_no_other_use(db: &dyn Db, page: File, id: &str) -> Result<(), RefactoringError> {
     let file = page.path(db).file_name().unwrap_or("");
     if is_named_elsewhere(db, page, id) {
-        return Err(format!("a script or a style of `{file}` may name `{id}`. Rename it in the text"));
+        return Err(format!("a script or a style of `{file}` may name `{id}`. Rename it in the text").into());
     }
     let name = page_name(file, HTML).unwrap_or("");
     for project in projects_of(db, page) {
@@ -25,7 +26,9 @@ pub(super) fn check_no_other_use(db: &dyn Db, page: File, id: &str) -> Result<()
             });
             if may_be {
                 let program = &header(db, *program).name;
-                return Err(format!("the program `{program}` computes the id of an element, which may be `{id}`"));
+                return Err(
+                    format!("the program `{program}` computes the id of an element, which may be `{id}`").into()
+                );
             }
         }
     }
@@ -54,13 +57,13 @@ fn is_in_id(letter: char) -> bool {
 }
 
 /// Checks that the new id is valid, and that no other element of the page has it.
-pub(super) fn check(db: &dyn Db, page: File, new_id: &str) -> Result<(), String> {
+pub(super) fn check(db: &dyn Db, page: File, new_id: &str) -> Result<(), RefactoringError> {
     if new_id.is_empty() || new_id.contains(is_forbidden) {
-        return Err(format!("`{new_id}` is no id: some text without blanks, quotes, `&`, `<`, `>` and `\\`"));
+        return Err(format!("`{new_id}` is no id: some text without blanks, quotes, `&`, `<`, `>` and `\\`").into());
     }
     if page_ids(db, page).declares(new_id) {
         let file = page.path(db).file_name().unwrap_or("");
-        return Err(format!("`{file}` has an element with the id `{new_id}` already"));
+        return Err(format!("`{file}` has an element with the id `{new_id}` already").into());
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use val3_analysis::xml::{Attribute, XmlElement};
 use val3_lang::types::Container;
 use val3_syntax::{TextRange, TextSize, TextSlice, decode_entities};
 
-use super::RenameError;
+use super::RefactoringError;
 use crate::FilePosition;
 use crate::edit::{FileEdit, SourceChange};
 use crate::hover::keys_of;
@@ -132,7 +132,7 @@ pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<Strin
 }
 
 /// Renames a key to `new_key` at all literal uses.
-pub(super) fn rename(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<SourceChange, RenameError> {
+pub(super) fn rename(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<SourceChange, RefactoringError> {
     check(db, found, new_key)?;
     let mut change = SourceChange::default();
     let symbol = Symbol::Data(found.project, found.data.clone());
@@ -143,7 +143,7 @@ pub(super) fn rename(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<Sou
             }
             Index::Computed | Index::Literal { is_key: false, .. } => {
                 let reason = format!("`{}` is also accessed with computed keys", found.data);
-                return Err(RenameError(reason));
+                return Err(RefactoringError(reason));
             }
             Index::Literal { .. } | Index::None => {}
         }
@@ -166,14 +166,14 @@ fn edit(db: &dyn Db, file: File, range: TextRange, new_key: &str) -> FileEdit {
     FileEdit { file, range, text }
 }
 
-fn check(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<(), RenameError> {
+fn check(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<(), RefactoringError> {
     if new_key.is_empty() || new_key.contains(['"', '\'', '&', '<', '>', ']', '\r', '\n']) {
-        return Err(RenameError(format!(
+        return Err(RefactoringError(format!(
             "`{new_key}` is no key: some text without quotes, brackets, `&`, `<` and `>`"
         )));
     }
     if keys_of(db, found.project, &found.data).iter().any(|key| key == new_key) {
-        return Err(RenameError(format!("`{}` has the key `{new_key}` already", found.data)));
+        return Err(RefactoringError(format!("`{}` has the key `{new_key}` already", found.data)));
     }
     Ok(())
 }

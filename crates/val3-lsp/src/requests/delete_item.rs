@@ -4,7 +4,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Location, TextDocumentPositionParams, WorkspaceEdit};
-use val3_ide::DeleteError;
 
 use crate::convert::workspace_edit;
 use crate::schema::protocol;
@@ -31,7 +30,7 @@ pub(crate) struct Deletion {
 
 pub(crate) fn delete(snapshot: &Snapshot, at: &TextDocumentPositionParams) -> Result<Deletion, Refusal> {
     let at = snapshot.position(at)?;
-    let found = val3_ide::delete_item(snapshot.db(), at).map_err(|DeleteError(reason)| Refusal::Because(reason))?;
+    let found = val3_ide::delete_item(snapshot.db(), at)?;
     Ok(Deletion {
         edit: workspace_edit(snapshot, &found.change)?,
         uses: found.uses.into_iter().map(|place| snapshot.location(place)).collect(),

@@ -6,8 +6,8 @@ use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Url, WorkspaceEdit};
 use val3_analysis::db::Project;
 use val3_ide::{
-    AddReferenceError, ProjectKind, ReferenceCandidate, ReferenceKind, add_reference, owner, project_kinds,
-    reference_candidates, takes_types,
+    ProjectKind, ReferenceCandidate, ReferenceKind, add_reference, owner, project_kinds, reference_candidates,
+    takes_types,
 };
 
 use super::workspace_tree::WireProjectKind;
@@ -133,8 +133,7 @@ pub(crate) fn add_library(snapshot: &Snapshot, params: &AddLibraryParams) -> Res
         LibraryKind::Library => ReferenceKind::Library,
         LibraryKind::Type => ReferenceKind::Type,
     };
-    let change = add_reference(snapshot.db(), project, kind, &params.name, &params.path)
-        .map_err(|AddReferenceError(reason)| Refusal::Because(reason))?;
+    let change = add_reference(snapshot.db(), project, kind, &params.name, &params.path)?;
     Ok(workspace_edit(snapshot, &change)?)
 }
 

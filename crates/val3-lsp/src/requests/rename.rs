@@ -1,7 +1,6 @@
 //! `textDocument/prepareRename` and `rename`
 
 use tower_lsp::lsp_types::{PrepareRenameResponse, RenameParams, TextDocumentPositionParams, WorkspaceEdit};
-use val3_ide::RenameError;
 
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
@@ -11,17 +10,13 @@ pub(crate) fn prepare(
     params: &TextDocumentPositionParams,
 ) -> Result<Option<PrepareRenameResponse>, Refusal> {
     let at = snapshot.position(params)?;
-    let (range, placeholder) = val3_ide::prepare_rename(snapshot.db(), at).map_err(refused)?;
+    let (range, placeholder) = val3_ide::prepare_rename(snapshot.db(), at)?;
     let range = snapshot.range(at.file, range);
     Ok(Some(PrepareRenameResponse::RangeWithPlaceholder { range, placeholder }))
 }
 
 pub(crate) fn rename(snapshot: &Snapshot, params: &RenameParams) -> Result<Option<WorkspaceEdit>, Refusal> {
     let at = snapshot.position(&params.text_document_position)?;
-    let change = val3_ide::rename(snapshot.db(), at, &params.new_name).map_err(refused)?;
+    let change = val3_ide::rename(snapshot.db(), at, &params.new_name)?;
     Ok(Some(workspace_edit(snapshot, &change)?))
-}
-
-fn refused(error: RenameError) -> Refusal {
-    Refusal::Because(error.0)
 }

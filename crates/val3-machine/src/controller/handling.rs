@@ -1,16 +1,18 @@
-//! Parts, grippers and sensors of a cell.
+//! Parts, grippers, sensors and conveyors of a cell.
 
 use std::sync::Arc;
 
 use val3_cell::{
-    Carrier, Gripper, GripperCommand, GripperControl, HandlingEvent, NearPart, PartHolder, PartPlace, Scene,
-    SignalClass, SignalWrite,
+    Carrier, CellOutputs, Gripper, GripperCommand, GripperControl, HandlingEvent, KnownSignal, NearPart, PartHolder, PartPlace,
+    Scene, SignalClass, SignalWrite,
 };
 use val3_geometry::IsometryMatrix3;
 use val3_lang::call::StoredValue;
+use val3_lang::io_paths::is_output;
 use val3_lang::memory::LinkPlace;
 use val3_lang::ports::{SECOND, Time};
 use val3_lang::types::BaseType;
+use val3_vm::CYCLE;
 
 use super::Controller;
 use crate::controller_state::MessageSeverity;
@@ -29,20 +31,22 @@ pub struct PartState {
 }
 
 impl Controller {
-    /// Returns the kind of a signal. The error is a similar path or name, if one exists.
+    /// Returns a signal by path or name. The error is a similar path or name, if one exists.
     ///
     /// # Errors
     /// There is no such signal, and no library can add it.
-    pub fn signal_class(&self, path: &str) -> Result<SignalClass, Option<String>> {
+    pub fn known_signal(&self, path: &str) -> Result<KnownSignal, Option<String>> {
         let io = &self.devices.state.io;
-        match io.find(path).and_then(|id| io.signal(id)).map(|signal| signal.kind) {
-            Some(SignalKind::Digital) => Ok(SignalClass::Digital),
-            Some(SignalKind::Analog(_)) => Ok(SignalClass::Analog),
+        let signal = io.find(path).and_then(|id| io.signal(id));
+        let class = match signal.map(|signal| signal.kind) {
+            Some(SignalKind::Digital) => SignalClass::Digital,
+            Some(SignalKind::Analog(_)) => SignalClass::Analog,
             None => match self.signal_misfit(path) {
-                None => Ok(SignalClass::Unknown),
-                Some(misfit) => Err(misfit.proposal()),
+                None => SignalClass::Unknown,
+                Some(misfit) => return Err(misfit.proposal()),
             },
-        }
+        };
+        Ok(KnownSignal { class, is_output: is_output(signal.map_or(path, |signal| &signal.path)) })
     }
 
     /// Evaluates grippers and sensors before the first cycle, and sets their inputs at the beginning of each cycle.
@@ -64,14 +68,17 @@ impl Controller {
     pub(super) fn handle_parts(&mut self, now: Time) {
         let Some(scene) = self.cell_scene() else { return };
         let Some(mut handling) = self.devices.state.handling.take() else { return };
-        let commands: Vec<_> = scene.cell().grippers.iter().map(|gripper| self.command(gripper)).collect();
-        if handling.is_idle(&commands) {
+        let outputs = CellOutputs {
+            grippers: scene.cell().grippers.iter().map(|gripper| self.command(gripper)).collect(),
+            conveyors: scene.cell().conveyors.iter().map(|conveyor| self.have_values(&conveyor.when)).collect(),
+        };
+        if handling.is_idle(&outputs, seconds(now)) {
             self.devices.state.handling = Some(handling);
             return;
         }
         let mut sight = self.sight(&scene, seconds(now));
         sight.parts = Arc::clone(handling.parts());
-        let events = handling.see(&scene, &sight, &commands);
+        let events = handling.see(&scene, &sight, &outputs, seconds(CYCLE));
         self.devices.state.handling = Some(handling);
         events.into_iter().for_each(|event| self.devices.record_outside(now, event_kind(event)));
     }
@@ -102,13 +109,19 @@ impl Controller {
                 Some(GripperCommand { holds: is_open == *holds_when_open, delay: delay.max(0.0) })
             }
             GripperControl::Signals(values) => {
-                let mut holds = true;
-                for SignalWrite { path, value } in values {
-                    holds &= io.hardware(io.find(path)?)? == *value;
-                }
-                Some(GripperCommand { holds, delay: 0.0 })
+                Some(GripperCommand { holds: self.have_values(values)?, delay: 0.0 })
             }
         }
+    }
+
+    /// Whether all signals have these values; `None` without one of the signals.
+    fn have_values(&self, values: &[SignalWrite]) -> Option<bool> {
+        let io = &self.devices.state.io;
+        let mut have_values = true;
+        for SignalWrite { path, value } in values {
+            have_values &= io.hardware(io.find(path)?)? == *value;
+        }
+        Some(have_values)
     }
 
     fn number(&self, path: &str) -> Option<f64> {

@@ -27,9 +27,9 @@ impl Controller {
     /// Places a cell around the arm, and watches the distances from now on.
     pub fn surround(&mut self, cell: Cell) {
         let arm = Arc::clone(self.devices.state.arm.shared_model());
-        let handles = !(cell.parts.is_empty() && cell.grippers.is_empty() && cell.sensors.is_empty());
+        let has_handling = !(cell.parts.is_empty() && cell.grippers.is_empty() && cell.sensors.is_empty());
         let scene = Scene::new(cell.into(), arm);
-        self.devices.state.handling = handles.then(|| Handling::new(&scene));
+        self.devices.state.handling = has_handling.then(|| Handling::new(&scene));
         self.devices.state.watch = Some(Watch::new(scene));
     }
 

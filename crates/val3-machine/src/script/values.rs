@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::{Deserialize, Serialize, Serializer};
-use val3_lang::ports::{SECOND, Time};
+use val3_lang::ports::{Time, nanoseconds};
 
 use super::keys::{key_codes, key_text, typed_keys};
 use crate::controller_state::WorkingMode;
@@ -40,14 +40,7 @@ impl Seconds {
     /// The time in nanoseconds.
     #[must_use]
     pub fn time(self) -> Time {
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "a time is from 0 to 1e9 seconds"
-        )]
-        let time = (self.0 * SECOND as f64).round() as Time;
-        time
+        nanoseconds(self.0)
     }
 }
 

@@ -46,7 +46,7 @@ pub(crate) struct CheckArgs {
     /// Do not report these rules; takes precedence over --select and --extend-select
     #[arg(help_heading = "Rules", long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
-    /// Also compare points, joints and moves with the arm: reach, limits, singularities, configurations
+    /// Also compare points, joints and moves with the arm and its cell: reach, limits, singularities, contacts
     #[arg(help_heading = "Rules", long)]
     pub(crate) motion: bool,
     /// With --motion: the arm (tx2-60l) or a file that describes it; takes precedence over val3.toml and the cell

@@ -32,6 +32,7 @@ impl CliCommand {
             | Self::Merge(_)
             | Self::Test(_)
             | Self::Lsp(_)
+            | Self::Mcp(_)
             | Self::Dap(_)
             | Self::Trust(_)
             | Self::Man(_)

@@ -58,7 +58,7 @@ pub(crate) struct RunArgs {
     /// Write the summary of the run to a file, as JSON with up to 1,000 entries in each list
     #[arg(help_heading = "Output", long, value_name = "FILE.json")]
     pub(crate) result: Option<Utf8PathBuf>,
-    /// Set a global variable or a field of one before the run begins: nSpeed=50, mFast.leave=20, sNames[1]=bolt
+    /// Set a global variable or a field of one before the run begins: `nSpeed=50`, `mFast.leave=20`, `sNames[1]=bolt`
     #[arg(help_heading = "Surroundings", long, value_name = "NAME=VALUE", value_parser = variable)]
     pub(crate) set: Vec<(String, ScriptValue)>,
     /// A TOML file with the events outside the application and their times; each variable and signal in it must exist

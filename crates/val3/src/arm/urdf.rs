@@ -1,11 +1,19 @@
-//! `val3 arm urdf`: an arm as URDF, for ROS and other simulators. Lengths are in metres and angles in radians there.
+//! `val3 arm urdf`: an arm as URDF, for ROS and other simulators. URDF has lengths in metres and angles in radians.
 
-use nalgebra::{IsometryMatrix3, Rotation3, Translation3, Vector3};
+mod shape;
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use nalgebra::{IsometryMatrix3, Rotation3, Translation3};
+use quick_xml::events::{BytesText, Event};
 use val3_kinematics::{Arm, AxisLimits, Joints, LinkCapsule};
 use val3_session::ArmFile;
 
+use self::shape::{UrdfShape, shapes};
 use crate::args::ArmUrdfArgs;
 use crate::color::Color;
+use crate::format::xml::{self, XmlWriter};
 use crate::output::{OutputContent, to_stdout_as};
 use crate::user_error::UserError;
 
@@ -15,7 +23,7 @@ const MILLIMETRES: f64 = 1000.0;
 /// Runs the command.
 pub(super) fn run(args: &ArmUrdfArgs, color: Color) -> Result<(), UserError> {
     let arm = ArmFile::named(&args.name)?.arm;
-    to_stdout_as(OutputContent::Data, color, |out| write!(out, "{}", document(&arm)))
+    to_stdout_as(OutputContent::Data, color, |out| document(&arm, out))
 }
 
 /// Joint between two consecutive links.
@@ -45,12 +53,21 @@ fn joints(arm: &Arm) -> Vec<UrdfJoint<'_>> {
     joints
 }
 
-/// Returns the document.
-fn document(arm: &Arm) -> String {
-    let mut text = format!("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", arm.name().to_lowercase());
-    text += "  <!-- base_link is the mounting face; the frame of base is world of VAL 3. Masses are unknown, and an effort of 0 is. -->\n";
-    text += "  <link name=\"base_link\"/>\n";
-    let mut before = "base_link".to_owned();
+/// Writes the document.
+fn document(arm: &Arm, out: &mut dyn WriteColor) -> io::Result<()> {
+    xml::document(out, |writer| {
+        let robot = writer.create_element("robot").with_attribute(("name", arm.name().to_lowercase().as_str()));
+        robot.write_inner_content(|writer| robot_parts(arm, writer)).map(drop)
+    })
+}
+
+/// Writes the links and joints, from the mounting face on.
+fn robot_parts(arm: &Arm, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let note = " base_link is the mounting face; the frame of base is `world` of VAL 3. There are no masses. An effort of 0 \
+                is unknown. ";
+    writer.write_event(Event::Comment(BytesText::new(note)))?;
+    writer.create_element("link").with_attribute(("name", "base_link")).write_empty()?;
+    let mut parent = "base_link".to_owned();
     let last = arm.axes() + 1;
     for (number, joint) in joints(arm).iter().enumerate() {
         let name = match number {
@@ -58,72 +75,62 @@ fn document(arm: &Arm) -> String {
             number if number == last => "flange".to_owned(),
             number => format!("link{number}"),
         };
-        let shapes = arm.shapes().get(number).filter(|_| number < last);
-        text += &link(&name, shapes.map_or(&[][..], Vec::as_slice));
-        text += &joint.text(number, &before, &name);
-        before = name;
+        let capsules = arm.shapes().get(number).filter(|_| number < last);
+        link(&name, capsules.map_or(&[], Vec::as_slice), writer)?;
+        joint.write(number, [&parent, &name], writer)?;
+        parent = name;
     }
-    text + "</robot>\n"
+    Ok(())
 }
 
-/// Returns a link with its shapes, for drawing and for collisions.
-fn link(name: &str, capsules: &[LinkCapsule]) -> String {
-    let shapes: String = capsules.iter().flat_map(shapes).collect();
+/// Writes a link with its shapes, for drawing and for collisions.
+fn link(name: &str, capsules: &[LinkCapsule], writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let element = writer.create_element("link").with_attribute(("name", name));
+    let shapes: Vec<UrdfShape> = capsules.iter().flat_map(shapes).collect();
     if shapes.is_empty() {
-        return format!("  <link name=\"{name}\"/>\n");
+        return element.write_empty().map(drop);
     }
-    format!("  <link name=\"{name}\">\n{shapes}  </link>\n")
-}
-
-/// Returns a capsule as a cylinder with two spheres, because URDF has no capsules.
-fn shapes(LinkCapsule { from, to, radius }: &LinkCapsule) -> Vec<String> {
-    let radius = radius / MILLIMETRES;
-    let (line, middle) = (to - from, (from + to) / 2.0);
-    let sphere = |at: &Vector3<f64>| {
-        let place = IsometryMatrix3::from_parts(Translation3::from(*at), Rotation3::identity());
-        shape(&place, &format!("<sphere radius=\"{radius:.6}\"/>"))
-    };
-    let length = line.norm();
-    if length <= f64::EPSILON {
-        return vec![sphere(from)];
-    }
-    // A line against z can be turned around any axis.
-    let turn = Rotation3::rotation_between(&Vector3::z(), &line);
-    let turn = turn.unwrap_or_else(|| Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-    let cylinder = format!("<cylinder radius=\"{radius:.6}\" length=\"{:.6}\"/>", length / MILLIMETRES);
-    let place = IsometryMatrix3::from_parts(Translation3::from(middle), turn);
-    vec![shape(&place, &cylinder), sphere(from), sphere(to)]
-}
-
-fn shape(place: &IsometryMatrix3<f64>, geometry: &str) -> String {
-    let inside = format!("{}<geometry>{geometry}</geometry>", origin(place));
-    format!("    <visual>{inside}</visual>\n    <collision>{inside}</collision>\n")
+    element.write_inner_content(|writer| shapes.iter().try_for_each(|shape| shape.write(writer))).map(drop)
 }
 
 impl UrdfJoint<'_> {
-    fn text(&self, number: usize, parent: &str, child: &str) -> String {
-        let ends = format!("<parent link=\"{parent}\"/><child link=\"{child}\"/>");
-        let place = origin(&self.origin);
-        let Some(limits) = self.limits else {
-            return format!("  <joint name=\"{parent}-{child}\" type=\"fixed\">{place}{ends}</joint>\n");
+    /// Writes the joint between a parent and its child.
+    fn write(&self, number: usize, [parent, child]: [&str; 2], writer: &mut XmlWriter<'_>) -> io::Result<()> {
+        let (name, kind) = match self.limits {
+            None => (format!("{parent}-{child}"), "fixed"),
+            Some(_) => (format!("joint{number}"), if self.is_stroke { "prismatic" } else { "revolute" }),
         };
-        let (kind, unit) =
-            if self.is_stroke { ("prismatic", MILLIMETRES.recip()) } else { ("revolute", 1f64.to_radians()) };
-        let (lower, upper, velocity) = (limits.min * unit, limits.max * unit, limits.maximum_speed * unit);
-        let effort = limits.maximum_effort.unwrap_or_default();
-        format!(
-            "  <joint name=\"joint{number}\" type=\"{kind}\">{place}{ends}<axis xyz=\"0 0 1\"/>\
-             <limit lower=\"{lower:.6}\" upper=\"{upper:.6}\" velocity=\"{velocity:.6}\" effort=\"{effort}\"/></joint>\n"
-        )
+        let joint = writer.create_element("joint").with_attributes([("name", name.as_str()), ("type", kind)]);
+        joint
+            .write_inner_content(|writer| {
+                origin(&self.origin, writer)?;
+                writer.create_element("parent").with_attribute(("link", parent)).write_empty()?;
+                writer.create_element("child").with_attribute(("link", child)).write_empty()?;
+                self.limits.map_or(Ok(()), |limits| self.limits(limits, writer))
+            })
+            .map(drop)
+    }
+
+    fn limits(&self, limits: &AxisLimits, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+        writer.create_element("axis").with_attribute(("xyz", "0 0 1")).write_empty()?;
+        let unit = if self.is_stroke { MILLIMETRES.recip() } else { 1f64.to_radians() };
+        let [lower, upper, velocity] =
+            [limits.min, limits.max, limits.maximum_speed].map(|limit| format!("{:.6}", limit * unit));
+        let effort = limits.maximum_effort.unwrap_or_default().to_string();
+        let limits = [("lower", lower), ("upper", upper), ("velocity", velocity), ("effort", effort)];
+        let limits = limits.iter().map(|(name, limit)| (*name, limit.as_str()));
+        writer.create_element("limit").with_attributes(limits).write_empty().map(drop)
     }
 }
 
-/// Returns a position in metres, with angles around the fixed axes x, y, z in radians.
-fn origin(place: &IsometryMatrix3<f64>) -> String {
-    let [x, y, z] = [place.translation.x, place.translation.y, place.translation.z].map(|length| length / MILLIMETRES);
-    let (roll, pitch, yaw) = place.rotation.euler_angles();
-    let [x, y, z, roll, pitch, yaw] = [x, y, z, roll, pitch, yaw].map(rounded);
-    format!("<origin xyz=\"{x} {y} {z}\" rpy=\"{roll} {pitch} {yaw}\"/>")
+/// Writes a pose in metres, with angles around the fixed axes x, y, z in radians.
+fn origin(pose: &IsometryMatrix3<f64>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let [x, y, z] = [pose.translation.x, pose.translation.y, pose.translation.z].map(|length| length / MILLIMETRES);
+    let (roll, pitch, yaw) = pose.rotation.euler_angles();
+    let [position, angles] =
+        [[x, y, z], [roll, pitch, yaw]].map(|numbers| numbers.map(rounded).map(|n| n.to_string()).join(" "));
+    let attributes = [("xyz", position.as_str()), ("rpy", angles.as_str())];
+    writer.create_element("origin").with_attributes(attributes).write_empty().map(drop)
 }
 
 /// Rounds to nine digits after the point, so that every machine writes the same text.
@@ -134,8 +141,9 @@ fn rounded(value: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use codespan_reporting::term::termcolor::NoColor;
     use expect_test::expect;
-    use val3_kinematics::Arm;
+    use nalgebra::Vector3;
 
     use super::*;
 
@@ -167,18 +175,30 @@ mod tests {
         }
     }
 
+    fn text(arm: &Arm) -> String {
+        let mut out = NoColor::new(Vec::new());
+        document(arm, &mut out).unwrap();
+        String::from_utf8(out.into_inner()).unwrap()
+    }
+
     #[test]
     fn the_document_has_links_joints_and_shapes() {
-        let text = document(&Arm::by_name("ts2-60").unwrap());
-        let joints: Vec<&str> = text.lines().filter(|line| line.contains("<joint")).map(str::trim).collect();
-        expect![[r#"
-            <joint name="base_link-base" type="fixed"><origin xyz="0 0 0" rpy="0 0 0"/><parent link="base_link"/><child link="base"/></joint>
-            <joint name="joint1" type="revolute"><origin xyz="0 0 0" rpy="0 0 0"/><parent link="base"/><child link="link1"/><axis xyz="0 0 1"/><limit lower="-3.141593" upper="3.141593" velocity="9.162979" effort="0"/></joint>
-            <joint name="joint2" type="revolute"><origin xyz="0.38 0 0" rpy="0 0 0"/><parent link="link1"/><child link="link2"/><axis xyz="0 0 1"/><limit lower="-2.469641" upper="2.469641" velocity="9.162979" effort="0"/></joint>
-            <joint name="joint3" type="prismatic"><origin xyz="0.24 0 0" rpy="0 0 0"/><parent link="link2"/><child link="link3"/><axis xyz="0 0 1"/><limit lower="0.000000" upper="0.200000" velocity="2.000000" effort="0"/></joint>
-            <joint name="joint4" type="revolute"><origin xyz="0 0 0" rpy="3.141592654 0 0"/><parent link="link3"/><child link="link4"/><axis xyz="0 0 1"/><limit lower="-8.726646" upper="8.726646" velocity="41.887902" effort="0"/></joint>
-            <joint name="link4-flange" type="fixed"><origin xyz="0 0 0" rpy="0 0 0"/><parent link="link4"/><child link="flange"/></joint>"#]].assert_eq(&joints.join("\n"));
+        let text = text(&Arm::by_name("ts2-60").unwrap());
+        let is_of_joint = |line: &&str| {
+            !["<link", "</link", "visual", "collision", "geometry", "sphere", "cylinder"]
+                .iter()
+                .any(|name| line.contains(name))
+        };
+        let joints: Vec<&str> = text.lines().filter(is_of_joint).collect();
+        expect![[r#""#]].assert_eq(&joints.join("\n"));
         assert_eq!(text.matches("<visual>").count(), text.matches("<collision>").count());
         assert!(text.contains("<sphere") && text.contains("<cylinder"), "{text}");
+    }
+
+    #[test]
+    fn names_are_escaped() {
+        let file = Arm::file("ts2-60").unwrap().replacen("name = \"", "name = \"A&<", 1);
+        let arm = Arm::from_toml(&file).unwrap();
+        assert!(text(&arm).contains("<robot name=\"a&amp;&lt;"), "{}", text(&arm));
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn run(paths: &[Utf8PathBuf], name: &str, tested: Option<&str>) -> Re
     let project = project.ok_or_else(|| {
         refused("it is no test application".to_owned()).with_help("`val3 test --init APPLICATION` writes one")
     })?;
-    let change = val3_ide::new_test(db, project, name, tested).map_err(refused)?;
+    let change = val3_ide::new_test(db, project, name, tested).map_err(|error| refused(error.0))?;
     write(db, &change, &shown)?;
     let program = application.join(name).with_extension("pgx");
     to_stderr(|out| writeln!(out, "execute it: val3 test {}", shown.shown(&program)));

@@ -63,7 +63,7 @@ beam = { from = [400, 160, 130], to = [700, 160, 130] }
 ";
 
 /// A folder in which the first part is this far below the flange.
-fn folder(gap: f64) -> Folder {
+pub(crate) fn folder(gap: f64) -> Folder {
     let folder = Folder::with(CODE);
     folder.link("doValve", "BasicIO-1\\%Q0");
     folder.link("diPart", "BasicIO-1\\%I0");

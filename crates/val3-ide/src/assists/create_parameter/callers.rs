@@ -11,6 +11,7 @@ use val3_syntax::TextRange;
 
 use super::super::context::Context;
 use super::super::expected::UnknownName;
+use crate::RefactoringError;
 use crate::change_signature::Call;
 use crate::edit::FileEdit;
 use crate::navigate::{implemented, implementing};
@@ -31,7 +32,11 @@ pub(super) struct CallArguments {
 ///
 /// # Errors
 /// A reason for the user, if a call has nothing to pass, or if another program must have the same parameters.
-pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: bool) -> Result<CallArguments, String> {
+pub(super) fn pass(
+    context: &Context<'_>,
+    unknown: &UnknownName,
+    by_reference: bool,
+) -> Result<CallArguments, RefactoringError> {
     let name = &context.header().name;
     let mut passed = CallArguments::default();
     for project in projects_of(context.db, context.file) {
@@ -55,13 +60,13 @@ pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: b
 }
 
 /// Checks that no library or interface requires another program with the same parameters.
-fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
+fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), RefactoringError> {
     let others = implemented(db, project).chain(implementing(db, project));
     let other = others.into_iter().find(|other| items(db, *other).programs.contains_key(name));
     match other.filter(|_| is_public(db, project, name)) {
         Some(other) => {
             let other = other.manifest(db).path(db).file_stem().unwrap_or("");
-            Err(format!("`{other}` has the same program, because both implement one interface"))
+            Err(format!("`{other}` has the same program, because both implement one interface").into())
         }
         None => Ok(()),
     }

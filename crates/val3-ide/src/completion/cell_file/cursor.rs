@@ -81,12 +81,12 @@ impl CursorReader {
         let place = if self.expects_value() { TomlPlace::Value } else { TomlPlace::Key };
         let mut path = self.path();
         path.extend(self.key.filter(|_| place == TomlPlace::Value));
-        let behind = text.get(start + line.len()..).unwrap_or_default();
+        let after_line = text.get(start + line.len()..).unwrap_or_default();
         let is_end = |letter: char| match rest.quote {
             Some(quote) => letter == quote || letter == '\n' || letter == '\r',
             None => !is_word(letter),
         };
-        let len = behind.find(is_end).unwrap_or(behind.len());
+        let len = after_line.find(is_end).unwrap_or(after_line.len());
         Some(TomlCursor { path, place, range: from..start + line.len() + len, is_quoted: rest.quote.is_some() })
     }
 
@@ -106,13 +106,13 @@ impl CursorReader {
     fn read<'l>(&mut self, line: &'l str) -> Option<Unfinished<'l>> {
         let mut rest = line;
         while let Some(letter) = rest.chars().next() {
-            let behind = rest.get(letter.len_utf8()..).unwrap_or_default();
+            let next = rest.get(letter.len_utf8()..).unwrap_or_default();
             if letter == '#' {
                 return None;
             }
             if letter == '"' || letter == '\'' {
-                let Some((inside, after)) = behind.split_once(letter) else {
-                    return Some(Unfinished { text: behind.trim_end_matches(['\n', '\r']), quote: Some(letter) });
+                let Some((inside, after)) = next.split_once(letter) else {
+                    return Some(Unfinished { text: next.trim_end_matches(['\n', '\r']), quote: Some(letter) });
                 };
                 self.word = Some(inside.to_owned());
                 rest = after;
@@ -128,7 +128,7 @@ impl CursorReader {
                 continue;
             }
             self.punctuation(letter);
-            rest = behind;
+            rest = next;
         }
         Some(Unfinished { text: "", quote: None })
     }

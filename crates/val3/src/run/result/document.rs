@@ -1,4 +1,4 @@
-//! The document. docs/src/result.md describes the stable format.
+//! The document of a result. docs/src/result.md describes its stable format.
 
 use serde::Serialize;
 use val3_machine::event::EndReason;
@@ -18,9 +18,9 @@ pub(super) struct ResultDocument {
     /// Tasks that have not ended.
     pub(super) tasks: Vec<TaskEntry>,
     pub(super) errors: Listed<ErrorEntry>,
-    /// What has touched something else, in sentences.
+    /// Contacts, each in a sentence.
     pub(super) contacts: Vec<String>,
-    /// The nearest of the near misses, in a sentence.
+    /// The nearest near miss, in a sentence.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) near_misses: Option<String>,
     /// Notes of the run itself.
@@ -44,7 +44,7 @@ pub(super) struct ResultDocument {
 
 /// Why a run has ended.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(into = "&'static str")]
 pub(super) enum ResultReason {
     /// The application has ended.
     #[default]
@@ -72,6 +72,27 @@ impl From<EndReason> for ResultReason {
             EndReason::Error => Self::Error,
             EndReason::Refused => Self::Refused,
         }
+    }
+}
+
+impl ResultReason {
+    /// The reason in one word.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Finished => "finished",
+            Self::Stopped => "stopped",
+            Self::Limit => "limit",
+            Self::Stuck => "stuck",
+            Self::Error => "error",
+            Self::Interrupted => "interrupted",
+            Self::Refused => "refused",
+        }
+    }
+}
+
+impl From<ResultReason> for &'static str {
+    fn from(reason: ResultReason) -> Self {
+        reason.name()
     }
 }
 

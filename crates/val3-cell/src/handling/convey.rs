@@ -1,0 +1,289 @@
+//! Conveyors: the parts that they shift, and the parts that they receive.
+
+use std::sync::Arc;
+
+use val3_collision::Bounds;
+use val3_geometry::{IsometryMatrix3, Trsf};
+
+use super::{Handling, HandlingEvent, HandlingView, SAME_TIME};
+use crate::conveyor::Conveyor;
+use crate::file::ConveyorEnd;
+use crate::part::{PartHolder, PartPlace};
+use crate::scene::{BodyCarrier, Places};
+
+/// Gap in mm at which a part stops before another part.
+const GAP: f64 = 1.0;
+
+/// Height in mm above the belt up to which a conveyor shifts a part.
+const ABOVE: f64 = 50.0;
+
+/// State of a conveyor.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct ConveyorState {
+    /// Whether it ran at the end of the last cycle; `None` before the first.
+    runs: Option<bool>,
+    /// Whether it shifted a part in the last cycle.
+    is_moving: bool,
+    /// Arrival of the next part.
+    next: NextPart,
+    /// Number of parts that have arrived.
+    fed: usize,
+}
+
+/// Arrival of the next part on a conveyor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum NextPart {
+    /// After this running time in seconds; the conveyor stands.
+    In(f64),
+    /// At this time in seconds, if the conveyor keeps running.
+    At(f64),
+    /// As soon as its place is free.
+    Blocked,
+    /// All parts have arrived.
+    Never,
+}
+
+impl Default for NextPart {
+    fn default() -> Self {
+        Self::In(0.0)
+    }
+}
+
+impl NextPart {
+    /// Returns the arrival after the conveyor has started or stopped.
+    fn switched(self, runs: bool, time: f64) -> Self {
+        match (self, runs) {
+            (Self::In(seconds), true) => Self::At(time + seconds),
+            (Self::At(due), false) => Self::In((due - time).max(0.0)),
+            _ => self,
+        }
+    }
+
+    fn is_due(self, time: f64) -> bool {
+        match self {
+            Self::In(_) | Self::Never => false,
+            Self::At(due) => due <= time + SAME_TIME,
+            Self::Blocked => true,
+        }
+    }
+}
+
+/// A part that stands, in the frame of a track.
+struct TrackPart {
+    number: usize,
+    bounds: Bounds,
+}
+
+impl ConveyorState {
+    /// Whether the conveyor changes nothing until its signals change: it moves no part, and no part is due.
+    pub(super) fn is_idle(&self, runs: Option<bool>, time: f64) -> bool {
+        self.runs == Some(runs.unwrap_or_default()) && !self.is_moving && !self.is_due(time)
+    }
+
+    fn is_due(&self, time: f64) -> bool {
+        matches!(self.next, NextPart::At(_)) && self.next.is_due(time)
+    }
+
+    /// Time in seconds of the next change without an external cause; 0 while parts move.
+    pub(super) fn next_due(&self) -> Option<f64> {
+        match self.next {
+            _ if self.is_moving => Some(0.0),
+            NextPart::At(due) => Some(due),
+            NextPart::In(_) | NextPart::Blocked | NextPart::Never => None,
+        }
+    }
+}
+
+impl Handling {
+    /// Shifts the parts on a conveyor for a cycle of this duration in seconds, and receives new parts. `runs` is the
+    /// state of its signals; `None` if one of them does not exist.
+    pub(super) fn convey(
+        &mut self,
+        number: usize,
+        runs: Option<bool>,
+        cycle: f64,
+        view: &HandlingView<'_>,
+    ) -> Vec<HandlingEvent> {
+        let Some(conveyor) = view.scene.cell().conveyors.get(number) else { return Vec::new() };
+        let Some(mut state) = self.conveyors.get(number).copied() else { return Vec::new() };
+        let Some(place) = view.place(&conveyor.carrier) else { return Vec::new() };
+        let track = place * conveyor.track;
+        let mut events = Vec::new();
+        let runs = runs.unwrap_or_default();
+        // It ran during the cycle if it did at the beginning; a change of its signals takes effect at the end.
+        let shift = if state.runs == Some(true) { conveyor.speed * cycle } else { 0.0 };
+        let has_moved = self.shift(conveyor, &track, shift, &mut events, view);
+        if state.runs != Some(runs) {
+            state.runs = Some(runs);
+            state.next = state.next.switched(runs, view.sight.time);
+        }
+        state.is_moving = runs && (has_moved || shift == 0.0 && self.on_belt(conveyor, &track, view).next().is_some());
+        if runs && state.next.is_due(view.sight.time) {
+            events.extend(self.feed(conveyor, &mut state, (&place, &track), view));
+        }
+        if let Some(known) = self.conveyors.get_mut(number) {
+            *known = state;
+        }
+        events
+    }
+
+    /// Shifts the parts on a belt, the foremost first. Returns whether one of them has moved.
+    fn shift(
+        &mut self,
+        conveyor: &Conveyor,
+        track: &IsometryMatrix3<f64>,
+        shift: f64,
+        events: &mut Vec<HandlingEvent>,
+        view: &HandlingView<'_>,
+    ) -> bool {
+        if shift <= 0.0 {
+            return false;
+        }
+        let mut parts: Vec<TrackPart> = self.on_belt(conveyor, track, view).collect();
+        parts.sort_by(|one, other| other.bounds.max.x.total_cmp(&one.bounds.max.x));
+        let mut has_moved = false;
+        for part in parts {
+            if conveyor.end == ConveyorEnd::Remove && centre(&part.bounds)[0] + shift > conveyor.belt.max.x {
+                events.extend(self.place(view.scene, part.number, None));
+                has_moved = true;
+                continue;
+            }
+            let free = self.free_way(conveyor, &part, track, view).min(shift);
+            if free > 0.0 {
+                self.move_along(part.number, track, free, view);
+                has_moved = true;
+            }
+        }
+        has_moved
+    }
+
+    /// Way in mm that a part can move before it reaches the end of the belt or the part ahead.
+    fn free_way(
+        &self,
+        conveyor: &Conveyor,
+        part: &TrackPart,
+        track: &IsometryMatrix3<f64>,
+        view: &HandlingView<'_>,
+    ) -> f64 {
+        let end = match conveyor.end {
+            ConveyorEnd::Stop => conveyor.belt.max.x - part.bounds.max.x,
+            ConveyorEnd::Remove => f64::INFINITY,
+        };
+        let ahead = self.track_parts(track, view).filter(|other| other.number != part.number);
+        let gaps = ahead.filter(|other| is_ahead(&part.bounds, &other.bounds));
+        let gap = gaps.map(|other| other.bounds.min.x - part.bounds.max.x - GAP).fold(f64::INFINITY, f64::min);
+        end.min(gap).max(0.0)
+    }
+
+    fn move_along(&mut self, part: usize, track: &IsometryMatrix3<f64>, way: f64, view: &HandlingView<'_>) {
+        let Some(here) = view.body(BodyCarrier::Part(part), &self.parts) else { return };
+        let step = Trsf::new([way, 0.0, 0.0], [0.0; 3]).isometry();
+        let pose = track * step * track.inverse() * here;
+        if let Some(place) = Arc::make_mut(&mut self.parts).get_mut(part) {
+            *place = PartPlace { holder: PartHolder::World, pose };
+        }
+    }
+
+    /// Adds the next part to a belt, if its place is free.
+    fn feed(
+        &mut self,
+        conveyor: &Conveyor,
+        state: &mut ConveyorState,
+        (place, track): (&IsometryMatrix3<f64>, &IsometryMatrix3<f64>),
+        view: &HandlingView<'_>,
+    ) -> Option<HandlingEvent> {
+        let waits = |part: &usize| self.parts.get(*part).is_some_and(|place| place.holder == PartHolder::Gone);
+        let next = conveyor.feed.as_ref().and_then(|feed| {
+            // A script may have placed a part before its arrival.
+            let skipped = feed.parts.iter().skip(state.fed).position(waits)?;
+            state.fed += skipped;
+            Some((feed, *feed.parts.get(state.fed)?))
+        });
+        let Some((feed, part)) = next else {
+            state.next = NextPart::Never;
+            return None;
+        };
+        let pose = place * feed.pose;
+        let bounds = part_bounds(part, &pose, track, view)?;
+        if self.track_parts(track, view).any(|other| overlap(&bounds, &other.bounds)) {
+            state.next = NextPart::Blocked;
+            return None;
+        }
+        *Arc::make_mut(&mut self.parts).get_mut(part)? = PartPlace { holder: PartHolder::World, pose };
+        // A part that has waited for its place delays the next one.
+        let time = if let NextPart::At(due) = state.next { due } else { view.sight.time };
+        state.next = NextPart::At(time + feed.every);
+        state.fed += 1;
+        state.is_moving = true;
+        let name = view.scene.cell().parts.get(part)?.name.clone();
+        Some(HandlingEvent::Part { part: name, is_gone: false })
+    }
+
+    /// Standing parts that a conveyor shifts.
+    fn on_belt<'h>(
+        &'h self,
+        conveyor: &'h Conveyor,
+        track: &'h IsometryMatrix3<f64>,
+        view: &'h HandlingView<'_>,
+    ) -> impl Iterator<Item = TrackPart> + 'h {
+        self.track_parts(track, view).filter(|part| {
+            let [x, y] = centre(&part.bounds);
+            let belt = &conveyor.belt;
+            let is_within = belt.min.x <= x && x <= belt.max.x && belt.min.y <= y && y <= belt.max.y;
+            is_within && (belt.min.z..=belt.max.z + ABOVE).contains(&part.bounds.min.z)
+        })
+    }
+
+    /// All standing parts, in the frame of a track.
+    fn track_parts<'h>(
+        &'h self,
+        track: &'h IsometryMatrix3<f64>,
+        view: &'h HandlingView<'_>,
+    ) -> impl Iterator<Item = TrackPart> + 'h {
+        let places = Places { data: &view.sight.places, parts: &self.parts };
+        let standing = self.parts.iter().enumerate().filter(|(_, place)| {
+            matches!(place.holder, PartHolder::World | PartHolder::Frame(_))
+        });
+        standing.filter_map(move |(number, _)| {
+            let pose = view.position.carrier(BodyCarrier::Part(number), places)?;
+            Some(TrackPart { number, bounds: part_bounds(number, &pose, track, view)? })
+        })
+    }
+}
+
+/// Box around a part at a pose in `world`, in the frame of a track.
+fn part_bounds(
+    part: usize,
+    pose: &IsometryMatrix3<f64>,
+    track: &IsometryMatrix3<f64>,
+    view: &HandlingView<'_>,
+) -> Option<Bounds> {
+    let pose = track.inv_mul(pose);
+    let solids = view.scene.cell().parts.get(part)?.solids.iter();
+    let boxes = solids.map(|solid| solid.shape.bounds(&(pose * solid.pose)));
+    boxes.reduce(|all, next| Bounds { min: all.min.inf(&next.min), max: all.max.sup(&next.max) })
+}
+
+/// Centre of a box in a view from above.
+fn centre(bounds: &Bounds) -> [f64; 2] {
+    [(bounds.min.x + bounds.max.x) / 2.0, (bounds.min.y + bounds.max.y) / 2.0]
+}
+
+/// Whether a box is in the way of another one that moves along the x axis.
+fn is_ahead(moving: &Bounds, other: &Bounds) -> bool {
+    let in_way = |from: f64, to: f64, low: f64, high: f64| from < high && low < to;
+    centre(moving)[0] < centre(other)[0]
+        && in_way(moving.min.y, moving.max.y, other.min.y, other.max.y)
+        && in_way(moving.min.z, moving.max.z, other.min.z, other.max.z)
+}
+
+/// Whether two boxes overlap or are nearer than the gap between parts, along the track.
+fn overlap(one: &Bounds, other: &Bounds) -> bool {
+    let touches = |from: f64, to: f64, low: f64, high: f64| from < high && low < to;
+    touches(one.min.x - GAP, one.max.x + GAP, other.min.x, other.max.x)
+        && touches(one.min.y, one.max.y, other.min.y, other.max.y)
+        && touches(one.min.z, one.max.z, other.min.z, other.max.z)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,236 @@
+//! Changes of files: their effect on findings, their diff, and writing.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use similar::TextDiff;
+use val3_analysis::db::{Database, Db, File, FileEdit, FileStatus};
+use val3_analysis::load::Workspace;
+use val3_analysis::system::{Disk, OverlayFs, System};
+use val3_check::diagnostic::Diagnostic;
+use val3_check::rule::Severity;
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
+use val3_check::{Checked, check_unit, finish, units};
+use val3_files::{FileClass, Unwritable, replace, replace_unchanged};
+use val3_ide::SourceChange;
+use val3_syntax::encoding::{Encoding, decode};
+
+use crate::projects;
+use crate::refusal::Refusal;
+use crate::roots::Roots;
+
+/// Change of one file. The content is in the file's encoding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct FileChange {
+    path: Utf8PathBuf,
+    /// Content before; `None` if the file is created.
+    before: Option<Vec<u8>>,
+    /// Content after; `None` if the file is removed.
+    after: Option<Vec<u8>>,
+}
+
+/// Changes of files, which are written together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Changes(Vec<FileChange>);
+
+impl Changes {
+    /// Converts a change of source texts to bytes.
+    ///
+    /// # Errors
+    /// A file is outside of the roots, or its encoding does not have a character of the new text.
+    pub(crate) fn of(db: &Database, roots: &Roots, change: &SourceChange) -> Result<Self, Refusal> {
+        let mut files: BTreeMap<Utf8PathBuf, FileChange> = BTreeMap::new();
+        for (path, text) in &change.creates {
+            let after = Some(text.clone().into_bytes());
+            files.insert(path.clone(), FileChange { path: path.clone(), before: None, after });
+        }
+        for file in edited_files(change) {
+            let edits = change.edits.iter().filter(|edit| edit.file == file);
+            let after = FileEdit::apply_all(file.text(db), edits);
+            let file = edited(db, roots, file, &after)?;
+            files.insert(file.path.clone(), file);
+        }
+        for (old, new) in &change.moves {
+            let moved = match files.remove(old) {
+                Some(edited) => edited,
+                None => unchanged(old)?,
+            };
+            files.insert(new.clone(), FileChange { path: new.clone(), before: None, after: moved.after });
+            files.insert(old.clone(), FileChange { path: old.clone(), before: moved.before, after: None });
+        }
+        for path in &change.deletes {
+            let file = unchanged(path)?;
+            files.insert(path.clone(), FileChange { after: None, ..file });
+        }
+        let files: Vec<FileChange> = files.into_values().filter(|file| file.before != file.after).collect();
+        match files.iter().find(|file| !roots.contains(&Disk.target(&file.path))) {
+            Some(file) => {
+                Err(Refusal(format!("`{}` would have to be changed, and is outside of `{}`", file.path, roots.first())))
+            }
+            None => Ok(Self(files)),
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Changed files, each with its changed lines. A created file has only its number of lines.
+    pub(crate) fn diff(&self, roots: &Roots) -> String {
+        self.0.iter().map(|file| file.diff(roots)).collect()
+    }
+
+    /// Findings of the projects below `path` that the change adds, one a line, with the number of findings that it
+    /// removes.
+    ///
+    /// # Errors
+    /// The projects cannot be read.
+    pub(crate) fn effect(&self, roots: &Roots, path: &Utf8Path) -> Result<Effect, Refusal> {
+        let before = findings(&Disk, roots, path)?;
+        let mut changed = OverlayFs::new(Disk);
+        for FileChange { path, after, .. } in &self.0 {
+            if let Some(after) = after {
+                changed.store(path.clone(), after.clone());
+            }
+        }
+        let mut after = findings(&changed, roots, path)?;
+        // The overlay cannot remove a file.
+        let removed: Vec<String> =
+            self.0.iter().filter(|file| file.after.is_none()).map(|file| roots.shown(&file.path)).collect();
+        after.retain(|finding| !removed.iter().any(|path| finding.text.contains(path.as_str())));
+        let new: Vec<&Finding> = after.iter().filter(|finding| !before.iter().any(|old| old.is(finding))).collect();
+        let solved = before.iter().filter(|finding| !after.iter().any(|new| new.is(finding))).count();
+        Ok(Effect {
+            has_errors: new.iter().any(|finding| finding.severity == Severity::Error),
+            new: new.iter().map(|finding| finding.text.clone()).collect(),
+            solved,
+        })
+    }
+
+    /// Writes all files. Each file is replaced completely or stays unchanged.
+    ///
+    /// # Errors
+    /// A file cannot be written, or was changed since it was read. Files before it are written.
+    pub(crate) fn write(&self, roots: &Roots) -> Result<(), Refusal> {
+        self.0.iter().try_for_each(|file| file.write(roots))
+    }
+}
+
+/// Effect of a change on findings.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Effect {
+    /// New findings, one a line.
+    pub(crate) new: Vec<String>,
+    /// Whether one of the new findings is an error.
+    pub(crate) has_errors: bool,
+    /// Number of findings that have disappeared.
+    pub(crate) solved: usize,
+}
+
+impl FileChange {
+    fn diff(&self, roots: &Roots) -> String {
+        let path = roots.shown(&self.path);
+        let text = |bytes: &[u8]| decode(bytes.to_vec()).text;
+        match (&self.before, &self.after) {
+            (None, Some(after)) => format!("created {path}, {} lines\n", text(after).lines().count()),
+            (_, None) => format!("removed {path}\n"),
+            (Some(before), Some(after)) => {
+                let (before, after) = (text(before), text(after));
+                let diff = TextDiff::from_lines(before.as_str(), after.as_str());
+                let hunks = diff.unified_diff().context_radius(0).to_string();
+                format!("changed {path}\n```diff\n{}\n```\n", hunks.trim_end())
+            }
+        }
+    }
+
+    fn write(&self, roots: &Roots) -> Result<(), Refusal> {
+        let refused = |reason: &dyn std::fmt::Display| {
+            Refusal(format!(
+                "cannot write `{}`: {reason}. Files before it are written: `check` shows the state",
+                roots.shown(&self.path)
+            ))
+        };
+        let written: Result<(), Unwritable> = match (&self.before, &self.after) {
+            (Some(before), Some(after)) => replace_unchanged(&self.path, FileClass::Program, before, after),
+            (None, Some(after)) => replace(&self.path, after),
+            (_, None) => return fs::remove_file(&self.path).map_err(|error| refused(&error)),
+        };
+        written.map_err(|reason| refused(&reason))
+    }
+}
+
+/// Files with edits, each once.
+fn edited_files(change: &SourceChange) -> Vec<File> {
+    let mut files: Vec<File> = Vec::new();
+    for edit in &change.edits {
+        if !files.contains(&edit.file) {
+            files.push(edit.file);
+        }
+    }
+    files
+}
+
+fn edited(db: &Database, roots: &Roots, file: File, after: &str) -> Result<FileChange, Refusal> {
+    let path = file.path(db);
+    let encoding = match file.status(db) {
+        FileStatus::Read { encoding, .. } => *encoding,
+        FileStatus::Unreadable(reason) => return Err(Refusal(format!("`{}`: {reason}", roots.shown(path)))),
+    };
+    let bytes = encoding.encode(after);
+    if !reads_back(&bytes, encoding, after) {
+        let reason = "the new text has a character that the encoding of the file does not support: use ASCII";
+        return Err(Refusal(format!("`{}`: {reason}", roots.shown(path))));
+    }
+    Ok(FileChange { path: path.clone(), before: Some(encoding.encode(file.text(db))), after: Some(bytes) })
+}
+
+fn reads_back(bytes: &[u8], encoding: Encoding, text: &str) -> bool {
+    let read = decode(bytes.to_vec());
+    read.text == text && read.encoding == encoding
+}
+
+fn unchanged(path: &Utf8Path) -> Result<FileChange, Refusal> {
+    let bytes = val3_files::read(path, FileClass::Program).map_err(|reason| Refusal(format!("`{path}`: {reason}")))?;
+    Ok(FileChange { path: path.to_owned(), before: Some(bytes.clone()), after: Some(bytes) })
+}
+
+/// A finding, compared without its line.
+struct Finding {
+    severity: Severity,
+    key: String,
+    text: String,
+}
+
+impl Finding {
+    fn of(db: &dyn Db, roots: &Roots, finding: &Diagnostic) -> Self {
+        let Diagnostic { rule, severity, message, place, help, .. } = finding;
+        let path = roots.shown(place.file.path(db));
+        let text = place.file.text(db);
+        let start = usize::from(place.range.start());
+        let line = 1 + text.get(..start).unwrap_or_default().matches('\n').count();
+        let level = format!("{severity:?}").to_lowercase();
+        let code = text.lines().nth(line - 1).unwrap_or_default().trim();
+        let help = if help.is_empty() { String::new() } else { format!(" — {help}") };
+        Self {
+            severity: *severity,
+            key: format!("{path} {} {message}", rule.code),
+            text: format!("{level} {} {path}:{line}: {message}{help}\n    {code}", rule.code),
+        }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+}
+
+/// Findings of the projects below a path.
+fn findings(system: &dyn System, roots: &Roots, path: &Utf8Path) -> Result<Vec<Finding>, Refusal> {
+    let Workspace { db, projects, .. } = projects::read(system, roots, path)?;
+    let settings = WorkspaceSettings::new(&db, &projects, &RuleSelection::default())
+        .map_err(|errors| Refusal(errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")))?;
+    let units = units(&db, &projects);
+    let checked: Checked = units.iter().map(|unit| check_unit(&db, *unit, &settings)).sum();
+    let found = finish(&db, &units, &settings, checked).findings;
+    Ok(found.iter().map(|finding| Finding::of(&db, roots, finding)).collect())
+}

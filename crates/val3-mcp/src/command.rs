@@ -1,0 +1,132 @@
+//! Commands of `val3`, which the tools start.
+
+use std::time::Duration;
+
+use crate::refusal::Refusal;
+
+/// Limits of a command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CommandLimits {
+    /// Wall time after which the command is ended.
+    pub wall: Duration,
+    /// Memory in bytes, on systems that can limit it.
+    pub memory: u64,
+}
+
+/// Limits of commands that execute one program.
+pub(crate) const OF_RUNS: CommandLimits = CommandLimits { wall: Duration::from_secs(10), memory: 512 << 20 };
+
+/// Limits of commands that read or test whole cells on several threads.
+pub(crate) const OF_CELLS: CommandLimits = CommandLimits { wall: Duration::from_secs(60), memory: 2 << 30 };
+
+/// A command and its input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CommandRequest {
+    /// Name and arguments of the command, for example `check`, `usr`.
+    pub arguments: Vec<String>,
+    /// Text of the standard input.
+    pub input: String,
+    /// Script text, which the command receives in a temporary file as `--script`.
+    pub script: Option<String>,
+    /// Limits.
+    pub limits: CommandLimits,
+}
+
+impl CommandRequest {
+    pub(crate) fn new(arguments: impl IntoIterator<Item = impl Into<String>>, limits: CommandLimits) -> Self {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        Self { arguments, input: String::new(), script: None, limits }
+    }
+}
+
+/// Output of a command that has ended by itself.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct CommandOutput {
+    /// Exit code.
+    pub exit_code: i32,
+    /// Standard output.
+    pub text: String,
+    /// Standard error output.
+    pub messages: String,
+}
+
+/// Reason why a command has no output.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CommandEnd {
+    /// The wall time is used up.
+    Time,
+    /// The client has cancelled the call.
+    Cancelled,
+    /// The command has written more than the server reads.
+    Output,
+    /// The command was ended by a signal: a panic, or the memory is used up. The text is its last message.
+    Crash(String),
+    /// The command cannot be started.
+    Start(String),
+}
+
+/// Starts commands of `val3`.
+pub trait Commands: Send + Sync {
+    /// Starts a command in the first root, and waits for its end. `is_cancelled` is polled meanwhile.
+    ///
+    /// # Errors
+    /// The command has not ended by itself.
+    fn start(&self, request: &CommandRequest, is_cancelled: &dyn Fn() -> bool) -> Result<CommandOutput, CommandEnd>;
+}
+
+/// Exit code of wrong arguments and unreadable files.
+const USAGE: i32 = 2;
+
+/// Starts a command whose exit code is not that of wrong arguments.
+///
+/// # Errors
+/// The command rejects its arguments, has reached a limit or was ended.
+pub(crate) fn run(
+    commands: &dyn Commands,
+    request: &CommandRequest,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Result<CommandOutput, Refusal> {
+    let name = request.arguments.first().map(String::as_str).unwrap_or_default();
+    match commands.start(request, is_cancelled) {
+        Ok(output) if output.exit_code == USAGE => Err(Refusal::new(output.messages.trim())),
+        Ok(output) => Ok(output),
+        Err(end) => Err(Refusal::new(ended(name, &end, request.limits))),
+    }
+}
+
+fn ended(name: &str, end: &CommandEnd, limits: CommandLimits) -> String {
+    match end {
+        CommandEnd::Time => format!(
+            "`{name}` was ended after {} s of wall time: name a smaller part of the cell, or shorten the run with `until`",
+            limits.wall.as_secs()
+        ),
+        CommandEnd::Cancelled => format!("`{name}` was cancelled"),
+        CommandEnd::Output => format!("`{name}` was ended because it writes without end: print less in the program"),
+        CommandEnd::Crash(message) => format!(
+            "`{name}` has ended unexpectedly, by a fault of val3 or because it needs more than {} MB: report it, with \
+             the call and this message: {message}",
+            limits.memory >> 20
+        ),
+        CommandEnd::Start(reason) => format!("`{name}` cannot be started: {reason}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn every_end_has_its_remedy() {
+        let shown = |end: CommandEnd| ended("run", &end, OF_RUNS);
+        expect![
+            "`run` was ended after 10 s of wall time: name a smaller part of the cell, or shorten the run with `until`"
+        ]
+        .assert_eq(&shown(CommandEnd::Time));
+        expect!["`run` was ended because it writes without end: print less in the program"]
+            .assert_eq(&shown(CommandEnd::Output));
+        expect!["`run` has ended unexpectedly, by a fault of val3 or because it needs more than 512 MB: report it, with the call and this message: memory"]
+            .assert_eq(&shown(CommandEnd::Crash("memory".to_owned())));
+    }
+}

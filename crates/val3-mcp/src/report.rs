@@ -1,0 +1,38 @@
+//! Reports of commands: JSON and messages.
+
+use serde_json::Value;
+
+use crate::command::CommandOutput;
+use crate::refusal::Refusal;
+
+/// Parses the output of a command as JSON.
+pub(crate) fn json(output: &CommandOutput) -> Result<Value, Refusal> {
+    serde_json::from_str(&output.text)
+        .map_err(|error| Refusal(format!("the output of the command cannot be read ({error}): {}", output.messages)))
+}
+
+/// Messages of a command on lines of their own, without advice to use options that a call does not have.
+pub(crate) fn notes(messages: &str) -> String {
+    let is_advice = |line: &str| line.trim_start().starts_with("help:") && line.contains("--");
+    messages.trim().lines().filter(|line| !is_advice(line)).map(|line| format!("\n{line}")).collect()
+}
+
+/// Text of a JSON value; empty if it is none.
+pub(crate) fn text<'v>(value: &'v Value, key: &str) -> &'v str {
+    value.get(key).and_then(Value::as_str).unwrap_or_default()
+}
+
+/// Number of a JSON value; 0 if it is none.
+pub(crate) fn number(value: &Value, key: &str) -> u64 {
+    value.get(key).and_then(Value::as_u64).unwrap_or_default()
+}
+
+/// Items of a JSON array; empty if it is none.
+pub(crate) fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value.get(key).and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default()
+}
+
+/// A count with its noun: `1 error`, `2 errors`.
+pub(crate) fn counted(count: u64, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,93 @@
+//! The tools, one a file.
+
+mod check;
+mod eval;
+mod explain;
+mod outline;
+mod rename;
+mod run;
+mod test;
+mod write_data;
+mod write_program;
+
+pub(crate) use explain::{GUIDE, page};
+
+use crate::tool::{Effect, Tool};
+
+/// Returns the tools in the order of the list; those that change files only if `may_write`.
+pub(crate) fn all(may_write: bool) -> Vec<Tool> {
+    let tools = [
+        Tool::of::<outline::Outline>(),
+        Tool::of::<explain::Explain>(),
+        Tool::of::<check::Check>(),
+        Tool::of::<eval::Eval>(),
+        Tool::of::<run::Run>(),
+        Tool::of::<test::Test>(),
+        Tool::of::<write_program::WriteProgram>(),
+        Tool::of::<write_data::WriteData>(),
+        Tool::of::<rename::Rename>(),
+    ];
+    tools.into_iter().filter(|tool| may_write || tool.effect == Effect::Reads).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use serde_json::{Value, json};
+
+    use super::*;
+    use crate::command::CommandEnd;
+    use crate::testing::{Folder, call};
+
+    /// Descriptions and schemas of the tools as a client receives them, without annotations.
+    fn listed() -> Value {
+        let tool =
+            |tool: Tool| json!({ "name": tool.name, "description": tool.description, "inputSchema": tool.schema });
+        all(true).into_iter().map(tool).collect()
+    }
+
+    #[test]
+    fn the_list_has_nine_tools_and_six_that_only_read() {
+        assert_eq!((all(true).len(), all(false).len()), (9, 6));
+    }
+
+    #[test]
+    fn the_list_fits_its_budget() {
+        // Titles and annotations need about 150 bytes more for each tool.
+        let bytes = listed().to_string().len() + 9 * 150;
+        assert!(bytes <= 9_000, "{bytes}");
+    }
+
+    #[test]
+    fn every_schema_is_one_that_clients_accept() {
+        for tool in all(true) {
+            let schema = Value::Object(tool.schema.clone());
+            assert_eq!(schema["type"], "object", "{}", tool.name);
+            assert_eq!(schema["additionalProperties"], false, "{}", tool.name);
+            for (name, property) in schema["properties"].as_object().unwrap() {
+                assert!(property["description"].is_string(), "{}.{name} has no description", tool.name);
+                assert!(property["type"].is_string(), "{}.{name} has no single type: {property}", tool.name);
+                assert!(property["type"] != "array" || property["items"].is_object(), "{}.{name}", tool.name);
+            }
+            let text = schema.to_string();
+            assert!(!text.contains("$ref") && !text.contains("\"null\"") && !text.contains("anyOf"), "{text}");
+        }
+    }
+
+    /// Refusal of a call with these arguments, before a command is started.
+    fn refused(name: &str, arguments: Value) -> String {
+        let tool = all(true).into_iter().find(|tool| tool.name == name).unwrap();
+        let unexpected = Err(CommandEnd::Start("no command was expected".to_owned()));
+        call(&Folder::new(&[]), &tool, arguments, unexpected).unwrap_err().0
+    }
+
+    #[test]
+    fn wrong_arguments_are_refused_with_the_right_form() {
+        expect![[r#"the arguments of `explain` are wrong: missing field `topic`. Write {"detail": boolean, "topic": string (required)}"#]]
+            .assert_eq(&refused("explain", json!({})));
+        expect![[r#"the arguments of `explain` are wrong: unknown field `word`, expected `topic` or `detail`. Write {"detail": boolean, "topic": string (required)}"#]]
+            .assert_eq(&refused("explain", json!({ "word": "movej" })));
+        expect![[r#"the arguments of `explain` are wrong: invalid type: integer `3`, expected a string. Write {"detail": boolean, "topic": string (required)}"#]]
+            .assert_eq(&refused("explain", json!({ "topic": 3 })));
+    }
+}

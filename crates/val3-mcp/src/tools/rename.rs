@@ -1,0 +1,80 @@
+//! `rename`: a name at all its uses.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use smol_str::SmolStr;
+use val3_analysis::db::{Database, FileRange, Project};
+use val3_analysis::items::declarations;
+use val3_analysis::items::project::items;
+use val3_analysis::system::Disk;
+use val3_ide::{FilePosition, rename};
+
+use crate::answer::Answer;
+use crate::changes::Changes;
+use crate::projects::{self, unknown};
+use crate::refusal::Refusal;
+use crate::tool::{Call, Definition, Effect};
+use crate::written::changed;
+
+/// The tool.
+pub(super) struct Rename;
+
+/// Arguments.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Arguments {
+    /// Folder of the project that declares the name; for a field, that of the user type
+    path: String,
+    /// Program, global data, field, library identifier or user type; with `program` a parameter or local
+    name: String,
+    /// New name
+    to: String,
+    /// Program that declares the parameter or local
+    program: Option<String>,
+    /// Only show the effect, and write nothing
+    #[serde(default)]
+    dry_run: bool,
+}
+
+impl Definition for Rename {
+    const NAME: &'static str = "rename";
+    const TITLE: &'static str = "Rename";
+    const DESCRIPTION: &'static str = "Renames a declaration and all its uses in the programs, data and project files of \
+        all projects of the cell, also in libraries that share an interface. Refused if the meaning of any code would \
+        change.";
+    const EFFECT: Effect = Effect::WritesOnce;
+    type Arguments = Arguments;
+
+    fn call(call: &Call<'_>, arguments: Arguments) -> Result<Answer, Refusal> {
+        let path = call.roots.resolve(&arguments.path)?;
+        // Other projects of the root may use the name.
+        let root = call.roots.first();
+        let workspace = projects::read(&Disk, call.roots, if path.starts_with(root) { root } else { &path })?;
+        let project = projects::only(&workspace, call.roots, &path)?;
+        let db = &workspace.db;
+        let FileRange { file, range } = declaration(db, project, &arguments)?;
+        let at = FilePosition { file, offset: range.start() };
+        let change = rename(db, at, &arguments.to).map_err(|error| Refusal(error.0))?;
+        changed(call, &Changes::of(db, call.roots, &change)?, root, arguments.dry_run)
+    }
+}
+
+/// Location of the declaration.
+fn declaration(db: &Database, project: Project, arguments: &Arguments) -> Result<FileRange, Refusal> {
+    let items = items(db, project);
+    let name = SmolStr::new(&arguments.name);
+    if let Some(program) = &arguments.program {
+        let file =
+            *items.programs.get(program.as_str()).ok_or_else(|| unknown("program", program, items.programs.keys()))?;
+        let header = val3_analysis::items::program::header(db, file);
+        let names = header.params.iter().map(|param| &param.name).chain(header.locals.iter().map(|local| &local.name));
+        let found = declarations::param(db, file, name.clone()).or_else(|| declarations::local(db, file, name));
+        return found.ok_or_else(|| unknown("parameter or local", &arguments.name, names));
+    }
+    let found = items.programs.get(&name).and_then(|file| declarations::program(db, *file));
+    let found = found.or_else(|| declarations::data(db, items.data.get(&name)?.file, name.clone()));
+    let found = found.or_else(|| declarations::library(db, project, name.clone()));
+    let found = found.or_else(|| declarations::user_type(db, project, name));
+    let names = items.programs.keys().chain(items.data.keys()).chain(items.libraries.keys()).chain(items.types.keys());
+    found.ok_or_else(|| unknown("name", &arguments.name, names))
+}
