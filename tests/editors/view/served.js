@@ -83,6 +83,16 @@ function setProgram(folder, code) {
   writeFileSync(file, readFileSync(file, "latin1").replace(/begin[^]*end(?=\s*\]\]>)/, `begin${code}\nend`), "latin1");
 }
 
+/** Replaces the program by one that moves without end. The palletiser rests when its boxes are done. */
+const moveForever = (folder) => setProgram(folder, `
+  while true
+    jHome.j1=60
+    movej(jHome,tGripper,mFast)
+    jHome.j1=-60
+    movej(jHome,tGripper,mFast)
+    waitEndMove()
+  endWhile`);
+
 /** Serves the palletiser, after `prepare` has changed its folder, and calls `work` with it. */
 async function served(options, work, prepare = () => undefined) {
   const run = new Served(options, prepare);
@@ -126,4 +136,4 @@ async function openFile(path) {
 
 const BOXES = ["--script", "boxes.toml"];
 
-module.exports = { BOXES, hold, now, openFile, served, setProgram, until };
+module.exports = { BOXES, hold, moveForever, now, openFile, served, setProgram, until };

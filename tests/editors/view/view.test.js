@@ -3,23 +3,13 @@ const assert = require("node:assert/strict");
 const { readFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { BOXES, now, served, setProgram, until } = require("./served.js");
+const { BOXES, moveForever, now, served, setProgram, until } = require("./served.js");
 
 const pose = (page) => page.evaluate(() => window.val3View.pose());
 
 /** Until the arm is away from a pose by more than 5 mm or degrees. */
 const hasMoved = (page, from) => page.waitForFunction(
   (from) => window.val3View.pose().some((part, axis) => Math.abs(part - from[axis]) > 5), from);
-
-/** Replaces the program by one that moves without end. The palletiser rests when its boxes are done. */
-const moveForever = (folder) => setProgram(folder, `
-  while true
-    jHome.j1=60
-    movej(jHome,tGripper,mFast)
-    jHome.j1=-60
-    movej(jHome,tGripper,mFast)
-    waitEndMove()
-  endWhile`);
 
 test("the arm is seen to move, and its poses are those of the trace", () => served(["--power", "--trace", "trace.csv"], async (run) => {
   const page = await run.open();
