@@ -2,7 +2,7 @@
 
 use val3_analysis::db::FileRange;
 use val3_analysis::occurrences::{Symbol, Usage, occurrences};
-use val3_ide::{FilePosition, RenameError, projects_of, rename};
+use val3_ide::{FilePosition, RefactoringError, projects_of, rename};
 use val3_syntax::TextSize;
 
 use crate::assists::edited_cell::{Counts, EditedCell, counted, surplus};
@@ -30,7 +30,7 @@ pub(crate) fn there_and_back(
     cell: &mut EditedCell,
     findings: &Counts,
     task: &(FileRange, String),
-) -> Result<Vec<String>, RenameError> {
+) -> Result<Vec<String>, RefactoringError> {
     let (place, old) = task;
     let at = FilePosition { file: place.file, offset: place.range.start() };
     let change = rename(cell.db(), at, NEW)?;
