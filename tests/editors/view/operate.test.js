@@ -4,7 +4,7 @@ const { spawnSync } = require("node:child_process");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { BOXES, hold, openFile, served, until } = require("./served.js");
+const { BOXES, hold, moveForever, openFile, served, until } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
@@ -58,7 +58,7 @@ test("links have the shapes of their files", () => served([], async (run) => {
   writeFileSync(join(folder, "val3.toml"), '[run]\nshapes = { base = "base.stl", link1 = "link.glb" }\n');
 }));
 
-test("a point is taught and saved, and nothing else is", () => served(BOXES, async (run) => {
+test("a point is taught and saved, and nothing else is", () => served(["--power"], async (run) => {
   const file = join(run.folder, POINTS);
   const before = readFileSync(file, "latin1");
   const page = await run.open();
@@ -92,7 +92,7 @@ test("a point is taught and saved, and nothing else is", () => served(BOXES, asy
   const overwritten = readFileSync(file, "latin1");
   assert.notEqual(overwritten, edited);
   assert.ok(overwritten.endsWith("<!-- by hand -->\n"));
-}));
+}, moveForever));
 
 test("a stopped application starts again with its unsaved point", () => served(BOXES, async (run) => {
   const page = await run.open();

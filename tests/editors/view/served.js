@@ -1,7 +1,7 @@
 // The palletiser, served by `val3 run --serve`, and the browser that shows it.
 const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
-const { cpSync, mkdtempSync, rmSync } = require("node:fs");
+const { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { after, before } = require("node:test");
@@ -77,6 +77,22 @@ class Served {
   }
 }
 
+/** Replaces the code of the program `start` of the palletiser in a folder, between `begin` and `end`. */
+function setProgram(folder, code) {
+  const file = join(folder, "usr/usrapp/palletiser/start.pgx");
+  writeFileSync(file, readFileSync(file, "latin1").replace(/begin[^]*end(?=\s*\]\]>)/, `begin${code}\nend`), "latin1");
+}
+
+/** Replaces the program by one that moves without end. The palletiser rests when its boxes are done. */
+const moveForever = (folder) => setProgram(folder, `
+  while true
+    jHome.j1=60
+    movej(jHome,tGripper,mFast)
+    jHome.j1=-60
+    movej(jHome,tGripper,mFast)
+    waitEndMove()
+  endWhile`);
+
 /** Serves the palletiser, after `prepare` has changed its folder, and calls `work` with it. */
 async function served(options, work, prepare = () => undefined) {
   const run = new Served(options, prepare);
@@ -120,4 +136,4 @@ async function openFile(path) {
 
 const BOXES = ["--script", "boxes.toml"];
 
-module.exports = { BOXES, hold, now, openFile, served, until };
+module.exports = { BOXES, hold, moveForever, now, openFile, served, setProgram, until };

@@ -1,12 +1,11 @@
 // A session with nothing but the page: a fault, its repair, points that are taught with two tools, and another start.
 const assert = require("node:assert/strict");
-const { mkdirSync, readFileSync, writeFileSync } = require("node:fs");
+const { mkdirSync, readFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { hold, served } = require("./served.js");
+const { hold, served, setProgram } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
-const START = "usr/usrapp/palletiser/start.pgx";
 const SIZES = [[1280, 800], [1366, 768], [1920, 1080], [390, 844]];
 
 /** Points with the tool with which they are taught, and the joints of the arm meanwhile. */
@@ -15,12 +14,6 @@ const TAUGHT = [
   ["pCorner[2]", "tSuction", [-10, 30, 80, 0, 50, 20]],
   ["pPick", "tSuction", [25, 10, 95, 10, 55, 0]],
 ];
-
-/** Replaces the code of the first program. */
-function program(folder, code) {
-  const file = join(folder, START);
-  writeFileSync(file, readFileSync(file, "latin1").replace(/begin[^]*end(?=\s*\]\]>)/, `begin\n${code}\nend`), "latin1");
-}
 
 /** Stores pictures of the page in all sizes and both looks, where `VAL3_OUTPUT` names a folder. */
 async function pictures(page, name) {
@@ -74,7 +67,7 @@ test("a fault is repaired, points are taught with two tools and saved, and the a
   await fault.getByText(/^Error 10: division by zero/).waitFor();
   await pictures(page, "fault");
 
-  program(run.folder, '  movej(jHome,tGripper,mFast)\n  waitEndMove()\n  putln("at home")\n  wait(false)');
+  setProgram(run.folder, '\n  movej(jHome,tGripper,mFast)\n  waitEndMove()\n  putln("at home")\n  wait(false)');
   await startAgain(page);
   await powerOn(page);
   await isAt(page, [0, -20, 110, 0, 90, 0], 1e-3);
@@ -105,4 +98,4 @@ test("a fault is repaired, points are taught with two tools and saved, and the a
   await powerOn(page);
   await page.getByText("at home").first().waitFor();
   assert.equal(readFileSync(join(run.folder, POINTS), "latin1"), saved);
-}, (folder) => program(folder, '  putln(toString("",1/0))')));
+}, (folder) => setProgram(folder, '\n  putln(toString("",1/0))')));

@@ -9,7 +9,8 @@ use super::{GeneratedFile, json, typescript};
 const PROTOCOL_TYPES: &[&str] =
     &["Location", "Position", "Range", "TextDocumentIdentifier", "TextDocumentPositionParams", "WorkspaceEdit"];
 
-/// Returns the files of the messages between a run and its pages. The extension sends some of them to the page in a panel.
+/// Returns the files of the messages between a run and its pages. The extension sends some of the messages to the page in
+/// its panel.
 ///
 /// # Errors
 /// The schema has no declaration in TypeScript.

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { signal } from "@preact/signals";
 import { Holder, type Step } from "../../src/panels/pendant/Holder";
+import { goStep } from "../../src/panels/pendant/jogSteps";
 import { nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
 import { type Answer, type Cell, type CellState, Notice } from "../../src/panels/shared/cell";
 
@@ -31,6 +32,20 @@ test("a held button adds steps while the arm follows, up to the limit", (context
   context.mock.timers.tick(600);
   assert.equal(sent.length, 2);
   assert.equal(notice.text.value, "Axis 1 is at its limit.");
+});
+
+test("the end of a way is silent, and a way that has no length is not", (context) => {
+  context.mock.timers.enable({ apis: ["setInterval"] });
+  const { cell, sent, arm } = bench();
+  const notice = new Notice();
+  const holder = new Holder(cell, notice);
+  holder.hold(goStep([7]));
+  context.mock.timers.tick(150);
+  arm(7);
+  context.mock.timers.tick(600);
+  assert.deepEqual([sent.length, notice.text.value], [2, ""]);
+  holder.hold(goStep([7]));
+  assert.deepEqual([sent.length, notice.text.value], [2, "The arm is there."]);
 });
 
 test("a released button adds no step", (context) => {

@@ -93,5 +93,5 @@ test("a way in joints has steps of 5 degrees and ends at its target", () => {
   const step = goStep([10, -4]);
   assert.deepEqual(step([0, 0]), { joints: [5, -2] });
   assert.deepEqual(step([6, -3]), { joints: [10, -4] });
-  assert.deepEqual(step([10, -4]), { refusal: "The arm is there." });
+  assert.deepEqual(step([10, -4]), { refusal: "The arm is there.", isArrival: true });
 });

@@ -40,7 +40,10 @@ export class Holder {
     }
     const result = step(from);
     if ("refusal" in result) {
-      this.notice.text.value = result.refusal;
+      // The end of the way needs no message, unless the arm was there from the start.
+      if (result.isArrival !== true || this.target === undefined) {
+        this.notice.text.value = result.refusal;
+      }
       this.release();
       return;
     }

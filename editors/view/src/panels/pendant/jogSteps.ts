@@ -14,7 +14,8 @@ const AHEAD = 2;
 
 const AXES: readonly Vector[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
-export type JogTarget = { joints: number[] } | Refusal;
+/** Target of a step, or the reason why there is none; `isArrival` if the arm is already where it shall go. */
+export type JogTarget = { joints: number[] } | (Refusal & { isArrival?: boolean });
 
 /** Whether the arm has nearly completed its last step. */
 export function mayContinue(present: readonly number[], target: readonly number[], start: readonly number[]): boolean {
@@ -68,7 +69,7 @@ export function goStep(target: readonly number[]): (joints: readonly number[]) =
     const ways = target.map((joint, axis) => joint - (joints[axis] ?? 0));
     const longest = Math.max(0, ...ways.map(Math.abs));
     if (longest < 1e-6) {
-      return { refusal: "The arm is there." };
+      return { refusal: "The arm is there.", isArrival: true };
     }
     const factor = Math.min(1, GO_STEP / longest);
     return { joints: target.map((joint, axis) => (factor === 1 ? joint : (joints[axis] ?? 0) + factor * (ways[axis] ?? 0))) };
