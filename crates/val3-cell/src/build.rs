@@ -37,7 +37,7 @@ pub struct Cell {
     pub sensors: Vec<Sensor>,
     /// The conveyors, whose belts are things.
     pub conveyors: Vec<Conveyor>,
-    /// Names of things whose frame, tool or signal the application lacks.
+    /// Names of things whose frame, tool or signal does not exist in the application.
     pub missing: Vec<String>,
     pub(crate) allowed: Allowed,
 }
@@ -109,7 +109,7 @@ impl Cell {
 pub(crate) struct CellMaker<'m> {
     carriers: &'m Carriers<'m>,
     surroundings: &'m mut dyn Surroundings,
-    /// Names of what the application lacks.
+    /// Names without a datum or signal in the application.
     missing: &'m mut Vec<String>,
 }
 

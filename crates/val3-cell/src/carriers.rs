@@ -36,7 +36,7 @@ impl Carrier {
         matches!(self, Self::Link(_) | Self::Flange | Self::Tool(_))
     }
 
-    /// Place of what it carries in the chain of an arm with this number of axes.
+    /// Place of carried things in the chain of an arm with this number of axes.
     pub(crate) fn chain(&self, axes: usize) -> Chain {
         match self {
             Self::World | Self::Frame(_) => None,
@@ -112,7 +112,7 @@ impl<'o> Carriers<'o> {
     }
 }
 
-/// Returns the carrier of an object, followed through the objects between; `None` if the application lacks it.
+/// Returns the carrier of an object, followed through the objects between; `None` if the application does not have it.
 fn resolve(
     index: usize,
     named: &[(Named, IsometryMatrix3<f64>)],

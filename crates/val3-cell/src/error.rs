@@ -1,4 +1,4 @@
-//! Errors of a cell that the schema of its file cannot detect.
+//! Errors in a cell that the file's schema cannot detect.
 
 use std::fmt;
 

@@ -53,6 +53,6 @@ pub struct SignalWrite {
 pub struct GripperCommand {
     /// Whether the output has the value for holding.
     pub holds: bool,
-    /// Time in seconds after which a change takes effect.
+    /// Delay of a change, in seconds.
     pub delay: f64,
 }

@@ -1,6 +1,6 @@
-//! Things around an arm: their file `cell.toml`, their places, and how near they come to the arm and to what it carries.
+//! Things around an arm: their file `cell.toml`, their places, and their distances to the arm and to carried things.
 //!
-//! Lengths are in mm, angles in degrees, times in seconds. The crate knows arms, but neither VAL 3 nor files: the caller
+//! Lengths are in mm, angles in degrees, times in seconds. The crate depends on arms, but neither on VAL 3 nor on files: the caller
 //! reads meshes, and states where the frames and tools of a program are.
 //!
 //! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each

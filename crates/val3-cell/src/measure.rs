@@ -8,7 +8,7 @@ use val3_geometry::{IsometryMatrix3, Vector3};
 pub struct Measured {
     /// Distance in mm; 0 or less if they touch: the depth of the overlap as a negative number, 0 for surfaces.
     pub distance: f64,
-    /// A nearest point of each body in `world`; twice the same point if they touch.
+    /// Nearest points on both bodies in `world`; the same point twice if they touch.
     pub points: [Vector3<f64>; 2],
 }
 
@@ -72,7 +72,7 @@ pub(crate) fn measure(a: &Placed<'_>, b: &Placed<'_>, limit: f64) -> Reading {
 }
 
 fn between(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Reading {
-    // An overlap has no limit: its depth decides which shapes of two bodies are named.
+    // An overlap has no limit: its depth decides which shapes are named.
     match nearest(a, b, limit.max(0.0)) {
         Nearness::Beyond => Reading::Beyond(limit),
         Nearness::Apart(Closest { distance, points }) => Reading::Measured(Measured { distance, points }),

@@ -55,7 +55,7 @@ impl fmt::Display for MeshError {
 impl std::error::Error for MeshError {}
 
 impl Mesh {
-    /// Returns the mesh without the outermost `depth` mm, at least this fraction of each extent.
+    /// Returns the mesh without the outermost `depth` mm. At least the fraction `least` of each extent remains.
     pub(crate) fn shrunk(&self, depth: f64, least: f64) -> Self {
         let mut points = self.points.iter();
         let first = points.next().copied().unwrap_or_default();
@@ -103,7 +103,7 @@ impl Mesh {
         self
     }
 
-    /// Length of the diagonal of the box around all corners.
+    /// Diagonal length of the box around all corners.
     pub(crate) fn extent(&self) -> f64 {
         let Some(start) = self.points.first() else { return 0.0 };
         let (min, max) =

@@ -22,12 +22,12 @@ pub struct Minimum {
     pub measured: Measured,
     /// Time in seconds.
     pub time: f64,
-    /// Whether one of them is a part, which touches what it stands on.
+    /// Whether one of them is a part: a part touches its support.
     pub has_part: bool,
 }
 
 /// Records the smallest distances of pairs, and over all pairs for each key: the line that has requested a move.
-/// Distances above 500 mm are left out, and so are those between parts of the arm and what it carries.
+/// Distances above 500 mm are omitted, and all distances between links and carried things.
 #[derive(Debug, Clone)]
 pub struct Minima<K> {
     observation: Observation,
@@ -67,7 +67,7 @@ impl<K: Ord + Clone> Minima<K> {
                 *track = Track::default();
                 continue;
             }
-            // Parts touch what they stand on: for a line, the distances of everything else are of interest.
+            // Parts touch their supports: a line's distances are without parts.
             let key = key.filter(|_| !pair.has_part());
             let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance + pair.touch);
             let known = key.and_then(|key| self.keys.get(key));
@@ -89,7 +89,7 @@ impl<K: Ord + Clone> Minima<K> {
         self.observation.record(sight);
     }
 
-    /// The smallest distance of each pair that came within 500 mm, smallest first.
+    /// Smallest distances of all pairs that came within 500 mm, smallest first.
     #[must_use]
     pub fn of_pairs(&self) -> Vec<&Minimum> {
         let mut minima: Vec<&Minimum> = self.pairs.iter().flatten().collect();

@@ -22,7 +22,7 @@ pub(crate) struct Pair {
     pub(crate) second: usize,
     /// Distance below which they are too near to each other.
     pub(crate) clearance: f64,
-    /// Depth in mm of an overlap that is no contact: the shapes of parts are smaller by it.
+    /// Overlaps up to this depth in mm are no contacts: the shapes of parts are smaller by it.
     pub(crate) touch: f64,
     /// How they are compared; `None` if this depends on what carries a part.
     pub(crate) comparison: Option<Comparison>,
@@ -79,10 +79,10 @@ pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
         let clearance = match compared {
             Some(Comparison::Arm) => 0.0,
             Some(Comparison::Touching) => own.unwrap_or(cell.clearance),
-            // Parts are near what they stand on.
+            // Parts are near their supports.
             None => own.unwrap_or(0.0),
         };
-        // What moves is named first.
+        // The moving body is named first.
         let (first, second) = if a.chain.is_none() && !a.is_part { (second, first) } else { (first, second) };
         let pair = Pair { first, second, clearance, touch: a.touch + b.touch, comparison: compared };
         (!is_gripper && !is_allowed).then_some(pair)

@@ -23,7 +23,7 @@ pub struct Part {
     pub is_outside: bool,
     /// Shapes, which copies share.
     pub solids: Arc<Vec<Solid>>,
-    /// Depth in mm of an overlap that is no contact.
+    /// Overlaps up to this depth in mm are no contacts.
     pub touch: f64,
     /// Distance in mm below which something is too near to this part.
     pub clearance: Option<f64>,

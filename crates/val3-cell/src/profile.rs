@@ -19,18 +19,18 @@ const AHEAD: f64 = 50.0;
 pub struct Proximity {
     /// Names of both things.
     pub names: [String; 2],
-    /// Distance in mm; the depth of an overlap as a negative number.
+    /// Distance in mm; negative for the depth of an overlap.
     pub distance: f64,
     /// Distance in mm below which these things are too near to each other.
     pub clearance: f64,
 }
 
-/// Computes the smallest distance at each cycle, without parts, which touch what they stand on, and without the pairs
+/// Computes the smallest distance at each cycle, without parts, which touch their supports, and without pairs
 /// within the arm and what it carries.
 #[derive(Debug, Clone)]
 pub struct Profile {
     observation: Observation,
-    /// Pairs with lower bounds of their distances.
+    /// Pairs with lower bounds for the distances.
     bounds: Vec<(usize, f64)>,
 }
 

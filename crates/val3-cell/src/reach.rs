@@ -1,8 +1,8 @@
-//! Greatest distances of bodies from the axes of an arm, which bound how far they move.
+//! Greatest distances from the axes of an arm to its bodies: they bound the movement of a body.
 
 use val3_kinematics::{Arm, Joints};
 
-/// Greatest distances between consecutive axes of an arm.
+/// Greatest distances between consecutive axes.
 #[derive(Debug, Clone)]
 pub(crate) struct Reach {
     /// For each link from 1: greatest distance of the next link's frame from its own, and whether its axis is a stroke.

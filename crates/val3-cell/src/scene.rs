@@ -32,7 +32,7 @@ pub struct Scene {
 pub(crate) struct Body {
     pub(crate) name: String,
     pub(crate) carrier: BodyCarrier,
-    /// Place in the chain of the arm; `None` for what stands, and for parts.
+    /// Place in the chain of the arm; `None` for stationary bodies and parts.
     pub(crate) chain: Chain,
     /// Shapes with their poses in the frame of the carrier; the cores of a part, with their poses in the frame of the part.
     pub(crate) shapes: Vec<(Shape, IsometryMatrix3<f64>)>,
@@ -93,7 +93,7 @@ impl Scene {
         !self.arm.shapes().is_empty()
     }
 
-    /// Whether [`crate::Minima`] records the distance of two bodies.
+    /// Whether [`crate::Minima`] records the distance between two bodies.
     #[must_use]
     pub fn compares(&self, names: &[String; 2]) -> bool {
         let [first, second] = names;
@@ -126,7 +126,7 @@ impl Scene {
         self.arm.axes() + 1
     }
 
-    /// Number of the body of a part.
+    /// A part's body number.
     pub(crate) fn part_body(&self, part: usize) -> usize {
         self.first_thing() + self.cell.things.len() + part
     }

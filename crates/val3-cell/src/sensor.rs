@@ -10,7 +10,7 @@ use crate::carriers::Carrier;
 pub struct Sensor {
     /// Name in messages and conditions.
     pub name: String,
-    /// Path or name of its input, if it has one.
+    /// Path or name of the input, if it has one.
     pub io: Option<String>,
     /// Whether the input is false while the sensor detects something.
     pub is_inverted: bool,

@@ -23,7 +23,7 @@ pub struct Solid {
     pub shape: Shape,
     /// Pose in the frame of the thing.
     pub pose: IsometryMatrix3<f64>,
-    /// The shape for pictures: as it was described, or the hull of a mesh if that is compared.
+    /// The shape for pictures: as described, or the compared hull of a mesh.
     pub form: SolidForm,
 }
 
@@ -169,7 +169,7 @@ fn sides(cuboid: &BoxKey, key: &str) -> Result<([f64; 3], [f64; 3]), CellError> 
     }
 }
 
-/// Reads a mesh, and refuses a size that hints at another unit.
+/// Reads a mesh, and rejects a size that suggests another unit.
 fn mesh_in_mm(
     path: &Utf8Path,
     unit: MeshUnit,

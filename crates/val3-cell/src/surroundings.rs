@@ -4,7 +4,7 @@ use camino::Utf8Path;
 
 use crate::mesh::Mesh;
 
-/// Properties of an arm for building a cell.
+/// The arm's properties for building a cell.
 #[derive(Debug, Clone, Copy)]
 pub struct ArmBase {
     /// Number of axes.
@@ -21,7 +21,7 @@ pub trait Surroundings {
     /// The file cannot be read, or is no mesh.
     fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String>;
 
-    /// Returns the kind of a datum of the application.
+    /// Returns the kind of a datum.
     ///
     /// # Errors
     /// Without a frame or tool of this name; a similar name, if one exists.

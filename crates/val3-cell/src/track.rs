@@ -106,7 +106,7 @@ impl<'s> Search<'s> {
     }
 
     /// Searches between two fractions with known distances, as long as the way between them permits a smaller one. The
-    /// depth of an overlap is known at the ends of steps alone.
+    /// depth of an overlap is known only at the ends of steps.
     fn divide(&mut self, from: (f64, f64), to: (f64, f64)) {
         let mut open = vec![(from, to)];
         while let Some((from, to)) = open.pop() {

@@ -14,7 +14,7 @@ use crate::track::{EXACT, Found, Track, Wanted};
 /// Distance in mm at which things touch.
 pub const TOUCHING: f64 = 1e-9;
 
-/// An encounter of two things.
+/// An encounter between two things.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Encounter<T> {
     /// State.
@@ -33,7 +33,7 @@ pub struct Encounter<T> {
     pub at_start: bool,
 }
 
-/// State of an encounter.
+/// The state of an encounter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EncounterState {
     /// They are nearer than their clearance.
@@ -153,7 +153,7 @@ impl<T: Clone> WatchedPair<T> {
             let ended = self.nearest.take().map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)));
             return [None, ended];
         };
-        // Distances are those of the cores of parts.
+        // Parts have the distances of their cores.
         let least = if pair.clearance > 0.0 { pair.clearance + pair.touch } else { TOUCHING };
         let wanted = match &self.nearest {
             None => Wanted { threshold: least, margin: 0.0, limit: least },
@@ -169,7 +169,7 @@ impl<T: Clone> WatchedPair<T> {
         [begun, ended.map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)))]
     }
 
-    /// Records a smaller distance. Returns the state of the encounter if it is another one than before.
+    /// Records a smaller distance. Returns the encounter's state if it has changed.
     fn approach(
         &mut self,
         found: &Found,

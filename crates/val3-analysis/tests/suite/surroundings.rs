@@ -128,7 +128,7 @@ fn a_carrier_that_no_application_has_is_a_fault() {
 
 #[test]
 fn a_carrier_of_an_application_that_is_not_loaded_is_no_fault() {
-    let cell = "[[object]]\nname = \"a\"\nin = \"fPalet\"\nbox = [1, 2, 3]";
+    let cell = "[[object]]\nname = \"a\"\nin = \"fElsewhere\"\nbox = [1, 2, 3]";
     let workspace = loaded(&system(APPLICATION, &[("cell.toml", cell)]));
     assert_eq!(cell_faults(&workspace.db, cell_file(&workspace), false), []);
 }

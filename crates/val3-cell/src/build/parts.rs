@@ -13,7 +13,7 @@ use crate::solids::{ShapedEntry, SolidMaker, solids};
 /// Greatest accepted number of copies.
 const MOST_COPIES: u32 = 1000;
 
-/// Names of the parts of an entry.
+/// An entry's part names.
 pub(super) fn names(entry: &PartEntry) -> Vec<String> {
     match entry.copies {
         None => vec![entry.name.clone()],

@@ -1,4 +1,4 @@
-//! How high a released part is above what is below it.
+//! Height of a released part above the bodies below it.
 
 use val3_collision::Bounds;
 
@@ -9,14 +9,14 @@ use crate::scene::BodyCarrier;
 const HANGS: f64 = 50.0;
 
 impl Handling {
-    /// Height of a part in mm above everything that stands below it, by the boxes around both, if it hangs in the air;
+    /// Height of a part in mm above all stationary bodies below it, by the boxes around both, if it hangs in the air;
     /// `None` if nothing is below it.
     pub(super) fn height_above(&self, part: usize, view: &HandlingView<'_>) -> Option<f64> {
         let bounds = self.bounds_of(view.scene.part_body(part), view)?;
         let others = (0..view.scene.bodies.len()).filter(|body| *body != view.scene.part_body(part));
         let standing = others.filter(|body| self.stands(*body, view)).filter_map(|body| self.bounds_of(body, view));
         let below = standing.filter(|other| shares_plan(&bounds, other) && other.min.z < bounds.min.z);
-        // The boxes are those of the cores of parts.
+        // Parts have the boxes of their cores.
         let touch = view.scene.cell().parts.get(part)?.touch;
         let height = below.map(|other| bounds.min.z - touch - other.max.z).reduce(f64::min)?;
         (height > HANGS).then_some(height)

@@ -10,7 +10,7 @@ use crate::gripper::{Gripper, GripperCommand, SignalWrite};
 use crate::part::{PartHolder, PartPlace};
 use crate::scene::{BodyCarrier, Scene};
 
-/// Radius in mm of the point of a gripper, and the exactness of its distances.
+/// Radius in mm of the sphere at the gripping point, and exactness of distances to it.
 const POINT: f64 = 1e-6;
 
 /// A part, and its distance from the point of a gripper.
@@ -27,7 +27,7 @@ pub struct NearPart {
 pub(super) struct GripperState {
     /// Whether the output had the value for holding in the last cycle; `None` before the first.
     commanded: Option<bool>,
-    /// Time in seconds at which the last change of the output takes effect.
+    /// Time in seconds at which the output's last change becomes effective.
     pub(super) due: Option<f64>,
     /// Number of the part that it holds.
     holds: Option<usize>,

@@ -1,4 +1,4 @@
-//! Sensors: what they detect, and when their inputs change.
+//! Sensors: detected bodies, and changes of their inputs.
 
 use std::collections::VecDeque;
 

@@ -265,7 +265,7 @@ fn errors_of_sensors_name_their_keys() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Two copies of the state with the same input have the same future, whatever has happened before.
+    /// Two copies of the state with the same input have the same future, for all pasts.
     #[test]
     fn a_restored_state_repeats_its_future(outputs in prop::collection::vec(any::<bool>(), 2..40), split in 0usize..40) {
         let mut first = bench(2.0);

@@ -148,7 +148,7 @@ impl<'b> Glb<'b> {
             .collect())
     }
 
-    /// Bytes of each entry of an accessor.
+    /// The bytes of an accessor, by entry.
     fn entries(&self, accessor: usize, form: &str, types: &[u32]) -> Result<Vec<&'b [u8]>, MeshError> {
         let Document { accessors, buffer_views, .. } = &self.document;
         let accessor = accessors.get(accessor).ok_or(MeshError::Glb("a list of numbers does not exist"))?;
@@ -181,7 +181,7 @@ const fn size_of_component(component: u32) -> usize {
     }
 }
 
-/// Whole number of one, two or four bytes.
+/// Whole number from one, two or four bytes.
 fn number(bytes: &[u8]) -> Option<usize> {
     let value = match *bytes {
         [a] => u32::from(a),

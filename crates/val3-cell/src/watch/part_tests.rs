@@ -1,4 +1,4 @@
-//! Encounters of parts, which a gripper carries or which stand.
+//! Encounters of held and of stationary parts.
 
 use proptest::prelude::*;
 use val3_geometry::{IsometryMatrix3, Trsf};
@@ -8,7 +8,7 @@ use super::*;
 use crate::part::{PartHolder, PartPlace};
 use crate::testing::{arm, scene, sight};
 
-/// The arm is stretched to the front: its flange is at (920, 20, 0) and looks along the axis x.
+/// The arm is stretched to the front: its flange is at (920, 20, 0), with z along the axis x of `world`.
 const STRETCHED: Joints = [0.0, 90.0, 0.0, 0.0, 0.0, 0.0];
 
 const GRIPPER: &str = "[[object]]\nname = \"cup\"\nin = \"flange\"\ncapsule = { from = [0, 0, 0], to = [0, 0, 80], radius = 20 }\n\

@@ -184,13 +184,9 @@ mod tests {
     #[test]
     fn the_document_has_links_joints_and_shapes() {
         let text = text(&Arm::by_name("ts2-60").unwrap());
-        let is_of_joint = |line: &&str| {
-            !["<link", "</link", "visual", "collision", "geometry", "sphere", "cylinder"]
-                .iter()
-                .any(|name| line.contains(name))
-        };
-        let joints: Vec<&str> = text.lines().filter(is_of_joint).collect();
-        expect![[r#""#]].assert_eq(&joints.join("\n"));
+        let joints: Vec<&str> =
+            text.split_inclusive("</joint>\n").filter_map(|part| part.find("<joint").map(|at| &part[at..])).collect();
+        expect![[r#""#]].assert_eq(&joints.concat());
         assert_eq!(text.matches("<visual>").count(), text.matches("<collision>").count());
         assert!(text.contains("<sphere") && text.contains("<cylinder"), "{text}");
     }

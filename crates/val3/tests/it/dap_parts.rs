@@ -31,6 +31,9 @@ fn go(session: &mut Session, task: i64, request: &str) -> String {
 #[test]
 fn going_back_over_a_grip_opens_the_gripper_again() {
     let folder = run_parts::folder(1.0);
+    // The input follows the grip in the next cycle.
+    let program = folder.read("usrapp/main/start.pgx").replace("  pEnd=here", "  delay(0.1)\n  pEnd=here");
+    folder.write("usrapp/main/start.pgx", &program);
     let (mut session, task) = Session::launched(json!({ "program": path(&folder, "usrapp/main"), "script": null }));
     set_breakpoints(&mut session, &folder, &["close(tGrip)", "open(tGrip)"]);
     assert_eq!(go(&mut session, task, "continue"), "false");

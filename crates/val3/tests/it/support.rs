@@ -72,7 +72,7 @@ impl Folder {
     ///
     /// Applications that are run or checked get the program `stop`, which a listing may omit.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
-        if args.iter().take(2).any(|arg| ["run", "dap", "check"].contains(arg)) {
+        if args.iter().take(2).any(|arg| ["run", "dap", "check", "mcp"].contains(arg)) {
             add_stops(self.path());
         }
         self.exact_command(args)
