@@ -5,6 +5,7 @@
 
 mod below;
 mod convey;
+mod conveyor_state;
 mod grip;
 mod senses;
 
@@ -18,13 +19,10 @@ use crate::part::{PartHolder, PartPlace};
 use crate::scene::{BodyCarrier, Places, Position, Scene};
 use crate::step::Sight;
 
-use convey::ConveyorState;
+use conveyor_state::{ConveyorState, SAME_TIME};
 use grip::GripperState;
 pub use grip::NearPart;
 use senses::SensorState;
-
-/// Times in seconds that differ by less are equal.
-const SAME_TIME: f64 = 1e-9;
 
 /// Event of a part or sensor.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,6 +5,7 @@ use std::fs;
 use camino::{Utf8Path, Utf8PathBuf};
 use serde_json::Value;
 use tempfile::TempDir;
+use val3_files::replace;
 
 use crate::answer::Answer;
 use crate::command::{CommandEnd, CommandOutput, CommandRequest, Commands};
@@ -21,7 +22,7 @@ impl Folder {
         for (path, text) in files {
             let path = folder.path().join(path);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, text).unwrap();
+            replace(&path, text.as_bytes()).unwrap();
         }
         folder
     }

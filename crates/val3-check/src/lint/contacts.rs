@@ -9,7 +9,7 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::Joints;
 
 use super::nominal::samples;
-use super::paths::{PlannedMove, PossibleWay};
+use super::planned_moves::{PlannedMove, PossibleWay};
 use super::reachability::constant_placement;
 use super::{ArmReach, FlangeTool, ProgramView, ProjectView};
 

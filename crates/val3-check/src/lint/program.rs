@@ -17,7 +17,7 @@ use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, text_at};
 
 use super::motion::ArmCall;
-use super::paths::PlannedMoves;
+use super::planned_moves::PlannedMoves;
 use super::variable_use::VariableUse;
 use super::{Call, LocalUse, MotionFacts};
 

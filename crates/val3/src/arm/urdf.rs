@@ -6,7 +6,7 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use nalgebra::{IsometryMatrix3, Rotation3, Translation3};
-use quick_xml::events::{BytesText, Event};
+use quick_xml::events::{BytesStart, BytesText, Event};
 use val3_kinematics::{Arm, AxisLimits, Joints, LinkCapsule};
 use val3_session::ArmFile;
 
@@ -116,10 +116,11 @@ impl UrdfJoint<'_> {
         let unit = if self.is_stroke { MILLIMETRES.recip() } else { 1f64.to_radians() };
         let [lower, upper, velocity] =
             [limits.min, limits.max, limits.maximum_speed].map(|limit| format!("{:.6}", limit * unit));
-        let effort = limits.maximum_effort.unwrap_or_default().to_string();
-        let limits = [("lower", lower), ("upper", upper), ("velocity", velocity), ("effort", effort)];
-        let limits = limits.iter().map(|(name, limit)| (*name, limit.as_str()));
-        writer.create_element("limit").with_attributes(limits).write_empty().map(drop)
+        let effort = limits.maximum_effort.unwrap_or_default();
+        let element =
+            format!("limit lower=\"{lower}\" upper=\"{upper}\" velocity=\"{velocity}\" effort=\"{effort}\"");
+        let name_length = element.find(' ').unwrap_or(element.len());
+        writer.write_event(Event::Empty(BytesStart::from_content(element, name_length)))
     }
 }
 
