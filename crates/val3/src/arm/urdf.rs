@@ -187,7 +187,46 @@ mod tests {
         let text = text(&Arm::by_name("ts2-60").unwrap());
         let joints: Vec<&str> =
             text.split_inclusive("</joint>\n").filter_map(|part| part.find("<joint").map(|at| &part[at..])).collect();
-        expect![[r#""#]].assert_eq(&joints.concat());
+        expect![[r#"
+            <joint name="base_link-base" type="fixed">
+                <origin xyz="0 0 0" rpy="0 0 0"/>
+                <parent link="base_link"/>
+                <child link="base"/>
+              </joint>
+            <joint name="joint1" type="revolute">
+                <origin xyz="0 0 0" rpy="0 0 0"/>
+                <parent link="base"/>
+                <child link="link1"/>
+                <axis xyz="0 0 1"/>
+                <limit lower="-3.141593" upper="3.141593" velocity="9.162979" effort="0"/>
+              </joint>
+            <joint name="joint2" type="revolute">
+                <origin xyz="0.38 0 0" rpy="0 0 0"/>
+                <parent link="link1"/>
+                <child link="link2"/>
+                <axis xyz="0 0 1"/>
+                <limit lower="-2.469641" upper="2.469641" velocity="9.162979" effort="0"/>
+              </joint>
+            <joint name="joint3" type="prismatic">
+                <origin xyz="0.24 0 0" rpy="0 0 0"/>
+                <parent link="link2"/>
+                <child link="link3"/>
+                <axis xyz="0 0 1"/>
+                <limit lower="0.000000" upper="0.200000" velocity="2.000000" effort="0"/>
+              </joint>
+            <joint name="joint4" type="revolute">
+                <origin xyz="0 0 0" rpy="3.141592654 0 0"/>
+                <parent link="link3"/>
+                <child link="link4"/>
+                <axis xyz="0 0 1"/>
+                <limit lower="-8.726646" upper="8.726646" velocity="41.887902" effort="0"/>
+              </joint>
+            <joint name="link4-flange" type="fixed">
+                <origin xyz="0 0 0" rpy="0 0 0"/>
+                <parent link="link4"/>
+                <child link="flange"/>
+              </joint>
+        "#]].assert_eq(&joints.concat());
         assert_eq!(text.matches("<visual>").count(), text.matches("<collision>").count());
         assert!(text.contains("<sphere") && text.contains("<cylinder"), "{text}");
     }
