@@ -117,8 +117,7 @@ impl UrdfJoint<'_> {
         let [lower, upper, velocity] =
             [limits.min, limits.max, limits.maximum_speed].map(|limit| format!("{:.6}", limit * unit));
         let effort = limits.maximum_effort.unwrap_or_default();
-        let element =
-            format!("limit lower=\"{lower}\" upper=\"{upper}\" velocity=\"{velocity}\" effort=\"{effort}\"");
+        let element = format!("limit lower=\"{lower}\" upper=\"{upper}\" velocity=\"{velocity}\" effort=\"{effort}\"");
         let name_length = element.find(' ').unwrap_or(element.len());
         writer.write_event(Event::Empty(BytesStart::from_content(element, name_length)))
     }
@@ -226,7 +225,8 @@ mod tests {
                 <parent link="link4"/>
                 <child link="flange"/>
               </joint>
-        "#]].assert_eq(&joints.concat());
+        "#]]
+        .assert_eq(&joints.concat());
         assert_eq!(text.matches("<visual>").count(), text.matches("<collision>").count());
         assert!(text.contains("<sphere") && text.contains("<cylinder"), "{text}");
     }
