@@ -1,6 +1,6 @@
 //! Commands as child processes with limits.
 
-use std::io::Write as _;
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread;
@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use camino::Utf8PathBuf;
 use tempfile::TempDir;
+use val3_files::replace;
 use val3_mcp::{CommandEnd, CommandLimits, CommandOutput, CommandRequest, Commands};
 
 use super::reader::OutputReader;
@@ -49,21 +50,24 @@ impl Processes {
     }
 }
 
-fn temporary() -> std::io::Result<TempDir> {
+fn temporary() -> io::Result<TempDir> {
     tempfile::Builder::new().prefix("val3-mcp-").tempdir()
+}
+
+/// Creates a folder with a script.
+fn folder_with(script: &str) -> io::Result<TempDir> {
+    let folder = temporary()?;
+    let path = Utf8PathBuf::try_from(folder.path().join(SCRIPT)).map_err(io::Error::other)?;
+    replace(&path, script.as_bytes()).map_err(|reason| io::Error::other(reason.to_string()))?;
+    Ok(folder)
 }
 
 impl Commands for Processes {
     fn start(&self, request: &CommandRequest, is_cancelled: &dyn Fn() -> bool) -> Result<CommandOutput, CommandEnd> {
-        let failed = |error: std::io::Error| CommandEnd::Start(error.to_string());
+        let failed = |error: io::Error| CommandEnd::Start(error.to_string());
         let mut command = self.command();
         command.args(&request.arguments);
-        let folder = request.script.as_ref().map(|script| {
-            let folder = temporary()?;
-            std::fs::write(folder.path().join(SCRIPT), script)?;
-            Ok(folder)
-        });
-        let folder = folder.transpose().map_err(failed)?;
+        let folder = request.script.as_deref().map(folder_with).transpose().map_err(failed)?;
         if let Some(folder) = &folder {
             command.arg("--script").arg(folder.path().join(SCRIPT));
         }

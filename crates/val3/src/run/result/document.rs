@@ -1,5 +1,7 @@
 //! The document of a result. docs/src/result.md describes its stable format.
 
+use std::fmt;
+
 use serde::Serialize;
 use val3_machine::event::EndReason;
 
@@ -44,7 +46,7 @@ pub(super) struct ResultDocument {
 
 /// Why a run has ended.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(into = "&'static str")]
+#[serde(rename_all = "lowercase")]
 pub(super) enum ResultReason {
     /// The application has ended.
     #[default]
@@ -75,24 +77,10 @@ impl From<EndReason> for ResultReason {
     }
 }
 
-impl ResultReason {
-    /// The reason in one word.
-    pub(super) const fn name(self) -> &'static str {
-        match self {
-            Self::Finished => "finished",
-            Self::Stopped => "stopped",
-            Self::Limit => "limit",
-            Self::Stuck => "stuck",
-            Self::Error => "error",
-            Self::Interrupted => "interrupted",
-            Self::Refused => "refused",
-        }
-    }
-}
-
-impl From<ResultReason> for &'static str {
-    fn from(reason: ResultReason) -> Self {
-        reason.name()
+impl fmt::Display for ResultReason {
+    /// Writes the word of the JSON document.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
     }
 }
 

@@ -13,7 +13,6 @@ const SHOWN_WAITS: usize = 8;
 pub(super) fn text(document: &ResultDocument) -> String {
     let mut out = String::new();
     let ResultDocument { reason, seconds, exit_code, .. } = document;
-    let reason = reason.name();
     line(&mut out, &format!("{reason} after {seconds:.3} s of the controller's clock; exit code {exit_code}"));
     document.tasks.iter().for_each(|entry| line(&mut out, &format!("task {}", task(entry))));
     list(&mut out, "errors", &document.errors, error);
