@@ -32,12 +32,12 @@ pub(super) struct Arguments {
     /// Type, such as num, string, point, mdesc, or a user type; required for new data
     #[serde(rename = "type")]
     type_name: Option<String>,
-    /// Sizes of an array, such as [3] or [2,4]. Default: one value
+    /// Sizes of an array, such as `[3]` or `[2,4]`. Default: one value
     size: Option<Vec<u32>>,
     /// Whether other projects may use it
     public: Option<bool>,
     /// Values by key ("0", "1,2"): a value, or an object of file attributes, such as {"0": 5} or
-    /// {"0": {"x": 100, "rx": 180, "fatherId": "fPallet[0]"}}; "0.pPlace[0]" for a field of a user type
+    /// `{"0": {"x": 100, "rx": 180, "fatherId": "fPallet[0]"}}`; `"0.pPlace[0]"` for a field of a user type
     #[serde(default)]
     values: BTreeMap<String, Value>,
     /// Only show the effect, and write nothing
