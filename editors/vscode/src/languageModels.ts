@@ -6,6 +6,9 @@ import type { Client } from "./client";
 /** Id of the provider in the manifest. */
 export const PROVIDER = "val3.tools";
 
+/** First version of VS Code 1 whose extensions may use the interface. 1.100 has the function, and rejects its call. */
+const FIRST_MINOR = 101;
+
 /** The part of the interface that is newer than the oldest supported editor. */
 interface Registry {
   registerMcpServerDefinitionProvider?(
@@ -19,14 +22,15 @@ interface Server {
 }
 
 interface NewerEditor {
+  version: string;
   lm?: Registry;
   McpStdioServerDefinition?: new (label: string, command: string, args: string[]) => Server;
 }
 
 /** Registers one server for each folder of the workspace. Its tools read only, and never leave their folder. */
 export function registerTools(client: Pick<Client, "command">): vscode.Disposable[] {
-  const { lm, McpStdioServerDefinition: Definition } = vscode as unknown as NewerEditor;
-  if (lm?.registerMcpServerDefinitionProvider === undefined || Definition === undefined) {
+  const { version, lm, McpStdioServerDefinition: Definition } = vscode as unknown as NewerEditor;
+  if (!isSupported(version) || lm?.registerMcpServerDefinitionProvider === undefined || Definition === undefined) {
     return [];
   }
   const provideMcpServerDefinitions = (): Server[] => {
@@ -41,4 +45,9 @@ export function registerTools(client: Pick<Client, "command">): vscode.Disposabl
     });
   };
   return [lm.registerMcpServerDefinitionProvider(PROVIDER, { provideMcpServerDefinitions })];
+}
+
+function isSupported(version: string): boolean {
+  const [major = 0, minor = 0] = version.split(".").map(Number);
+  return major > 1 || (major === 1 && minor >= FIRST_MINOR);
 }
