@@ -15,7 +15,7 @@ use crate::step::{Past, Sight, Step};
 use crate::track::{Track, Wanted};
 use crate::watch::TOUCHING;
 
-/// Finds contacts between the arm, with what it carries, and the things that stand.
+/// Finds contacts between moving bodies (the links and carried objects) and stationary objects.
 #[derive(Debug, Clone)]
 pub struct Contacts {
     scene: Arc<Scene>,

@@ -68,7 +68,7 @@ pub enum HandlingEvent {
 pub struct CellOutputs {
     /// Outputs of the grippers, in the order of the cell; `None` without an output.
     pub grippers: Vec<Option<GripperCommand>>,
-    /// Whether the signals of each conveyor let it run, in the order of the cell; `None` without one of its signals.
+    /// Whether each conveyor runs according to its signals, in the order of the cell; `None` if a signal does not exist.
     pub conveyors: Vec<Option<bool>>,
 }
 

@@ -55,7 +55,7 @@ impl fmt::Display for MeshError {
 impl std::error::Error for MeshError {}
 
 impl Mesh {
-    /// Returns the mesh without the outermost `depth` mm. At least the fraction `least` of each extent remains.
+    /// Returns the mesh, smaller by `depth` mm on each side. At least the fraction `least` of each extent remains.
     pub(crate) fn shrunk(&self, depth: f64, least: f64) -> Self {
         let mut points = self.points.iter();
         let first = points.next().copied().unwrap_or_default();

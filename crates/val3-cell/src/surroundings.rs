@@ -60,7 +60,7 @@ impl DataKind {
 /// An input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KnownSignal {
-    /// Kind of its values.
+    /// Kind of the values.
     pub class: SignalClass,
     /// Whether only programs write it.
     pub is_output: bool,

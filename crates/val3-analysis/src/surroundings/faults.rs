@@ -42,7 +42,7 @@ fn surrounded(db: &dyn Db, file: File) -> Vec<Project> {
     projects
 }
 
-/// Whether every application lacks the carrier or a signal of a thing.
+/// Whether a thing is missing in every application, because its carrier or one of its signals does not exist there.
 fn lacks_everywhere(built: &[Result<Cell, CellError>]) -> bool {
     let mut missing = built.iter().flatten().map(|cell| &cell.missing);
     let Some(first) = missing.next() else { return false };

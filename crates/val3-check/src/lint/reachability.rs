@@ -170,7 +170,7 @@ pub(super) fn is_for(arm: &Arm, position: &TaughtPosition) -> bool {
     position.arm.is_none_or(|arm| arm == kind)
 }
 
-/// Joint positions at a flange pose in the requested configurations, in one turn of each axis.
+/// Joint positions for a flange pose and the requested configurations, each axis within one turn.
 pub(super) fn solutions(arm: &Arm, flange: &IsometryMatrix3<f64>, requested: RequestedConfiguration) -> Vec<Joints> {
     let requested = without_same(requested);
     let mut solutions: Vec<Joints> = arm.solutions(flange, &[0.0; 6]).collect();

@@ -10,7 +10,7 @@ use val3_geometry::IsometryMatrix3;
 use val3_lang::call::StoredValue;
 use val3_lang::io_paths::is_output;
 use val3_lang::memory::LinkPlace;
-use val3_lang::ports::{SECOND, Time};
+use val3_lang::ports::{Time, nanoseconds};
 use val3_lang::types::BaseType;
 use val3_vm::CYCLE;
 
@@ -86,14 +86,7 @@ impl Controller {
     /// Time of the next change of a gripper or sensor without an external cause.
     pub(super) fn next_handling(&self) -> Option<Time> {
         let due = self.devices.state.handling.as_ref()?.next_due()?;
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "a time of the controller's clock"
-        )]
-        let time = (due * SECOND as f64).round() as Time;
-        Some(time.max(self.now()))
+        Some(nanoseconds(due).max(self.now()))
     }
 
     /// State of a gripper's output; `None` if it has no output.

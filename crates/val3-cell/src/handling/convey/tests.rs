@@ -43,7 +43,7 @@ impl Belt {
         self.handling.see(&self.scene, &sight, &outputs, CYCLE)
     }
 
-    /// Runs or stands for a time in seconds.
+    /// Runs or stops the conveyor for this many seconds.
     fn wait(&mut self, seconds: f64, runs: bool) -> Vec<HandlingEvent> {
         let cycles = std::iter::successors(Some(0u32), |cycle| Some(cycle + 1));
         cycles.take_while(|cycle| f64::from(*cycle) * CYCLE < seconds).flat_map(|_| self.see(runs)).collect()
