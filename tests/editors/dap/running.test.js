@@ -79,7 +79,7 @@ async function threadOf(session, name) {
 test("the adapter announces what the tests try", async () => {
   const session = await Session.start();
   const { exceptionBreakpointFilters: filters, completionTriggerCharacters, ...rest } = session.capabilities;
-  assert.deepEqual(filters.map(({ filter }) => filter), ["all", "unhandled", "assertion", "motion", "codes"]);
+  assert.deepEqual(filters.map(({ filter }) => filter), ["all", "unhandled", "assertion", "motion", "contacts", "codes"]);
   assert.deepEqual(completionTriggerCharacters, [".", ":"]);
   assert.deepEqual(Object.keys(rest).filter((name) => rest[name] === true).sort(), [
     "supportsANSIStyling", "supportsBreakpointLocationsRequest", "supportsCancelRequest", "supportsClipboardContext", "supportsCompletionsRequest",

@@ -3,12 +3,17 @@
 const assert = require("node:assert/strict");
 const { once } = require("node:events");
 const { join } = require("node:path");
+const { after } = require("node:test");
 const Ajv = require("ajv");
 const { DebugClient } = require("@vscode/debugadapter-testsupport");
 const specification = require(join(process.env.VAL3_ROOT, "crates/val3-dap/schema/debugAdapterProtocol.json"));
 
 /** Longest wait for a response or an event, in ms. */
 const TIMEOUT = 60_000;
+
+/** Sessions of this file. A failed test leaves its adapter, for which `node --test` would wait. */
+const started = [];
+after(() => started.forEach((session) => session.kill()));
 
 const ajv = new Ajv({ strict: false, validateFormats: false, allErrors: true });
 ajv.addSchema({ definitions: specification.definitions }, "dap");
@@ -78,6 +83,7 @@ class Session {
     const session = new Session();
     await session.client.start(port);
     session.process = session.client._adapterProcess;
+    started.push(session);
     session.capabilities = await session.ask("initialize", {
       adapterID: "val3", linesStartAt1: true, columnsStartAt1: true, pathFormat: "path",
       supportsInvalidatedEvent: true, supportsVariableType: true, supportsVariablePaging: true, ...client,
