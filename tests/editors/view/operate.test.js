@@ -4,7 +4,7 @@ const { spawnSync } = require("node:child_process");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { BOXES, hold, moveForever, openFile, served, until } = require("./served.js");
+const { BOXES, hold, jogTo, moveForever, openFile, served, until } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
@@ -123,8 +123,7 @@ test("a point is taught with a tool, changed back, and reached by hand", () => s
   // Another working mode switches the power off.
   await page.getByRole("button", { name: "Power off" }).click();
   await page.getByRole("button", { name: "Power on" }).waitFor();
-  await page.evaluate(() => window.val3View.store.command("operate", { keys: { jog: [5, 10, 90, 0, -40, 0] } }));
-  await page.waitForFunction(() => Math.abs(window.val3View.store.panels.cell.sample.value.joints[4] + 40) < 1e-6);
+  await jogTo(page, [5, 10, 90, 0, -40, 0]);
   await page.getByRole("tab", { name: "Points" }).click();
   const point = await page.evaluate(() => window.val3View.store.panels.cell.points.value.find(({ name }) => !name.includes(":")));
   const name = point.key === null ? point.name : `${point.name}[${point.key}]`;
@@ -134,8 +133,7 @@ test("a point is taught with a tool, changed back, and reached by hand", () => s
   const local = () => page.evaluate(({ name, key }) => window.val3View.store.panels.cell.points.value.find((found) => found.name === name && found.key === key).local, point);
   await page.getByRole("button", { name: `Undo ${name}` }).waitFor();
   assert.notDeepEqual(await local(), point.local);
-  await page.evaluate(() => window.val3View.store.command("operate", { keys: { jog: [15, 10, 90, 0, -40, 0] } }));
-  await page.waitForFunction(() => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - 15) < 1e-6);
+  await jogTo(page, [15, 10, 90, 0, -40, 0]);
   await hold(page, page.getByRole("button", { name: `Go to ${name}` }), () => [5, 10, 90, 0, -40, 0].every((joint, axis) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[axis] - joint) < 1e-3));
   await page.getByRole("button", { name: `Undo ${name}` }).click();
   await page.getByRole("button", { name: "Save to .dtx", exact: true }).waitFor();

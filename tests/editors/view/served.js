@@ -122,8 +122,32 @@ async function hold(page, button, arrived, argument) {
     isHeld = await held.waitFor({ timeout: TIMEOUT / PRESSES }).then(() => true, () => false);
   }
   assert.ok(isHeld, "the button can be held");
-  await page.waitForFunction(arrived, argument);
+  await page.waitForFunction(arrived, argument).catch(async (fault) => {
+    throw new Error(`${fault.message} ${await handState(page, held)}`, { cause: fault });
+  });
   await page.mouse.up();
+}
+
+/** Describes what a held button and the arm do. */
+async function handState(page, held) {
+  const isHeld = await held.count() > 0;
+  const notices = await page.locator(".notice").allInnerTexts();
+  const cell = await page.evaluate(() => {
+    const { blocked, end, isPaused, panels: { cell: { sample, state } } } = window.val3View.store;
+    return { blocked: blocked.value, end: end.value, isPaused: isPaused.value, joints: sample.value?.joints, mode: state.value?.mode, power: state.value?.power };
+  });
+  return JSON.stringify({ isHeld, notices, ...cell });
+}
+
+/** Waits until the arm is at joints, each within a distance in degrees or mm. */
+async function isAt(page, joints, most) {
+  await page.waitForFunction(({ joints, most }) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < most), { joints, most });
+}
+
+/** Moves the arm by hand until all axes have arrived. */
+async function jogTo(page, joints) {
+  await page.evaluate((jog) => window.val3View.store.command("operate", { keys: { jog } }), joints);
+  await isAt(page, joints, 1e-6);
 }
 
 /** Opens a page that needs no server. */
@@ -136,4 +160,4 @@ async function openFile(path) {
 
 const BOXES = ["--script", "boxes.toml"];
 
-module.exports = { BOXES, hold, moveForever, now, openFile, served, setProgram, until };
+module.exports = { BOXES, hold, isAt, jogTo, moveForever, now, openFile, served, setProgram, until };

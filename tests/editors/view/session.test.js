@@ -3,7 +3,7 @@ const assert = require("node:assert/strict");
 const { mkdirSync, readFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { hold, served, setProgram } = require("./served.js");
+const { hold, isAt, jogTo, served, setProgram } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 const SIZES = [[1280, 800], [1366, 768], [1920, 1080], [390, 844]];
@@ -37,15 +37,6 @@ async function pictures(page, name) {
 async function powerOn(page) {
   await page.getByRole("button", { name: "Power off" }).click();
   await page.getByRole("button", { name: "Power on" }).waitFor();
-}
-
-async function isAt(page, joints, most) {
-  await page.waitForFunction(({ joints, most }) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < most), { joints, most });
-}
-
-async function jogTo(page, joints) {
-  await page.evaluate((jog) => window.val3View.store.command("operate", { keys: { jog } }), joints);
-  await isAt(page, joints, 1e-6);
 }
 
 /** Stops the run and starts the application again. */

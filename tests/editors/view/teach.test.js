@@ -3,7 +3,7 @@ const assert = require("node:assert/strict");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
-const { hold, served } = require("./served.js");
+const { hold, jogTo, served } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
@@ -12,11 +12,6 @@ async function toManual(page) {
   await page.getByLabel(/mode/i).first().selectOption("manual");
   await page.getByRole("button", { name: "Power off" }).click();
   await page.getByRole("button", { name: "Power on" }).waitFor();
-}
-
-async function jogTo(page, joints) {
-  await page.evaluate((jog) => window.val3View.store.command("operate", { keys: { jog } }), joints);
-  await page.waitForFunction((joints) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < 1e-6), joints);
 }
 
 /** Jogs to the joints, and presses the button of each position. */
