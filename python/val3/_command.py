@@ -31,7 +31,7 @@ class Output:
 
 
 def find_binary() -> str:
-    """Return the path of the command: that of this package, of ``VAL3_BINARY``, or the first one on the ``PATH``.
+    """Return the path of the command: ``VAL3_BINARY``, the command of this package, or the first one on the ``PATH``.
 
     >>> Path(find_binary()).stem
     'val3'

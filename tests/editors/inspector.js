@@ -7,7 +7,7 @@ const { join } = require("node:path");
 const INSPECTOR = join(process.env.NODE_PATH, ".bin/mcp-inspector");
 const EXAMPLES = join(process.env.VAL3_ROOT, "examples");
 
-/** Answer of a method, called in the examples with `options` of the server. */
+/** Returns the response to a method, called in the examples with `options` of the server. */
 function call(options, method, ...words) {
   const server = [process.env.VAL3_SERVER, "mcp", "--root", EXAMPLES, ...options];
   const text = execFileSync(INSPECTOR, ["--cli", ...server, "--method", method, ...words], { encoding: "utf8" });
@@ -26,7 +26,7 @@ const checks = {
     assert.deepEqual(answer.structuredContent, { ok: false, errors: 10, warnings: 1, infos: 1 });
   },
   "a wrong path is an error with a remedy": () => {
-    // The inspector prints an answer with an error, too, and exits with an error.
+    // The inspector also prints a response with an error, and then exits with an error.
     const refused = (fault) => /is outside of .*--root/.test(fault.stdout);
     assert.throws(() => call([], "tools/call", ...named("check", "path=../..")), refused);
   },

@@ -16,7 +16,7 @@ const EDITORS: &[&str] = &["code", "codium", "code-server"];
 
 /// Builds and installs the binary where cargo installs binaries, and the extension in each editor that is found. With
 /// `--debug` the binary of the tests is copied, because `cargo install` would build all dependencies again with the
-/// features that `val3` alone needs.
+/// features that only `val3` needs.
 ///
 /// # Errors
 /// A build or an installation fails, or an editor was found and there is no npm.

@@ -7,11 +7,11 @@ use anyhow::bail;
 use crate::node;
 use crate::project;
 
-/// A requirement of steps on the system.
+/// Software on the system that steps require.
 struct Requirement {
     steps: &'static [&'static str],
     purpose: &'static str,
-    /// Debian packages that contain it.
+    /// Debian packages that contain the software.
     packages: &'static [&'static str],
     is_met: fn(&'static [&'static str]) -> bool,
 }

@@ -1,4 +1,4 @@
-//! `tidy`: checks that a formatter does not make, and the largest files and functions.
+//! `tidy`: checks that a formatter does not perform, and a list of the largest files and functions.
 
 mod faults;
 pub(crate) mod files;

@@ -10,10 +10,10 @@ use crate::node::Node;
 use crate::notices;
 use crate::project;
 
-/// Folder of extensions below the target folder, except the extensions of `dist`.
+/// Folder of extensions below the target folder. The extensions that `dist` packs are in another folder.
 pub const FOLDER: &str = "extension";
 
-/// Folder of the repository pages to which the extension's readme links, in the web address of a version.
+/// Folder in the repository to which relative links in the extension's readme refer.
 const README_FOLDER: &str = "editors/vscode/";
 
 /// Builds the server and packs it with the extension.
@@ -31,6 +31,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// Packs the extension with `binary` as its server into `val3-VERSION-PLATFORM.vsix` in a folder of the target folder,
 /// for tests into `editors/val3.vsix`.
 ///
+/// # Errors
 /// There is no npm, or a build step fails.
 pub fn extension(build: &Build, binary: &Utf8Path, folder: &str) -> anyhow::Result<Utf8PathBuf> {
     let name = match build.is_debug {

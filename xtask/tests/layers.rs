@@ -24,10 +24,11 @@ const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-d
 const PROTOCOL_PACKAGES: &[&str] =
     &["rmcp", "tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio", "axum", "hyper", "hyper-util"];
 
-/// Packages that serve the page of a run. Its messages are defined in val3-view, so no other crate needs a protocol.
+/// Packages that serve the page of a run, which only the command may use: val3-view defines the page's messages, but
+/// does not serve them.
 const PAGE_PACKAGES: &[&str] = &["tokio", "axum", "hyper", "hyper-util"];
 
-/// Returns the direct dependencies of each crate in the workspace, without dependencies of tests.
+/// Returns each workspace crate's direct dependencies, without test dependencies.
 fn dependencies(metadata: &Metadata) -> BTreeMap<&str, BTreeSet<&str>> {
     let own = |package: &'_ Package| metadata.workspace_members.contains(&package.id);
     metadata

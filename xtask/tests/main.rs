@@ -1,5 +1,5 @@
-//! Structure of the sources and documents: the dependencies of each crate, and things that may be written in only one
-//! place.
+//! Structure of the sources and documents: the dependencies of each crate, and facts that may be stated in only one
+//! file.
 
 mod address_once;
 mod command;

@@ -200,7 +200,7 @@ impl<'s> Loader<'s> {
         let beside = self.names_in(&folder);
         let pages = self.pages(&folder, &beside);
         let surroundings = self.surroundings(&folder, &manifest, configuration);
-        let meshes = surroundings.map(|file| self.meshes(file)).unwrap_or_default();
+        let meshes = surroundings.map(|file| self.meshes(file, configuration)).unwrap_or_default();
         let is_below_tests = self.is_below_tests(&folder, &roots, configuration);
         let input = known_inputs::ProjectInput {
             file,

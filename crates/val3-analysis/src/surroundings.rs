@@ -1,6 +1,7 @@
 //! `cell.toml`: things around the arm of an application. Frames and tools that carry them are data.
 
 mod faults;
+mod links;
 mod loaded;
 mod shared_scene;
 mod signals;

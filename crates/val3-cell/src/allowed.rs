@@ -1,4 +1,4 @@
-//! Pairs of things that may touch.
+//! Pairs of bodies that may touch.
 
 use globset::{GlobBuilder, GlobMatcher};
 
@@ -6,7 +6,7 @@ use crate::error::CellError;
 use crate::file::AllowedPair;
 use crate::names::body_names;
 
-/// Pairs that may touch.
+/// Pairs of bodies that may touch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Allowed(Vec<[GlobMatcher; 2]>);
 
@@ -30,16 +30,16 @@ impl Allowed {
     }
 }
 
-/// Names of all bodies, for patterns.
+/// Names of all bodies, against which the patterns of a file are checked.
 pub(crate) struct AllNames(Vec<String>);
 
 impl AllNames {
-    /// Adds the links to the names of all things and parts in the file.
+    /// Collects the names of the arm's links and of all things and parts in the file.
     pub(crate) fn new(bodies: &[String], axes: usize) -> Self {
         Self(body_names(bodies.iter().map(String::as_str), axes).collect())
     }
 
-    /// Returns the matcher for a name that matches at least one body.
+    /// Returns the matcher for a name, or an error if it matches no body.
     pub(crate) fn matcher(&self, name: &str, key: &str) -> Result<GlobMatcher, CellError> {
         let matcher = pattern(name).ok_or_else(|| CellError::new(key, format!("`{name}` is no name"), ""))?;
         if self.0.iter().any(|body| is_named(&matcher, body)) {
@@ -51,7 +51,7 @@ impl AllNames {
     }
 }
 
-/// Returns the matcher for a name, in which only `*` has a meaning.
+/// Returns the matcher for a name, in which `*` is the only wildcard.
 fn pattern(name: &str) -> Option<GlobMatcher> {
     let literal = |letter: char| if letter == '*' { letter.to_string() } else { globset::escape(&letter.to_string()) };
     let text: String = name.chars().map(literal).collect();

@@ -15,6 +15,7 @@ use crate::conveyor::Conveyor;
 use crate::error::CellError;
 use crate::file::{CellFile, ObjectEntry};
 use crate::gripper::Gripper;
+use crate::links::LinkHull;
 use crate::names::GivenNames;
 use crate::part::Part;
 use crate::poses::{check_colour, distance};
@@ -22,10 +23,10 @@ use crate::sensor::Sensor;
 use crate::solids::{ShapedEntry, Solid, SolidMaker, solids};
 use crate::surroundings::{ArmBase, Surroundings};
 
-/// A cell.
+/// A checked cell: a file whose names, carriers, shapes and signals were resolved.
 #[derive(Debug, Clone)]
 pub struct Cell {
-    /// Distance in mm below which two things are too near to each other, unless one of them has its own.
+    /// Distance in mm below which two things are too near to each other, unless one of them has its own clearance.
     pub clearance: f64,
     /// The things.
     pub things: Vec<Thing>,
@@ -35,19 +36,21 @@ pub struct Cell {
     pub grippers: Vec<Gripper>,
     /// The sensors.
     pub sensors: Vec<Sensor>,
-    /// The conveyors, whose belts are things.
+    /// The conveyors. Each belt is also a thing.
     pub conveyors: Vec<Conveyor>,
-    /// Names of things whose frame, tool or signal does not exist in the application.
+    /// Names of the entries that were omitted because the application has no such frame, tool or signal.
     pub missing: Vec<String>,
+    /// Shapes of the base and the links in place of the capsules of the arm's description; `None` keeps the capsules.
+    pub(crate) links: Vec<Option<LinkHull>>,
     pub(crate) allowed: Allowed,
 }
 
-/// A thing.
+/// An object of the file, or a conveyor belt.
 #[derive(Debug, Clone)]
 pub struct Thing {
     /// Name in messages.
     pub name: String,
-    /// Carrier.
+    /// Carrier, relative to which the pose is constant.
     pub carrier: Carrier,
     /// Pose of the thing in the frame of the carrier.
     pub pose: IsometryMatrix3<f64>,
@@ -89,7 +92,14 @@ impl Cell {
         let bodies: Vec<String> = names.into_iter().map(str::to_owned).chain(belts).chain(parts_of_file).collect();
         let sensors = maker.sensors(&file.sensors, &bodies, arm.axes)?;
         let allowed = Allowed::build(&file.allow, &bodies, arm.axes)?;
-        Ok(Self { clearance, things, parts, grippers, sensors, conveyors, missing, allowed })
+        Ok(Self { clearance, things, parts, grippers, sensors, conveyors, missing, links: Vec::new(), allowed })
+    }
+
+    /// Returns the cell with these shapes of the base and the links. `None` keeps the capsules of the arm's
+    /// description.
+    #[must_use]
+    pub fn with_links(self, links: Vec<Option<LinkHull>>) -> Self {
+        Self { links, ..self }
     }
 
     /// Names of the things, then of the parts.
@@ -98,7 +108,7 @@ impl Cell {
         things.chain(self.parts.iter().map(|part| part.name.as_str()))
     }
 
-    /// Number of the part with a name.
+    /// Index of the part with a name.
     #[must_use]
     pub fn part(&self, name: &str) -> Option<usize> {
         self.parts.iter().position(|part| part.name == name)
@@ -109,7 +119,7 @@ impl Cell {
 pub(crate) struct CellMaker<'m> {
     carriers: &'m Carriers<'m>,
     surroundings: &'m mut dyn Surroundings,
-    /// Names without a datum or signal in the application.
+    /// Names of the entries whose frame, tool or signal the application does not have.
     missing: &'m mut Vec<String>,
 }
 
@@ -195,7 +205,7 @@ mod tests {
         };
         assert_eq!(is_surface("world", ""), Ok(true));
         assert_eq!(is_surface("flange", "hull = false"), Ok(true));
-        // The hull of a triangle encloses nothing.
+        // A single triangle has no hull with a volume.
         assert!(is_surface("flange", "").unwrap_err().message.contains("one plane"));
     }
 

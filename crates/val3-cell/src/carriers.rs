@@ -1,4 +1,4 @@
-//! Carriers of the things in a cell, by their names in the file.
+//! Carriers of the bodies in a cell, resolved from the names in the file.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use crate::names::link_number;
 use crate::poses::pose;
 use crate::surroundings::{ArmBase, DataKind, Surroundings};
 
-/// Carrier of a thing.
+/// Carrier of a body: the frame relative to which its pose is constant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Carrier {
     /// `world`.
@@ -25,18 +25,18 @@ pub enum Carrier {
     Tool(String),
 }
 
-/// Place of a body in the chain of the arm: 0 for the base, the number of a link, one more than the last link for what
-/// the flange carries; `None` for what stands.
+/// Position of a body in the arm's chain: 0 for the base, the number of a link, the number of axes + 1 for bodies on
+/// the flange; `None` for stationary bodies.
 pub(crate) type Chain = Option<usize>;
 
 impl Carrier {
-    /// Whether the arm carries it.
+    /// Whether a body with this carrier moves with the arm.
     #[must_use]
     pub fn is_arm(&self) -> bool {
         matches!(self, Self::Link(_) | Self::Flange | Self::Tool(_))
     }
 
-    /// Place of carried things in the chain of an arm with this number of axes.
+    /// Position in the arm's chain for bodies with this carrier, on an arm with `axes` axes.
     pub(crate) fn chain(&self, axes: usize) -> Chain {
         match self {
             Self::World | Self::Frame(_) => None,
@@ -46,7 +46,7 @@ impl Carrier {
     }
 }
 
-/// Meaning of a carrier's name in the file.
+/// Resolved carrier name of the file.
 enum Named {
     Carrier(Carrier),
     Object(usize),
@@ -57,16 +57,16 @@ enum Named {
 /// A carrier, and a pose in its frame.
 pub(crate) type Carried = (Carrier, IsometryMatrix3<f64>);
 
-/// The keys `in` and `at` of an entry, such as `part[2]`.
+/// The keys `in` and `at` of an entry.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CarriedKeys<'k> {
-    /// The name of the carrier.
+    /// Name of the carrier.
     pub(crate) carrier: &'k str,
     pub(crate) at: &'k [f64],
     pub(crate) key: &'k str,
 }
 
-/// The carriers of a cell's objects, to which other entries can refer.
+/// Resolved carriers of a cell's objects. Other entries can refer to objects as their carriers.
 #[derive(Debug)]
 pub(crate) struct Carriers<'o> {
     names: BTreeMap<&'o str, usize>,
@@ -92,12 +92,13 @@ impl<'o> Carriers<'o> {
         Ok(Self { names, objects, arm })
     }
 
-    /// Carrier of an object, and the pose of the object in it; `None` if the application does not have the carrier.
+    /// Carrier of an object, and the object's pose in it; `None` if the application does not have the carrier.
     pub(crate) fn of_object(&self, index: usize) -> Option<Carried> {
         self.objects.get(index).cloned().flatten()
     }
 
-    /// Carrier of another entry, and the pose of the entry in it; `None` if the application does not have the carrier.
+    /// Carrier of an entry that is no object, and the entry's pose in it; `None` if the application does not have the
+    /// carrier.
     pub(crate) fn of(
         &self,
         keys: CarriedKeys<'_>,
@@ -112,7 +113,8 @@ impl<'o> Carriers<'o> {
     }
 }
 
-/// Returns the carrier of an object, followed through the objects between; `None` if the application does not have it.
+/// Returns the carrier of an object, through all objects that carry it; `None` if the application does not have the
+/// carrier.
 fn resolve(
     index: usize,
     named: &[(Named, IsometryMatrix3<f64>)],
@@ -134,7 +136,7 @@ fn resolve(
     Err(CellError::new(format!("object[{index}].in"), message, "one of these objects needs another `in`"))
 }
 
-/// Names that `in` can have.
+/// Names that the key `in` can contain.
 struct CarrierNames<'n> {
     names: &'n BTreeMap<&'n str, usize>,
     arm: ArmBase,
@@ -142,7 +144,7 @@ struct CarrierNames<'n> {
 }
 
 impl CarrierNames<'_> {
-    /// Returns the carrier of an entry, and the pose of the entry in it.
+    /// Returns the carrier of an entry, and the entry's pose in it.
     fn find(
         &self,
         CarriedKeys { carrier, at, key }: CarriedKeys<'_>,

@@ -1,7 +1,7 @@
 //! Contacts at joint positions and on planned paths, for checks of programs.
 //!
-//! Parts are not compared: their places depend on the run. Neither are the links and what the arm carries among
-//! themselves, because their shapes are larger than they are.
+//! Parts are ignored because their poses depend on the run. Links are not compared with each other or with bodies on
+//! the arm, because link shapes are larger than the links.
 
 use std::sync::Arc;
 
@@ -24,20 +24,20 @@ pub struct Contacts {
     pairs: Vec<Pair>,
 }
 
-/// A contact of two things.
+/// A contact of two bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// Names of both things: first the moving thing.
+    /// Names of both bodies, the moving one first.
     pub names: [String; 2],
-    /// Depth of the overlap in mm; `None` if it is unknown, as for surfaces and between two positions of a path.
+    /// Depth of the overlap in mm; `None` if unknown, as for surfaces and between two positions of a path.
     pub depth: Option<f64>,
     /// Joint position of the contact, in degrees or mm.
     pub joints: Joints,
 }
 
 impl Contacts {
-    /// Compares the bodies of a scene. `places` are the poses of the frames in `world` and of the tools in `flange`, in
-    /// the order of [`Scene::data`]; what is carried by a frame or tool without a place is not compared.
+    /// Prepares the comparison of a scene's bodies. `places` are the poses of the frames in `world` and of the tools in
+    /// `flange`, in the order of [`Scene::data`]. Bodies whose frame or tool has no pose are ignored.
     #[must_use]
     pub fn new(scene: Arc<Scene>, places: Vec<Option<IsometryMatrix3<f64>>>) -> Self {
         let pairs = scene.pairs.iter().filter(|pair| pair.comparison == Some(Comparison::Touching)).copied().collect();
@@ -56,8 +56,8 @@ impl Contacts {
         contacts.collect()
     }
 
-    /// Returns the first contact of each pair on a path, in the order of the path. The joints move linearly from one
-    /// position to the next, and the path between two positions is searched as well.
+    /// Returns the first contact of each pair on a path, in path order. The joints move linearly between two positions,
+    /// and contacts between the positions are found as well.
     #[must_use]
     pub fn along(&self, path: &[Joints]) -> Vec<Contact> {
         let mut open: Vec<(&Pair, Track)> = self.pairs.iter().map(|pair| (pair, Track::default())).collect();
@@ -141,7 +141,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
-        /// The contacts on a path are those that a run along this path reports.
+        /// A path check finds the same contacts as a run along the path.
         #[test]
         fn contacts_on_a_path_are_contacts_of_a_run(
             path in prop::collection::vec(prop::array::uniform6(-90.0..90.0f64), 1..6),

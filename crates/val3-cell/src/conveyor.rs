@@ -7,34 +7,35 @@ use crate::carriers::Carrier;
 use crate::file::ConveyorEnd;
 use crate::gripper::SignalWrite;
 
-/// A conveyor, whose belt is a thing of the cell with the same name.
+/// A conveyor. Its belt is the thing with the same name.
 #[derive(Debug, Clone)]
 pub struct Conveyor {
     /// Name in messages.
     pub name: String,
-    /// Paths and values of signals while which it runs; empty if it always runs.
+    /// Signal values at which the conveyor runs; empty if it always runs.
     pub when: Vec<SignalWrite>,
     /// Speed of the parts, in mm/s.
     pub speed: f64,
-    /// Effect of the end of the belt on a part.
+    /// Effect on a part that reaches the end of the belt.
     pub end: ConveyorEnd,
-    /// Parts that it receives from outside of the cell.
+    /// Parts that arrive on the conveyor from outside of the cell.
     pub feed: Option<Feed>,
     /// Carrier of the belt: `world` or a frame.
     pub(crate) carrier: Carrier,
-    /// Pose in the carrier of the track: the frame in the centre of the belt whose x axis is the direction of the parts.
+    /// Pose of the track in the carrier. The track is the frame in the centre of the belt with x in the transport
+    /// direction.
     pub(crate) track: IsometryMatrix3<f64>,
-    /// The belt in the frame of the track.
+    /// Box of the belt, in the track's frame.
     pub(crate) belt: Bounds,
 }
 
-/// Parts that a conveyor receives from outside of the cell.
+/// Parts that arrive on a conveyor from outside of the cell.
 #[derive(Debug, Clone)]
 pub struct Feed {
-    /// Numbers of the parts, in the order in which they arrive.
+    /// Part indexes, in the order of arrival.
     pub(crate) parts: Vec<usize>,
-    /// Time in seconds from one part to the next, while the conveyor runs.
+    /// Time between two parts in seconds, counted while the conveyor runs.
     pub(crate) every: f64,
-    /// Pose of a new part in the carrier of the conveyor.
+    /// Pose of a new part in the conveyor's carrier.
     pub(crate) pose: IsometryMatrix3<f64>,
 }

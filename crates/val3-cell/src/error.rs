@@ -1,15 +1,15 @@
-//! Errors in a cell that the file's schema cannot detect.
+//! Errors in a cell file that its schema cannot detect.
 
 use std::fmt;
 
 /// An error in a `cell.toml`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CellError {
-    /// Key with the error: `object[2].in`.
+    /// Key with the error, for example `object[2].in`.
     pub key: String,
     /// One sentence that describes the error.
     pub message: String,
-    /// A suggestion for the correction; may be empty.
+    /// Suggested correction; may be empty.
     pub help: String,
 }
 

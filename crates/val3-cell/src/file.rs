@@ -36,35 +36,35 @@ pub(crate) use self::shapes::{BoxKey, Corners, MeshUnit};
 pub use self::shapes::{ShapeEntry, ShapeKeys};
 pub use self::signals::{SignalLevel, SignalValues, WhenKey};
 
-/// The things around the arm. Lengths are in mm, angles in degrees.
+/// The surroundings of the arm. Lengths are in mm, angles in degrees.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CellFile {
-    /// The distance in mm below which two things that do not touch are a near miss; 0 by default: only contacts are
-    /// reported.
+    /// The distance in mm below which two things that do not touch are reported as a near miss. The default 0 reports
+    /// only contacts.
     pub clearance: f64,
     /// Pairs that may touch, each with the reason: `["gripper", "rack*", "the pads touch the rack"]`. In names, `*`
-    /// stands for any letters. `arm` means all links.
+    /// matches any characters. `arm` means all links.
     pub allow: Vec<AllowedPair>,
-    /// Objects: things that stand, or that the arm carries.
+    /// Objects: stationary things, and things that the arm carries.
     #[serde(rename = "object")]
     pub objects: Vec<ObjectEntry>,
     /// Parts: things that a gripper can carry.
     #[serde(rename = "part")]
     pub parts: Vec<PartEntry>,
-    /// Grippers, which carry parts while an output has a value.
+    /// Grippers, which carry parts while an output has its value for holding.
     #[serde(rename = "gripper")]
     pub grippers: Vec<GripperEntry>,
-    /// Sensors, which set an input while something is at a place.
+    /// Sensors, which set an input while they detect something.
     #[serde(rename = "sensor")]
     pub sensors: Vec<SensorEntry>,
-    /// Conveyors, which shift the parts on them.
+    /// Conveyors, which move the parts on them.
     #[serde(rename = "conveyor")]
     pub conveyors: Vec<ConveyorEntry>,
 }
 
 impl CellFile {
-    /// Paths of all meshes, in the order of the file.
+    /// Paths of all meshes, in file order.
     pub fn meshes(&self) -> impl Iterator<Item = &Utf8Path> {
         let objects = self.objects.iter().flat_map(|object| meshes_of(&object.shape, &object.shapes));
         let parts = self.parts.iter().flat_map(|part| meshes_of(&part.shape, &part.shapes));
@@ -73,7 +73,7 @@ impl CellFile {
     }
 }
 
-/// Paths of the meshes of a thing.
+/// Paths of an entry's meshes.
 fn meshes_of<'k>(shape: &'k ShapeKeys, shapes: &'k [ShapeEntry]) -> impl Iterator<Item = &'k Utf8Path> {
     let several = shapes.iter().map(|entry| &entry.shape);
     std::iter::once(shape).chain(several).filter_map(|keys| keys.mesh.as_deref())
@@ -83,7 +83,7 @@ fn meshes_of<'k>(shape: &'k ShapeKeys, shapes: &'k [ShapeEntry]) -> impl Iterato
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "Vec<String>")]
 pub struct AllowedPair {
-    /// Names, in which `*` stands for any letters.
+    /// The names, in which `*` matches any characters.
     pub names: [String; 2],
     /// The reason; may be empty.
     pub reason: String,
@@ -113,29 +113,29 @@ impl JsonSchema for AllowedPair {
     }
 }
 
-/// A thing that never moves by itself.
+/// A thing that does not move by itself.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ObjectEntry {
     /// The name in messages: letters, digits, `_` and blanks.
     pub name: String,
     /// The carrier: `world` (default); `base`, the mounting face of the arm; `flange`; `link1` and so on; a frame or
-    /// a tool of the application; another object.
+    /// tool of the application; another object.
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The pose of the shapes in that frame: x, y, z in mm and rx, ry, rz in degrees as in a trsf; three numbers are
-    /// enough.
+    /// The pose of the shapes in the carrier's frame: x, y, z in mm and rx, ry, rz in degrees as in a trsf. rx, ry and
+    /// rz may be omitted.
     pub at: Vec<f64>,
-    /// The shapes of a thing that has several.
+    /// The shapes of a thing with several shapes.
     pub shapes: Vec<ShapeEntry>,
-    /// The distance below which something is too near to this thing, in place of the general one.
+    /// The distance in mm below which something is too near to this thing, in place of the general clearance.
     #[schemars(with = "f64")]
     pub clearance: Option<f64>,
-    /// The colour in pictures: `#d9a400`.
+    /// The colour in pictures, for example `#d9a400`.
     #[schemars(with = "String")]
     pub colour: Option<String>,
-    /// The shape of a thing that has one.
+    /// The shape of a thing with one shape.
     #[serde(flatten)]
     pub shape: ShapeKeys,
 }

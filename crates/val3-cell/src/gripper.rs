@@ -7,39 +7,39 @@ use crate::carriers::Carrier;
 /// A gripper.
 #[derive(Debug, Clone)]
 pub struct Gripper {
-    /// Name in messages: the name of the tool.
+    /// Name in messages: the tool's name.
     pub name: String,
-    /// Output that controls it.
+    /// Output that controls the gripper.
     pub control: GripperControl,
     /// Carrier: the flange or a tool.
     pub carrier: Carrier,
-    /// Pose of the grip point in the frame of the carrier: the tool centre point, for a tool.
+    /// Pose of the grip point in the carrier's frame; for a tool, the tool centre point.
     pub pose: IsometryMatrix3<f64>,
-    /// Greatest distance in mm of a gripped part from the grip point.
+    /// Largest distance between a gripped part and the grip point, in mm.
     pub within: f64,
-    /// Paths and values of signals while it holds a part.
+    /// Input values that the cell sets while the gripper holds a part.
     pub holding: Vec<SignalWrite>,
-    /// Paths and values of signals while it holds no part.
+    /// Input values that the cell sets while the gripper holds no part.
     pub empty: Vec<SignalWrite>,
-    /// Numbers of the things that may touch parts.
+    /// Indexes of the things that belong to the gripper and may touch parts.
     pub(crate) pieces: Vec<usize>,
 }
 
 /// Output that controls a gripper.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GripperControl {
-    /// The output of a tool, after the times of the tool.
+    /// The output of a tool, with the tool's delays.
     Tool {
         /// Name of the tool.
         tool: String,
         /// Whether the gripper holds while the output is true.
         holds_when_open: bool,
     },
-    /// Signals: it holds while all of them have these values.
+    /// Signals. The gripper holds while all of them have these values.
     Signals(Vec<SignalWrite>),
 }
 
-/// A value of a signal.
+/// A signal and its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SignalWrite {
     /// Path or name of the signal.
@@ -48,11 +48,11 @@ pub struct SignalWrite {
     pub value: f64,
 }
 
-/// State of a gripper's output at the end of a cycle.
+/// Commanded state of a gripper at the end of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GripperCommand {
-    /// Whether the output has the value for holding.
+    /// Whether the output has its value for holding.
     pub holds: bool,
-    /// Delay of a change, in seconds.
+    /// Time in seconds until a change becomes effective.
     pub delay: f64,
 }

@@ -1,7 +1,7 @@
-//! Parts while an application runs: conveyors and grippers move them, sensors detect them.
+//! Parts while an application runs: conveyors and grippers move parts, sensors detect them.
 //!
-//! [`Handling`] is part of the controller's state. The caller calls [`Handling::see`] at the end of each cycle, and writes
-//! the values of [`Handling::take_writes`] to the signals.
+//! [`Handling`] is part of the controller's state. The caller calls [`Handling::see`] at the end of each cycle, and
+//! then writes the values of [`Handling::take_writes`] to the signals.
 
 mod below;
 mod convey;
@@ -24,18 +24,18 @@ use grip::GripperState;
 pub use grip::NearPart;
 use senses::SensorState;
 
-/// Event of a part or sensor.
+/// Event of a gripper, part or sensor.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HandlingEvent {
-    /// A gripper has closed around a part, or around nothing.
+    /// A gripper has closed, with or without a part.
     Grip {
         /// The gripper.
         gripper: String,
-        /// The part; `None` without one that is near enough.
+        /// The part; `None` if no part is near enough.
         part: Option<String>,
         /// The nearest part that no gripper holds.
         nearest: Option<NearPart>,
-        /// Greatest distance of a part that is gripped.
+        /// Largest distance at which a part is gripped, in mm.
         within: f64,
     },
     /// A gripper has released a part.
@@ -44,21 +44,21 @@ pub enum HandlingEvent {
         gripper: String,
         /// The part.
         part: String,
-        /// Height in mm above everything else below it, if the part hangs in the air.
+        /// Height in mm above the body below it; `None` unless the part hangs in the air.
         above: Option<f64>,
     },
-    /// A part has arrived on a conveyor, was placed elsewhere, or was removed.
+    /// A part has arrived on a conveyor, or a script has placed or removed it.
     Part {
         /// The part.
         part: String,
         /// Whether it was removed.
         is_gone: bool,
     },
-    /// A sensor detects something, or nothing any more.
+    /// A sensor has begun or ceased to detect something.
     Sensor {
         /// The sensor.
         sensor: String,
-        /// Name of a detected body; `None` if there is none.
+        /// Name of a detected body; `None` if nothing is detected.
         detects: Option<String>,
     },
 }
@@ -66,9 +66,10 @@ pub enum HandlingEvent {
 /// Signals of a cell's grippers and conveyors at the end of a cycle.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct CellOutputs {
-    /// Outputs of the grippers, in the order of the cell; `None` without an output.
+    /// Commands of the grippers, in the order of the cell; `None` if the output does not exist.
     pub grippers: Vec<Option<GripperCommand>>,
-    /// Whether each conveyor runs according to its signals, in the order of the cell; `None` if a signal does not exist.
+    /// Whether each conveyor runs according to its signals, in the order of the cell; `None` if a signal does not
+    /// exist.
     pub conveyors: Vec<Option<bool>>,
 }
 
@@ -79,15 +80,15 @@ pub struct Handling {
     grippers: Vec<GripperState>,
     sensors: Vec<SensorState>,
     conveyors: Vec<ConveyorState>,
-    /// Whether a gripper or a script has moved a part since the conveyors were evaluated.
+    /// Whether a gripper or a script has moved a part since the last evaluation of the conveyors.
     has_part_moved: bool,
-    /// Values of signals that the caller has not taken.
+    /// Signal values for the caller to write.
     writes: Vec<SignalWrite>,
     has_begun: bool,
 }
 
 impl Handling {
-    /// All parts are at their places of the file, or outside of the cell.
+    /// Creates the initial state: each part has the pose of the file or is outside of the cell.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let cell = scene.cell();
@@ -110,7 +111,7 @@ impl Handling {
         }
     }
 
-    /// Places of the parts, in the order of the cell.
+    /// Holders and poses of the parts, in the order of the cell.
     #[must_use]
     pub fn parts(&self) -> &Arc<Vec<PartPlace>> {
         &self.parts
@@ -128,19 +129,19 @@ impl Handling {
         self.parts.get(part).is_some_and(|place| matches!(place.holder, PartHolder::Gripper(_)))
     }
 
-    /// Whether a sensor detects something; its input follows after the delay.
+    /// Whether a sensor detects something. The input follows after the delay.
     #[must_use]
     pub fn detects(&self, sensor: usize) -> bool {
         self.sensors.get(sensor).is_some_and(SensorState::detects)
     }
 
-    /// Whether a gripper ever had an output.
+    /// Whether an output has ever commanded a gripper.
     #[must_use]
     pub fn had_output(&self, gripper: usize) -> bool {
         self.grippers.get(gripper).is_some_and(|state| state.is_controlled)
     }
 
-    /// Whether [`Self::see`] would have no effect at a time in seconds, even if the arm or a frame has moved.
+    /// Whether [`Self::see`] at this time in seconds would have no effect, even if the arm or a frame has moved.
     #[must_use]
     pub fn is_idle(&self, outputs: &CellOutputs, time: f64) -> bool {
         let CellOutputs { grippers, conveyors } = outputs;
@@ -156,7 +157,7 @@ impl Handling {
         self.has_begun && is_controlled && (self.conveyors.is_empty() || are_conveyors_idle())
     }
 
-    /// Conveys, grips, releases, and evaluates sensors at the end of a cycle of this duration in seconds.
+    /// Updates conveyors, grippers and sensors at the end of a cycle with this duration in seconds.
     pub fn see(&mut self, scene: &Scene, sight: &Sight<'_>, outputs: &CellOutputs, cycle: f64) -> Vec<HandlingEvent> {
         let position = scene.position(&sight.joints);
         let view = HandlingView { scene, sight, position: &position };
@@ -176,7 +177,7 @@ impl Handling {
         events
     }
 
-    /// Places a part at a pose in `world`, or removes it. A gripper that holds it loses it.
+    /// Places a part at a pose in `world`, or removes it. A gripper that holds the part loses it.
     pub fn place(&mut self, scene: &Scene, part: usize, pose: Option<IsometryMatrix3<f64>>) -> Option<HandlingEvent> {
         let place = Arc::make_mut(&mut self.parts).get_mut(part)?;
         self.has_part_moved = true;
@@ -192,19 +193,19 @@ impl Handling {
         Some(HandlingEvent::Part { part: name, is_gone: pose.is_none() })
     }
 
-    /// Pose of a part in `world`; `None` if it was removed, or its frame has no place.
+    /// Pose of a part in `world`; `None` if the part was removed or its frame has no pose.
     #[must_use]
     pub fn part_in_world(&self, scene: &Scene, sight: &Sight<'_>, part: usize) -> Option<IsometryMatrix3<f64>> {
         let position = scene.position(&sight.joints);
         position.carrier(BodyCarrier::Part(part), Places { data: &sight.places, parts: &self.parts })
     }
 
-    /// Values that signals get at the beginning of the next cycle.
+    /// Removes and returns the signal values to write at the beginning of the next cycle.
     pub fn take_writes(&mut self) -> Vec<SignalWrite> {
         std::mem::take(&mut self.writes)
     }
 
-    /// The time of the next change without a cause from outside, in seconds; 0 if there are values for signals.
+    /// Time in seconds of the next change without an external cause; 0 if signal values are pending.
     #[must_use]
     pub fn next_due(&self) -> Option<f64> {
         if !self.writes.is_empty() {
@@ -219,7 +220,7 @@ impl Handling {
     }
 }
 
-/// Positions of the bodies at the end of a cycle.
+/// Poses of the bodies at the end of a cycle.
 struct HandlingView<'v> {
     scene: &'v Scene,
     sight: &'v Sight<'v>,
@@ -227,12 +228,12 @@ struct HandlingView<'v> {
 }
 
 impl HandlingView<'_> {
-    /// Pose of a carrier in `world`; `None` without a place.
+    /// Pose of a carrier in `world`; `None` if it has no pose.
     fn place(&self, carrier: &Carrier) -> Option<IsometryMatrix3<f64>> {
         self.position.carrier(self.scene.carrier(carrier), self.sight.places())
     }
 
-    /// Pose of a body in `world`, with these places of parts.
+    /// Pose of a body in `world`, for these part places.
     fn body(&self, carrier: BodyCarrier, parts: &[PartPlace]) -> Option<IsometryMatrix3<f64>> {
         self.position.carrier(carrier, Places { data: &self.sight.places, parts })
     }

@@ -1,11 +1,13 @@
-//! Things around an arm: their file `cell.toml`, their places, and their distances to the arm and to carried things.
+//! Surroundings of an arm: the file `cell.toml`, the poses of its things, and their distances to the arm and to the
+//! bodies that it carries.
 //!
-//! Lengths are in mm, angles in degrees, times in seconds. The crate depends on arms, but neither on VAL 3 nor on files: the caller
-//! reads meshes, and states where the frames and tools of a program are.
+//! Lengths are in mm, angles in degrees, times in seconds. The crate depends on arms, but neither on VAL 3 nor on the
+//! file system: the caller reads meshes, and supplies the poses of a program's frames and tools.
 //!
-//! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports when things come too near to each
-//! other, [`Minima`] records the smallest distances, and [`Profile`] computes the smallest distance at each cycle.
-//! [`Handling`] moves parts with grippers and conveyors, and evaluates sensors. [`Contacts`] finds contacts without a run.
+//! [`Cell`] is a checked file. A [`Scene`] combines it with an arm. [`Watch`] reports bodies that come too near to each
+//! other, [`Minima`] records the smallest distances, and [`Profile`] computes the smallest distance in each cycle.
+//! [`Handling`] moves parts with grippers and conveyors, and evaluates sensors. [`Contacts`] finds contacts without a
+//! run.
 
 mod allowed;
 mod build;
@@ -16,6 +18,7 @@ mod error;
 mod file;
 mod gripper;
 mod handling;
+mod links;
 mod measure;
 mod mesh;
 mod minima;
@@ -47,6 +50,7 @@ pub use self::file::{
 };
 pub use self::gripper::{Gripper, GripperCommand, GripperControl, SignalWrite};
 pub use self::handling::{CellOutputs, Handling, HandlingEvent, NearPart};
+pub use self::links::{LinkHull, link_names};
 pub use self::measure::Measured;
 pub use self::mesh::{Mesh, MeshError};
 pub use self::minima::{Minima, Minimum};

@@ -1,35 +1,36 @@
-//! The distance between two bodies.
+//! Distance measurement between two bodies.
 
 use val3_collision::{Closest, Nearness, Overlap, PlacedShape, Shape, nearest};
 use val3_geometry::{IsometryMatrix3, Vector3};
 
-/// How near two bodies are.
+/// Measured distance between two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
-    /// Distance in mm; 0 or less if they touch: the depth of the overlap as a negative number, 0 for surfaces.
+    /// Distance in mm; 0 or less if the bodies touch: the negative depth of the overlap, 0 for surfaces.
     pub distance: f64,
     /// Nearest points on both bodies in `world`; the same point twice if they touch.
     pub points: [Vector3<f64>; 2],
 }
 
 impl Measured {
-    /// The distance between two bodies from the distance between their cores, whose surfaces are this deep together.
+    /// Converts the distance between the cores of two bodies to the distance between the bodies. `touch` is the sum of
+    /// the depths in mm by which the cores are smaller.
     pub(crate) fn without(self, touch: f64) -> Self {
         Self { distance: self.distance - touch, ..self }
     }
 }
 
-/// The result of a measurement with a limit.
+/// Result of a measurement with a distance limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Reading {
-    /// The distance is at least this.
+    /// Lower bound of a distance that exceeds the limit, in mm.
     Beyond(f64),
-    /// The distance.
+    /// The measured distance.
     Measured(Measured),
 }
 
 impl Reading {
-    /// The distance, or a lower bound of it.
+    /// The distance, or its lower bound, in mm.
     pub(crate) fn at_least(&self) -> f64 {
         match self {
             Self::Beyond(bound) => *bound,
@@ -38,13 +39,13 @@ impl Reading {
     }
 }
 
-/// Shapes of a body, with their poses in a frame, and the pose of this frame.
+/// Shapes of a body with their poses in the body's frame, and the pose of this frame.
 pub(crate) struct Placed<'b> {
     pub(crate) shapes: &'b [(Shape, IsometryMatrix3<f64>)],
     pub(crate) pose: IsometryMatrix3<f64>,
 }
 
-/// Measures the distance between two bodies, if it is below a limit.
+/// Measures the distance between two bodies; [`Reading::Beyond`] if it exceeds the limit.
 pub(crate) fn measure(a: &Placed<'_>, b: &Placed<'_>, limit: f64) -> Reading {
     let mut reading = Reading::Beyond(f64::INFINITY);
     for (first, in_first) in a.shapes {
@@ -72,7 +73,7 @@ pub(crate) fn measure(a: &Placed<'_>, b: &Placed<'_>, limit: f64) -> Reading {
 }
 
 fn between(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Reading {
-    // An overlap has no limit: its depth decides which shapes are named.
+    // Overlaps are measured even if the limit is negative: the deepest overlap is the result.
     match nearest(a, b, limit.max(0.0)) {
         Nearness::Beyond => Reading::Beyond(limit),
         Nearness::Apart(Closest { distance, points }) => Reading::Measured(Measured { distance, points }),

@@ -1,4 +1,4 @@
-//! Reading of STL files, as text or binary, and of GLB files: triangles.
+//! Mesh reader for STL files (text or binary) and GLB files.
 
 mod glb;
 
@@ -7,36 +7,36 @@ use std::fmt;
 
 use val3_geometry::Vector3;
 
-/// Greatest accepted number of triangles.
+/// Maximum number of triangles.
 const MOST_TRIANGLES: usize = 200_000;
 
-/// Bytes before the number of triangles in a binary file.
+/// Bytes before the triangle count of a binary file.
 const HEAD: usize = 80;
 
-/// Bytes of a triangle in a binary file: normal, three corners, attribute.
+/// Size of a triangle in a binary file, in bytes: normal, three corners, attribute.
 const TRIANGLE: usize = 50;
 
-/// A surface of triangles.
+/// A surface that consists of triangles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
-    /// Corners, each once.
+    /// Corners without duplicates.
     pub points: Vec<Vector3<f64>>,
-    /// Numbers of three corners.
+    /// Triangles, each as the indexes of its corners.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Why a file is no mesh.
+/// Reason why a file is no mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshError {
-    /// It is neither form of STL.
+    /// The file is neither a text nor a binary STL file.
     Form,
-    /// It is a GLB file that cannot be used, for this reason.
+    /// The GLB file cannot be used, for this reason.
     Glb(&'static str),
     /// The text form ends within a triangle, or has a corner that is not three numbers, at this line (from 1).
     Line(usize),
-    /// It has no triangle.
+    /// The file contains no triangle.
     Empty,
-    /// It has more triangles than are accepted.
+    /// The file has this number of triangles, which exceeds the maximum.
     TooMany(usize),
 }
 
@@ -66,10 +66,11 @@ impl Mesh {
         Self { points: points.collect(), triangles: self.triangles.clone() }
     }
 
-    /// Reads an STL file in its unit, or a GLB file in metres with z up.
+    /// Reads an STL file in its own unit, or a GLB file in metres with z up.
     ///
     /// # Errors
-    /// The bytes are not one, or too many triangles.
+    ///
+    /// The bytes are no mesh, or contain too many triangles.
     pub fn read(bytes: &[u8]) -> Result<Self, MeshError> {
         if bytes.starts_with(glb::MAGIC) {
             return glb::read(bytes).and_then(Self::checked);
@@ -97,13 +98,13 @@ impl Mesh {
         if self.triangles.is_empty() { Err(MeshError::Empty) } else { Ok(self) }
     }
 
-    /// Returns the mesh with lengths multiplied by a factor.
+    /// Returns the mesh with all coordinates multiplied by a factor.
     pub(crate) fn scaled(mut self, factor: f64) -> Self {
         self.points.iter_mut().for_each(|point| *point *= factor);
         self
     }
 
-    /// Diagonal length of the box around all corners.
+    /// Length of the bounding box diagonal.
     pub(crate) fn extent(&self) -> f64 {
         let Some(start) = self.points.first() else { return 0.0 };
         let (min, max) =
@@ -112,8 +113,8 @@ impl Mesh {
     }
 }
 
-/// Returns the corners of a binary file, three for each triangle; `None` if the size does not fit its number of
-/// triangles.
+/// Returns the corners of a binary file, three for each triangle; `None` if the file size does not match the triangle
+/// count.
 fn binary(bytes: &[u8]) -> Option<Result<Vec<Vector3<f64>>, MeshError>> {
     let (count, body) = bytes.get(HEAD..)?.split_first_chunk::<4>()?;
     let count = usize::try_from(u32::from_le_bytes(*count)).ok()?;
@@ -164,7 +165,7 @@ mod tests {
     const TEXT: &str = "solid fin\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 5 0\n\
                         endloop\nendfacet\nendsolid fin\n";
 
-    /// A binary file with triangles of these corners.
+    /// Binary file whose triangles have these corners.
     fn binary_file(corners: &[[f32; 3]]) -> Vec<u8> {
         let mut bytes = vec![b' '; HEAD];
         bytes.extend(u32::try_from(corners.len() / 3).unwrap().to_le_bytes());

@@ -10,24 +10,24 @@ use crate::scene::Scene;
 use crate::step::Sight;
 use crate::track::{EXACT, Track, Wanted};
 
-/// Distances in mm above which nothing is recorded.
+/// Distance in mm above which nothing is recorded.
 const FAR: f64 = 500.0;
 
-/// A smallest distance.
+/// The smallest distance of a pair or of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Minimum {
     /// Names of both things.
     pub names: [String; 2],
-    /// The distance.
+    /// The smallest distance, with the nearest points.
     pub measured: Measured,
     /// Time in seconds.
     pub time: f64,
-    /// Whether one of them is a part: a part touches its support.
+    /// Whether one of the things is a part. Parts touch their supports.
     pub has_part: bool,
 }
 
-/// Records the smallest distances of pairs, and over all pairs for each key: the line that has requested a move.
-/// Distances above 500 mm are omitted, and all distances between links and carried things.
+/// Records the smallest distance of each pair, and over all pairs for each key. A key is the program line that has
+/// requested a move. Distances above 500 mm are omitted, and all distances between links and bodies on the arm.
 #[derive(Debug, Clone)]
 pub struct Minima<K> {
     observation: Observation,
@@ -37,7 +37,7 @@ pub struct Minima<K> {
 }
 
 impl<K: Ord + Clone> Minima<K> {
-    /// Records from the first sight on.
+    /// Creates a recorder without distances. The first [`Self::see`] begins the recording.
     #[must_use]
     pub fn new(scene: Arc<Scene>) -> Self {
         let count = scene.pairs.len();
@@ -55,7 +55,7 @@ impl<K: Ord + Clone> Minima<K> {
         &self.observation.scene
     }
 
-    /// Looks at the end of a cycle in which the arm has moved for `key`.
+    /// Records the distances in a cycle in which the arm has moved for `key`.
     pub fn see(&mut self, sight: &Sight<'_>, key: Option<&K>) {
         if self.observation.adopt(sight) {
             self.tracks.fill(Track::default());
@@ -67,7 +67,7 @@ impl<K: Ord + Clone> Minima<K> {
                 *track = Track::default();
                 continue;
             }
-            // Parts touch their supports: a line's distances are without parts.
+            // A key's minimum ignores parts, because parts touch their supports.
             let key = key.filter(|_| !pair.has_part());
             let of_pair = least.as_ref().map_or(FAR, |least| least.measured.distance + pair.touch);
             let known = key.and_then(|key| self.keys.get(key));

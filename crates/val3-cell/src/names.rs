@@ -1,26 +1,26 @@
-//! Names of bodies, and the names in a cell's file.
+//! Body names, and the names that a cell file defines.
 
 use std::collections::BTreeSet;
 
 use crate::error::CellError;
 
-/// Names of all bodies: the base, the links, the things and parts.
+/// Names of all bodies: base, links, things and parts.
 pub(crate) fn body_names<'n>(things: impl Iterator<Item = &'n str>, axes: usize) -> impl Iterator<Item = String> {
     let links = (1..=axes).map(|link| format!("link{link}"));
     std::iter::once("base".to_owned()).chain(links).chain(things.map(str::to_owned))
 }
 
-/// Number of a link by its name.
+/// Number of the link with a name such as `link2`.
 pub(crate) fn link_number(name: &str) -> Option<usize> {
     name.strip_prefix("link")?.parse().ok().filter(|_| name.len() == "link".len() + 1)
 }
 
-/// The names that a file has given so far.
+/// Names of the entries that were checked so far.
 #[derive(Debug, Default)]
 pub(crate) struct GivenNames(BTreeSet<String>);
 
 impl GivenNames {
-    /// Adds the name of the entry `kind[index]`.
+    /// Checks the name of the entry `kind[index]`, and adds it.
     pub(crate) fn add(&mut self, name: &str, kind: &str, index: usize) -> Result<(), CellError> {
         let fault = |message: String, help: &str| Err(CellError::new(format!("{kind}[{index}].name"), message, help));
         if name.is_empty() {

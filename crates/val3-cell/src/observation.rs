@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::scene::Scene;
 use crate::step::{Past, Sight, Step};
 
-/// A scene with its last sight, from which the next step begins.
+/// A scene with its last sight, at which the next step begins.
 #[derive(Debug, Clone)]
 pub(crate) struct Observation {
     pub(crate) scene: Arc<Scene>,
@@ -17,7 +17,7 @@ impl Observation {
         Self { scene, past: None }
     }
 
-    /// Whether no sight has been recorded.
+    /// Whether no sight has been recorded yet.
     pub(crate) fn is_new(&self) -> bool {
         self.past.is_none()
     }
@@ -27,8 +27,8 @@ impl Observation {
         self.has_arm(sight) && self.past.as_ref().is_some_and(|past| past.is_same(sight))
     }
 
-    /// Adopts another model of the arm. Returns whether earlier distances are no bounds: the links have other lengths, or
-    /// the arm was placed elsewhere without a motion.
+    /// Replaces the arm model if it has changed. Returns whether earlier distances are no longer bounds, because the
+    /// links have other lengths or the arm was placed elsewhere without a motion.
     pub(crate) fn adopt(&mut self, sight: &Sight<'_>) -> bool {
         let is_other = !self.has_arm(sight);
         if is_other {
@@ -42,7 +42,7 @@ impl Observation {
         Step::new(&self.scene, self.past.as_ref(), sight)
     }
 
-    /// Records a sight as the last one.
+    /// Stores a sight as the last one.
     pub(crate) fn record(&mut self, sight: &Sight<'_>) {
         self.past = Some(Past::of(sight));
     }

@@ -5,52 +5,51 @@ use crate::carriers::Chain;
 use crate::names::body_names;
 use crate::part::Part;
 
-/// Fewest steps in the chain of the arm between two bodies of it that can touch each other: nearer ones always touch, or
-/// never.
+/// Minimum distance in the arm's chain between two bodies that are compared. Nearer bodies always touch, or never do.
 const APART: usize = 3;
 
-/// The same for what the flange carries: the capsules of the wrist and of the forearm reach beyond the flange.
+/// The same minimum for bodies on the flange, because the capsules of wrist and forearm extend beyond the flange.
 const CARRIED_APART: usize = 4;
 
-/// Pairs of links that are far enough apart in the chain, and cannot touch each other on any arm.
+/// Pairs of links that are far enough apart in the chain but cannot touch each other on any arm.
 const NEVER: [(usize, usize); 2] = [(2, 5), (2, 6)];
 
-/// Two bodies, by their numbers in the scene.
+/// Two bodies, by their indexes in the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair {
     pub(crate) first: usize,
     pub(crate) second: usize,
-    /// Distance below which they are too near to each other.
+    /// Distance in mm below which the bodies are too near to each other.
     pub(crate) clearance: f64,
-    /// Overlaps up to this depth in mm are no contacts: the shapes of parts are smaller by it.
+    /// Overlap depth in mm up to which nothing is a contact: the shapes of parts are smaller by this depth.
     pub(crate) touch: f64,
-    /// How they are compared; `None` if this depends on what carries a part.
+    /// Kind of comparison; `None` if it depends on the current carrier of a part.
     pub(crate) comparison: Option<Comparison>,
 }
 
 impl Pair {
-    /// Whether one of both is a part.
+    /// Whether at least one of the bodies is a part.
     pub(crate) fn has_part(&self) -> bool {
         self.comparison.is_none()
     }
 
-    /// Whether both always belong to the arm or are carried by it.
+    /// Whether both bodies always belong to the arm or are on it.
     pub(crate) fn is_arm(&self) -> bool {
         self.comparison == Some(Comparison::Arm)
     }
 }
 
-/// How two bodies are compared.
+/// Kind of comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Comparison {
-    /// They can touch each other.
+    /// The bodies can touch each other.
     Touching,
-    /// Both belong to the arm or are carried by it. The shapes of links are larger than the links, so that an overlap is
-    /// no proof of a contact.
+    /// Both bodies belong to the arm or are on it. Link shapes are larger than the links, so an overlap does not prove
+    /// a contact.
     Arm,
 }
 
-/// Returns how two bodies of an arm with this number of axes are compared; `None` if they are not.
+/// Returns the kind of comparison for two bodies of an arm with `axes` axes; `None` if they are not compared.
 pub(crate) fn comparison(first: Chain, second: Chain, axes: usize) -> Option<Comparison> {
     match (first, second) {
         (Some(a), Some(b)) => {
@@ -63,8 +62,8 @@ pub(crate) fn comparison(first: Chain, second: Chain, axes: usize) -> Option<Com
     }
 }
 
-/// Returns the pairs of a cell around an arm with this number of axes. Bodies are the base, the links, the things and
-/// the parts.
+/// Returns the pairs of a cell around an arm with `axes` axes. The bodies are the base, the links, the things and the
+/// parts.
 pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
     let count = axes + 1 + cell.things.len() + cell.parts.len();
     let names: Vec<String> = body_names(cell.body_names(), axes).collect();
@@ -79,10 +78,10 @@ pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
         let clearance = match compared {
             Some(Comparison::Arm) => 0.0,
             Some(Comparison::Touching) => own.unwrap_or(cell.clearance),
-            // Parts are near their supports.
+            // Parts are always near their supports, so the general clearance does not apply.
             None => own.unwrap_or(0.0),
         };
-        // The moving body is named first.
+        // The moving body comes first.
         let (first, second) = if a.chain.is_none() && !a.is_part { (second, first) } else { (first, second) };
         let pair = Pair { first, second, clearance, touch: a.touch + b.touch, comparison: compared };
         (!is_gripper && !is_allowed).then_some(pair)
@@ -95,7 +94,7 @@ struct PairBody {
     chain: Chain,
     clearance: Option<f64>,
     is_part: bool,
-    /// Whether it belongs to a gripper.
+    /// Whether the body belongs to a gripper.
     is_piece: bool,
     touch: f64,
 }

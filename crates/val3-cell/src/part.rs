@@ -15,15 +15,15 @@ pub struct Part {
     pub name: String,
     /// Carrier at the start: `world` or a frame.
     pub carrier: Carrier,
-    /// Pose there of the frame that `in` names: an object, or the base of the arm.
+    /// Pose in this carrier of the frame that the key `in` names: an object, or the base of the arm.
     pub origin: IsometryMatrix3<f64>,
-    /// Pose of the part there.
+    /// Pose of the part in this carrier.
     pub pose: IsometryMatrix3<f64>,
-    /// Whether the part is outside of the cell at the start, and arrives on a conveyor.
+    /// Whether the part is outside of the cell at the start and arrives on a conveyor.
     pub is_outside: bool,
-    /// Shapes, which copies share.
+    /// Shapes, shared by all copies.
     pub solids: Arc<Vec<Solid>>,
-    /// Overlaps up to this depth in mm are no contacts.
+    /// Overlap depth in mm up to which nothing is a contact.
     pub touch: f64,
     /// Distance in mm below which something is too near to this part.
     pub clearance: Option<f64>,
@@ -32,13 +32,13 @@ pub struct Part {
 }
 
 impl Part {
-    /// The shapes without their outermost [`Self::touch`], with their poses in the frame of the part.
+    /// Returns the shapes, smaller by [`Self::touch`] on each side, with their poses in the part's frame.
     pub(crate) fn cores(&self) -> Vec<(Shape, IsometryMatrix3<f64>)> {
         self.solids.iter().map(|solid| (solid.core(self.touch), solid.pose)).collect()
     }
 }
 
-/// Where a part is.
+/// Holder and pose of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartPlace {
     /// Holder.
@@ -52,10 +52,10 @@ pub struct PartPlace {
 pub enum PartHolder {
     /// `world`, in which the part stands.
     World,
-    /// The frame with this number in [`crate::Scene::data`], in which the part stands.
+    /// The frame with this index in [`crate::Scene::data`], in which the part stands.
     Frame(usize),
-    /// The gripper with this number holds it; the pose is in `flange`.
+    /// The gripper with this index. The pose is relative to `flange`.
     Gripper(usize),
-    /// None: the part was removed, or has not arrived.
+    /// No holder: the part was removed or has not arrived.
     Gone,
 }

@@ -1,10 +1,10 @@
-//! Numbers of a cell's file: distances, poses, colours.
+//! Checks of numbers in a cell file: distances, poses, colours.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 
 use crate::error::CellError;
 
-/// Greatest accepted coordinate or distance, in mm.
+/// Largest accepted coordinate or distance, in mm.
 const GREATEST: f64 = 1e6;
 
 pub(crate) fn distance(length: f64, key: &str) -> Result<f64, CellError> {
@@ -14,7 +14,7 @@ pub(crate) fn distance(length: f64, key: &str) -> Result<f64, CellError> {
     Err(CellError::new(key, format!("{length} is no distance"), "write 0 or a greater number of mm"))
 }
 
-/// Converts three or six numbers.
+/// Converts three or six numbers to a pose.
 pub(crate) fn pose(at: &[f64], key: &str) -> Result<IsometryMatrix3<f64>, CellError> {
     let (lengths, angles) = match *at {
         [] => ([0.0; 3], [0.0; 3]),
@@ -31,7 +31,7 @@ pub(crate) fn pose(at: &[f64], key: &str) -> Result<IsometryMatrix3<f64>, CellEr
     Ok(Trsf::new(lengths, angles).isometry())
 }
 
-/// Converts the coordinates of a point, or three lengths.
+/// Converts three numbers to the coordinates of a point or to three lengths.
 pub(crate) fn triple(numbers: &[f64], key: &str) -> Result<[f64; 3], CellError> {
     numbers.try_into().map_err(|_| {
         let message = format!("three numbers are needed here, and there are {}", numbers.len());

@@ -1,4 +1,4 @@
-//! Smallest distance at each cycle, over all pairs.
+//! Smallest distance over all pairs in each cycle.
 
 use std::sync::Arc;
 
@@ -8,29 +8,30 @@ use crate::pairs::Pair;
 use crate::scene::Scene;
 use crate::step::Sight;
 
-/// Distance in mm above which the smallest distance is not computed.
+/// Distance in mm above which the smallest distance is not reported.
 const FAR: f64 = 500.0;
 
-/// Distance in mm by which measurements exceed the smallest distance, so that they remain bounds for some cycles.
+/// Distance in mm by which measurements exceed the smallest distance. The results then remain lower bounds for some
+/// cycles.
 const AHEAD: f64 = 50.0;
 
-/// Smallest distance at a time.
+/// The smallest distance at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proximity {
     /// Names of both things.
     pub names: [String; 2],
-    /// Distance in mm; negative for the depth of an overlap.
+    /// Distance in mm; for an overlap the negative depth.
     pub distance: f64,
     /// Distance in mm below which these things are too near to each other.
     pub clearance: f64,
 }
 
-/// Computes the smallest distance at each cycle, without parts, which touch their supports, and without pairs
-/// within the arm and what it carries.
+/// Computes the smallest distance in each cycle. Parts are ignored because they touch their supports, and so are pairs
+/// within the arm and the bodies on it.
 #[derive(Debug, Clone)]
 pub struct Profile {
     observation: Observation,
-    /// Pairs with lower bounds for the distances.
+    /// Pairs with lower bounds of their distances.
     bounds: Vec<(usize, f64)>,
 }
 

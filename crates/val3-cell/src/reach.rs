@@ -1,11 +1,12 @@
-//! Greatest distances from the axes of an arm to its bodies: they bound the movement of a body.
+//! Largest distances from the arm's axes to its bodies, which bound the movement of each body.
 
 use val3_kinematics::{Arm, Joints};
 
-/// Greatest distances between consecutive axes.
+/// Largest distances between consecutive axes.
 #[derive(Debug, Clone)]
 pub(crate) struct Reach {
-    /// For each link from 1: greatest distance of the next link's frame from its own, and whether its axis is a stroke.
+    /// For each link from 1: the largest distance in mm from its frame to the next link's frame, and whether its axis
+    /// is linear.
     links: Vec<(f64, bool)>,
 }
 
@@ -27,8 +28,8 @@ impl Reach {
         Self { links: links.collect() }
     }
 
-    /// Greatest way in mm of a point within `radius` of the frame of a link, while each axis moves by these degrees or
-    /// mm.
+    /// Upper bound in mm for the movement of a point within `radius` of a link's frame, while each axis moves by
+    /// `moved` degrees or mm.
     pub(crate) fn way(&self, link: usize, radius: f64, moved: &Joints) -> f64 {
         let mut arm = radius;
         let mut way = 0.0;

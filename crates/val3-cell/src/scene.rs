@@ -21,7 +21,7 @@ pub struct Scene {
     pub(crate) bodies: Vec<Body>,
     pub(crate) pairs: Vec<Pair>,
     pub(crate) reach: Reach,
-    /// Frames and tools that carry something.
+    /// Frames and tools that are carriers.
     data: Vec<Carrier>,
     /// Pose of the flange in the frame of the last link.
     flange: IsometryMatrix3<f64>,
@@ -32,9 +32,9 @@ pub struct Scene {
 pub(crate) struct Body {
     pub(crate) name: String,
     pub(crate) carrier: BodyCarrier,
-    /// Place in the chain of the arm; `None` for stationary bodies and parts.
+    /// Position in the arm's chain; `None` for stationary bodies and parts.
     pub(crate) chain: Chain,
-    /// Shapes with their poses in the frame of the carrier; the cores of a part, with their poses in the frame of the part.
+    /// Shapes with their poses in the carrier's frame; for a part, its cores with their poses in the part's frame.
     pub(crate) shapes: Vec<(Shape, IsometryMatrix3<f64>)>,
 }
 
@@ -45,23 +45,23 @@ pub(crate) enum BodyCarrier {
     /// The base (0) or a link.
     Link(usize),
     Flange,
-    /// A frame with this number in [`Scene::data`].
+    /// The frame with this index in [`Scene::data`].
     Frame(usize),
-    /// A tool with this number in [`Scene::data`].
+    /// The tool with this index in [`Scene::data`].
     Tool(usize),
-    /// Holder of the part with this number.
+    /// The current holder of the part with this index.
     Part(usize),
 }
 
 impl Scene {
-    /// Combines a cell and an arm.
+    /// Combines a cell with an arm.
     #[must_use]
     pub fn new(cell: Arc<Cell>, arm: Arc<Arm>) -> Self {
         let axes = arm.axes();
         let data = data(&cell);
         let names = body_names(cell.body_names(), axes);
         let bodies = names.enumerate().map(|(number, name)| match number.checked_sub(axes + 1) {
-            None => link_body(&arm, number, name),
+            None => link_body(&arm, &cell, number, name),
             Some(thing) => match cell.things.get(thing) {
                 Some(thing) => thing_body(thing, &data, axes, name),
                 None => part_body(&cell, thing - cell.things.len(), name),
@@ -87,13 +87,14 @@ impl Scene {
         &self.cell
     }
 
-    /// Whether the links have shapes. Otherwise only the distances of things are known.
+    /// Whether the links have shapes. Without them, only distances between things can be measured.
     #[must_use]
     pub fn has_link_shapes(&self) -> bool {
-        !self.arm.shapes().is_empty()
+        let mut links = self.bodies.iter().take(self.first_thing());
+        links.all(|link| !link.shapes.is_empty())
     }
 
-    /// Whether [`crate::Minima`] records the distance between two bodies.
+    /// Whether [`crate::Minima`] records the distance between these two bodies.
     #[must_use]
     pub fn compares(&self, names: &[String; 2]) -> bool {
         let [first, second] = names;
@@ -115,18 +116,17 @@ impl Scene {
         self.body_names().any(|known| known == name)
     }
 
-    /// Names of the frames and tools that carry something, in the order in which [`crate::Sight::places`] lists their
-    /// poses.
+    /// Frames and tools that are carriers. [`crate::Sight::places`] contains their poses in the same order.
     pub fn data(&self) -> impl Iterator<Item = &Carrier> {
         self.data.iter()
     }
 
-    /// Number of the first body after the links: of the first thing.
+    /// Index of the first thing among the bodies, which is the first body after the links.
     pub(crate) fn first_thing(&self) -> usize {
         self.arm.axes() + 1
     }
 
-    /// A part's body number.
+    /// Body index of a part.
     pub(crate) fn part_body(&self, part: usize) -> usize {
         self.first_thing() + self.cell.things.len() + part
     }
@@ -136,7 +136,7 @@ impl Scene {
         body_carrier(carrier, &self.data)
     }
 
-    /// Whether the pair is compared at present, and how. The caller states where the parts are.
+    /// Kind of comparison for the pair, with parts at `parts`; `None` if the pair is not compared.
     pub(crate) fn comparison(&self, pair: &Pair, parts: &[PartPlace]) -> Option<Comparison> {
         if pair.comparison.is_some() {
             return pair.comparison;
@@ -159,21 +159,24 @@ impl Scene {
         [pair.first, pair.second].map(|body| self.bodies.get(body).map(|body| body.name.clone()).unwrap_or_default())
     }
 
-    /// Poses of the arm's parts and of the flange at a joint position.
+    /// Poses of the arm's links and of the flange at a joint position.
     pub(crate) fn position(&self, joints: &Joints) -> Position {
         let parts = self.arm.parts(joints);
         let flange = parts.last().copied().unwrap_or_default() * self.flange;
         Position { parts, flange }
     }
 
-    /// Offset of the flange from the frame of the last link.
+    /// Distance in mm between the flange and the frame of the last link.
     pub(crate) fn flange_offset(&self) -> f64 {
         self.flange.translation.vector.norm()
     }
 }
 
-fn link_body(arm: &Arm, link: usize, name: String) -> Body {
-    let shapes = arm.shapes().get(link).into_iter().flatten().filter_map(capsule).collect();
+fn link_body(arm: &Arm, cell: &Cell, link: usize, name: String) -> Body {
+    let shapes = match cell.links.get(link) {
+        Some(Some(hull)) => vec![(hull.0.clone(), IsometryMatrix3::identity())],
+        _ => arm.shapes().get(link).into_iter().flatten().filter_map(capsule).collect(),
+    };
     Body { name, carrier: BodyCarrier::Link(link), chain: Some(link), shapes }
 }
 
@@ -198,7 +201,7 @@ fn body_carrier(carrier: &Carrier, data: &[Carrier]) -> BodyCarrier {
     }
 }
 
-/// Frames and tools that carry something, each once.
+/// Frames and tools that are carriers, without duplicates.
 fn data(cell: &Cell) -> Vec<Carrier> {
     let things = cell.things.iter().map(|thing| &thing.carrier);
     let parts = cell.parts.iter().map(|part| &part.carrier);
@@ -219,7 +222,7 @@ fn capsule(capsule: &LinkCapsule) -> Option<(Shape, IsometryMatrix3<f64>)> {
     Some((shape, IsometryMatrix3::identity()))
 }
 
-/// Poses of the arm's parts and of the flange.
+/// Poses of the arm's links and of the flange.
 #[derive(Debug, Clone)]
 pub(crate) struct Position {
     parts: Vec<IsometryMatrix3<f64>>,
@@ -232,7 +235,7 @@ impl Position {
         &self.flange
     }
 
-    /// Pose of a carrier in `world`; `None` for a frame or tool without a place, and for a part that was removed.
+    /// Pose of a carrier in `world`; `None` for a frame or tool without a pose, and for a removed part.
     pub(crate) fn carrier(&self, carrier: BodyCarrier, places: Places<'_>) -> Option<IsometryMatrix3<f64>> {
         let place = |number: usize| places.data.get(number).copied().flatten();
         match carrier {
@@ -254,10 +257,10 @@ impl Position {
     }
 }
 
-/// Places of frames, tools and parts.
+/// Poses of frames, tools and parts.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Places<'p> {
-    /// Poses of [`Scene::data`].
+    /// Poses of the carriers in [`Scene::data`].
     pub(crate) data: &'p [Option<IsometryMatrix3<f64>>],
     pub(crate) parts: &'p [PartPlace],
 }

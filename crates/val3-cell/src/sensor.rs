@@ -10,19 +10,19 @@ use crate::carriers::Carrier;
 pub struct Sensor {
     /// Name in messages and conditions.
     pub name: String,
-    /// Path or name of the input, if it has one.
+    /// Path or name of the input; `None` if the sensor sets no input.
     pub io: Option<String>,
     /// Whether the input is false while the sensor detects something.
     pub is_inverted: bool,
-    /// Delay in seconds after which the input changes.
+    /// Delay in seconds between the detection and the change of the input.
     pub delay: f64,
     /// Carrier.
     pub carrier: Carrier,
     /// Beam or zone.
     pub(crate) shape: Shape,
-    /// Pose of the shape in the frame of the carrier.
+    /// Pose of the shape in the carrier's frame.
     pub(crate) pose: IsometryMatrix3<f64>,
-    /// Names of bodies that it detects.
+    /// Bodies that the sensor detects.
     pub(crate) detects: Detects,
     /// The beam or zone for pictures.
     pub form: SensorForm,

@@ -1,4 +1,4 @@
-//! Shapes from the keys of a cell's file.
+//! Shapes from the keys of a cell file.
 
 use camino::Utf8Path;
 use val3_collision::{Shape, ShapeError};
@@ -10,24 +10,29 @@ use crate::mesh::Mesh;
 use crate::poses::{pose, triple};
 use crate::surroundings::Surroundings;
 
-/// Extent in mm of a mesh below which its unit is probably metres.
+/// Size in mm below which the unit of a mesh is probably metres.
 const TINY: f64 = 5.0;
 
-/// Extent in mm of a mesh above which its unit is probably not metres.
+/// Size in mm above which the unit of a mesh is probably not metres.
 const HUGE: f64 = 50_000.0;
 
-/// A shape of a thing.
+/// Whether the diagonal of a mesh in mm has a length of things in a cell.
+pub(crate) fn is_likely_length(extent: f64) -> bool {
+    (TINY..=HUGE).contains(&extent)
+}
+
+/// One shape of a thing.
 #[derive(Debug, Clone)]
 pub struct Solid {
     /// The shape.
     pub shape: Shape,
-    /// Pose in the frame of the thing.
+    /// Pose of the shape in the thing's frame.
     pub pose: IsometryMatrix3<f64>,
-    /// The shape for pictures: as described, or the compared hull of a mesh.
+    /// Form for pictures: as described, or the hull that represents a mesh.
     pub form: SolidForm,
 }
 
-/// A description of a shape.
+/// Form of a shape, for pictures.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SolidForm {
     /// Length, width and height of a box around the origin.
@@ -36,7 +41,7 @@ pub enum SolidForm {
     Cylinder {
         /// Radius.
         radius: f64,
-        /// Length, half of it below the origin.
+        /// Length; the origin is at half of it.
         length: f64,
     },
     /// A capsule, or a sphere if both ends are the same point.
@@ -55,11 +60,11 @@ pub enum SolidForm {
 /// Context in which a shape is built.
 pub(crate) struct SolidMaker<'s> {
     pub(crate) surroundings: &'s mut dyn Surroundings,
-    /// Whether the arm carries the thing: a mesh is then its convex hull.
+    /// Whether the arm carries the thing. A mesh is then replaced by its convex hull.
     pub(crate) is_carried: bool,
 }
 
-/// The keys of an entry with one or several shapes.
+/// Shape keys of an entry with one or several shapes.
 #[derive(Clone, Copy)]
 pub(crate) struct ShapedEntry<'e> {
     pub(crate) name: &'e str,
@@ -92,7 +97,7 @@ pub(crate) fn without_shape(key: &str, what: &str) -> CellError {
     CellError::new(key, format!("{what} has no shape"), help)
 }
 
-/// Builds the shape of these keys at a pose; `None` without a shape.
+/// Builds the shape of these keys with a pose; `None` if the keys contain no shape.
 pub(crate) fn solid(
     keys: &ShapeKeys,
     at: &[f64],
@@ -149,7 +154,7 @@ pub(crate) fn solid(
     Ok(Some(Solid { shape, pose, form }))
 }
 
-/// Replaces a mesh by its hull, if the shape is the hull.
+/// Replaces a mesh by its hull if the hull is compared.
 fn drawn(form: SolidForm, shape: &Shape) -> SolidForm {
     match (form, shape.hull_triangles()) {
         (SolidForm::Mesh(_), Some((points, triangles))) => SolidForm::Mesh(Mesh { points, triangles }),
@@ -169,7 +174,7 @@ fn sides(cuboid: &BoxKey, key: &str) -> Result<([f64; 3], [f64; 3]), CellError> 
     }
 }
 
-/// Reads a mesh, and rejects a size that suggests another unit.
+/// Reads a mesh and converts it to mm. Rejects a size that suggests another unit.
 fn mesh_in_mm(
     path: &Utf8Path,
     unit: MeshUnit,
@@ -191,13 +196,13 @@ fn mesh_in_mm(
 }
 
 impl Solid {
-    /// The shape without the outermost `depth` mm, at least a tenth of it.
+    /// Returns the shape smaller by `depth` mm on each side; at least a tenth of each length remains.
     pub(crate) fn core(&self, depth: f64) -> Shape {
         shape_of(&self.form.core(depth), true).unwrap_or_else(|_| self.shape.clone())
     }
 }
 
-/// Smallest fraction of a length that is left of it in the core of a shape.
+/// Smallest fraction of a length that remains in the core of a shape.
 const CORE: f64 = 0.1;
 
 impl SolidForm {

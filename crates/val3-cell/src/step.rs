@@ -1,4 +1,4 @@
-//! Positions of all bodies during a cycle of the arm.
+//! Movement of all bodies during a cycle.
 
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -11,10 +11,10 @@ use crate::pairs::{Comparison, Pair};
 use crate::part::{PartHolder, PartPlace};
 use crate::scene::{Body, BodyCarrier, Places, Position, Scene};
 
-/// Coordinate in mm beyond which a thing is nowhere.
+/// Coordinate in mm beyond which a pose is unusable.
 const FARTHEST: f64 = 1e9;
 
-/// Positions at the end of a cycle.
+/// State of the arm and of all carriers at the end of a cycle.
 #[derive(Debug, Clone)]
 pub struct Sight<'a> {
     /// The arm's model.
@@ -23,10 +23,10 @@ pub struct Sight<'a> {
     pub joints: Joints,
     /// Number that changes when the arm is placed elsewhere without a motion.
     pub placement: u64,
-    /// Poses of the frames in `world` and of the tools in `flange`, in the order of [`Scene::data`]; `None` without a
-    /// place.
+    /// Poses of the frames in `world` and of the tools in `flange`, in the order of [`Scene::data`]; `None` for a frame
+    /// or tool without a pose.
     pub places: Vec<Option<IsometryMatrix3<f64>>>,
-    /// Places of the parts, in the order of the cell.
+    /// Holders and poses of the parts, in the order of the cell.
     pub parts: Arc<Vec<PartPlace>>,
     /// Time, in seconds.
     pub time: f64,
@@ -38,7 +38,7 @@ impl Sight<'_> {
     }
 }
 
-/// The last sight, which a step begins at.
+/// Copy of the last sight, at which a step begins.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Past {
     joints: Joints,
@@ -55,12 +55,12 @@ impl Past {
         Self { joints: *joints, placement: *placement, places, parts, time: *time }
     }
 
-    /// Whether the arm is elsewhere without a motion.
+    /// Whether the arm was placed elsewhere without a motion.
     pub(crate) fn has_jumped(&self, sight: &Sight<'_>) -> bool {
         self.placement != sight.placement
     }
 
-    /// Whether nothing has moved since.
+    /// Whether nothing has moved since the last sight.
     pub(crate) fn is_same(&self, sight: &Sight<'_>) -> bool {
         self.joints == sight.joints
             && self.placement == sight.placement
@@ -69,7 +69,7 @@ impl Past {
     }
 }
 
-/// The positions of all bodies from one sight to the next, with the joints moving linearly.
+/// The movement of all bodies between two sights, with linear joint motion.
 pub(crate) struct Step<'s> {
     scene: &'s Scene,
     from: Joints,
@@ -77,12 +77,14 @@ pub(crate) struct Step<'s> {
     start: f64,
     end: f64,
     places: Places<'s>,
-    /// Parts that are elsewhere than before.
+    /// For each part, whether its pose differs from the last sight.
     has_part_moved: Vec<bool>,
-    /// Frames and tools that are elsewhere than before.
+    /// For each frame or tool, whether its pose differs from the last sight.
     has_moved: Vec<bool>,
     moved: Joints,
     ends: [OnceCell<Position>; 2],
+    /// Greatest way of each body.
+    ways: OnceCell<Vec<Option<f64>>>,
 }
 
 impl<'s> Step<'s> {
@@ -101,12 +103,17 @@ impl<'s> Step<'s> {
             has_moved: (0..sight.places.len()).map(moved).collect(),
             moved: std::array::from_fn(|axis| difference(&sight.joints, &from, axis)),
             ends: Default::default(),
+            ways: OnceCell::new(),
         }
     }
 
-    /// Greatest way of both bodies of a pair together, in mm; `None` if a carrier of them is elsewhere than before.
+    /// Upper bound in mm for the sum of both bodies' movements; `None` if the pose of one of their carriers has
+    /// changed.
     pub(crate) fn travel(&self, pair: &Pair) -> Option<f64> {
-        Some(self.way(self.body(pair.first)?)? + self.way(self.body(pair.second)?)?)
+        // Each body belongs to many pairs.
+        let ways = self.ways.get_or_init(|| self.scene.bodies.iter().map(|body| self.way(body)).collect());
+        let way = |number: usize| ways.get(number).copied().flatten();
+        Some(way(pair.first)? + way(pair.second)?)
     }
 
     fn way(&self, body: &Body) -> Option<f64> {
@@ -145,7 +152,7 @@ impl<'s> Step<'s> {
         self.scene.bodies.get(number)
     }
 
-    /// Measures a pair at a fraction of the step, 0 to 1.
+    /// Measures a pair at a fraction of the step, from 0 to 1.
     pub(crate) fn measure(&self, pair: &Pair, fraction: f64, limit: f64) -> Reading {
         let position = if fraction <= 0.0 {
             self.end_position(&self.ends[0], &self.from)
@@ -156,12 +163,12 @@ impl<'s> Step<'s> {
         };
         match (self.placed(pair.first, position), self.placed(pair.second, position)) {
             (Some(first), Some(second)) => measure(&first, &second, limit),
-            // Without a place, a thing is nowhere.
+            // A body without a pose is infinitely far away.
             _ => Reading::Beyond(f64::INFINITY),
         }
     }
 
-    /// Whether a pair is compared at the end of the step, and how.
+    /// Kind of comparison for a pair at the end of the step; `None` if the pair is not compared.
     pub(crate) fn comparison(&self, pair: &Pair) -> Option<Comparison> {
         self.scene.comparison(pair, self.places.parts)
     }
@@ -171,7 +178,7 @@ impl<'s> Step<'s> {
         self.from != self.to
     }
 
-    /// Whether a body has a place at the end of the step, or was removed.
+    /// Whether a body has a pose at the end of the step, or was removed.
     pub(crate) fn has_place(&self, body: usize) -> bool {
         let part = |number: usize| self.places.parts.get(number).map(|place| place.holder);
         let is_gone =
@@ -179,7 +186,7 @@ impl<'s> Step<'s> {
         self.body(body).is_some_and(is_gone) || self.placed(body, self.end_position(&self.ends[1], &self.to)).is_some()
     }
 
-    /// A body at a position; `None` without a place.
+    /// Shapes and pose of a body for a position of the arm; `None` if the body has no pose.
     fn placed(&self, number: usize, position: &Position) -> Option<Placed<'s>> {
         let body = self.body(number)?;
         let pose = position.carrier(body.carrier, self.places)?;
@@ -203,7 +210,7 @@ impl<'s> Step<'s> {
     }
 }
 
-/// Whether distances from a pose can be computed. A frame of a program can have any numbers.
+/// Whether distances can be computed with a pose. A program can write any numbers into a frame.
 fn is_usable(pose: &IsometryMatrix3<f64>) -> bool {
     pose.rotation.matrix().iter().all(|number| number.is_finite())
         && pose.translation.vector.iter().all(|length| length.abs() < FARTHEST)

@@ -1,10 +1,10 @@
-//! References of a cell's file: the arm, the data of an application, meshes.
+//! External references of a cell file: arm, application data, meshes.
 
 use camino::Utf8Path;
 
 use crate::mesh::Mesh;
 
-/// The arm's properties for building a cell.
+/// Arm properties that a cell depends on.
 #[derive(Debug, Clone, Copy)]
 pub struct ArmBase {
     /// Number of axes.
@@ -13,7 +13,7 @@ pub struct ArmBase {
     pub height: f64,
 }
 
-/// Access to the data and meshes to which a cell's file refers.
+/// Access to the data, signals and meshes to which a cell file refers.
 pub trait Surroundings {
     /// Reads a mesh file. The error is a message without the path.
     ///
@@ -21,25 +21,28 @@ pub trait Surroundings {
     /// The file cannot be read, or is no mesh.
     fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String>;
 
-    /// Returns the kind of a datum.
+    /// Returns the kind of the data with this name.
     ///
     /// # Errors
-    /// Without a frame or tool of this name; a similar name, if one exists.
+    ///
+    /// The application has no frame or tool with this name. The error contains a similar name, if one exists.
     fn carrier(&self, name: &str) -> Result<DataKind, Option<String>>;
 
-    /// Returns a signal, by path or name.
+    /// Returns the signal with this path or name.
     ///
     /// # Errors
-    /// Without a signal of this name; a similar path or name, if one exists.
+    ///
+    /// The application has no such signal. The error contains a similar path or name, if one exists.
     fn signal(&self, path: &str) -> Result<KnownSignal, Option<String>>;
 
-    /// Whether the file may be about another application, so that things in unknown frames and tools are left out.
+    /// Whether the file may belong to another application. Entries with unknown frames, tools or signals are then
+    /// omitted.
     fn may_lack_data(&self) -> bool {
         false
     }
 }
 
-/// Kinds of data that can carry things.
+/// Kinds of data that can be carriers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DataKind {
     /// A frame.
@@ -57,12 +60,12 @@ impl DataKind {
     }
 }
 
-/// An input or output.
+/// Properties of an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KnownSignal {
     /// Kind of the values.
     pub class: SignalClass,
-    /// Whether only programs write it.
+    /// Whether only programs write the signal.
     pub is_output: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Cells and arms of tests.
+//! Cells and arms for tests.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::scene::Scene;
 use crate::step::Sight;
 use crate::surroundings::{ArmBase, DataKind, KnownSignal, SignalClass, Surroundings};
 
-/// An application with the frames `fTable`, `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
+/// An application with the frames `fTable` and `fPart`, the tool `tGripper`, and the mesh file `fin.stl`, also in two
 /// other sizes.
 pub(crate) struct Application {
     pub(crate) may_lack_data: bool,

@@ -1,4 +1,4 @@
-//! Reports when things come too near to each other.
+//! Reports bodies that come too near to each other.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::step::{Sight, Step};
 use crate::track::{EXACT, Found, Track, Wanted};
 
-/// Distance in mm at which things touch.
+/// Distance in mm up to which things touch.
 pub const TOUCHING: f64 = 1e-9;
 
 /// An encounter between two things.
@@ -21,31 +21,32 @@ pub struct Encounter<T> {
     pub state: EncounterState,
     /// Names of both things.
     pub names: [String; 2],
-    /// Their distance: the first below the clearance; at the end of the encounter its smallest.
+    /// Distance between both things: the first distance below the clearance, or at the end of the encounter the
+    /// smallest one.
     pub measured: Measured,
     /// Time of this distance, in seconds.
     pub time: f64,
     /// Joint position at this time, in degrees or mm.
     pub joints: Joints,
-    /// The caller's label of the cycle with this distance, for example the move.
+    /// Caller's label for the cycle with this distance, for example the move.
     pub label: T,
-    /// Whether they were so near when the run began.
+    /// Whether the things were already this near at the start of the run.
     pub at_start: bool,
 }
 
-/// The state of an encounter.
+/// State of an encounter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EncounterState {
-    /// They are nearer than their clearance.
+    /// The distance is below the clearance.
     Near,
-    /// They touch.
+    /// The things touch.
     Contact,
-    /// They are apart again, or the run has ended.
+    /// The things are apart again, or the run has ended.
     Clear,
 }
 
 impl EncounterState {
-    /// Word in records.
+    /// Name of the state in event records.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -56,27 +57,27 @@ impl EncounterState {
     }
 }
 
-/// Watches all pairs of a scene. A label states what the arm does in a cycle, such as the move that it executes.
+/// Watches all pairs of a scene. A label identifies the arm's activity in a cycle, for example the executed move.
 #[derive(Debug, Clone)]
 pub struct Watch<T> {
     observation: Observation,
     pairs: Vec<WatchedPair<T>>,
-    /// Bodies that had no place while the arm moved.
+    /// For each body, whether it had no pose while the arm moved.
     unplaced: Vec<bool>,
 }
 
 #[derive(Debug, Clone)]
 struct WatchedPair<T> {
     track: Track,
-    /// The present encounter: its smallest distance.
+    /// Smallest distance of the current encounter; `None` if there is no encounter.
     nearest: Option<Nearest<T>>,
 }
 
 #[derive(Debug, Clone)]
 struct Nearest<T> {
-    /// Distance between the cores of parts.
+    /// Distance between the cores of the bodies.
     measured: Measured,
-    /// Depth of the cores.
+    /// Sum of the depths in mm by which the cores are smaller than the bodies.
     touch: f64,
     time: f64,
     joints: Joints,
@@ -86,7 +87,7 @@ struct Nearest<T> {
 }
 
 impl<T: Clone> Watch<T> {
-    /// Watches a scene from the first sight on.
+    /// Creates a watch without encounters. The first [`Self::see`] begins the observation.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         let pairs = vec![WatchedPair { track: Track::default(), nearest: None }; scene.pairs.len()];
@@ -100,14 +101,14 @@ impl<T: Clone> Watch<T> {
         &self.observation.scene
     }
 
-    /// Names of the things that had no place while the arm moved: their frames or tools had no father, or impossible
-    /// values. Their distances were unknown.
+    /// Names of the things that had no pose while the arm moved, because their frame or tool has no father or
+    /// impossible values. Their distances were not measured.
     pub fn unplaced(&self) -> impl Iterator<Item = &str> {
         let bodies = self.scene().body_names().zip(&self.unplaced);
         bodies.filter(|(_, is_unplaced)| **is_unplaced).map(|(name, _)| name)
     }
 
-    /// Looks at the end of a cycle. Returns the encounters that begin, become contacts or end.
+    /// Evaluates the end of a cycle. Returns the encounters that begin, become contacts or end.
     pub fn see(&mut self, sight: &Sight<'_>, label: &T) -> Vec<Encounter<T>> {
         if self.observation.is_same(sight) {
             self.observation.record(sight);
@@ -127,7 +128,7 @@ impl<T: Clone> Watch<T> {
         encounters
     }
 
-    /// Ends all encounters, at the end of a run.
+    /// Ends all encounters at the end of a run.
     pub fn finish(&mut self) -> Vec<Encounter<T>> {
         let scene = &self.observation.scene;
         let ended = scene.pairs.iter().zip(&mut self.pairs).filter_map(|(pair, watched)| {
@@ -137,23 +138,23 @@ impl<T: Clone> Watch<T> {
     }
 }
 
-/// A cycle, for all pairs.
+/// A cycle as all pairs evaluate it.
 struct Present<'p, T> {
     step: &'p Step<'p>,
     label: &'p T,
-    /// Whether it is the first one.
+    /// Whether this is the first cycle.
     at_start: bool,
 }
 
 impl<T: Clone> WatchedPair<T> {
-    /// Looks at a pair. Returns its encounter if that begins or becomes a contact, and if it ends.
+    /// Evaluates a pair. Returns one encounter if it begins or becomes a contact, and one if it ends.
     fn see(&mut self, scene: &Scene, pair: &Pair, present: &Present<'_, T>) -> [Option<Encounter<T>>; 2] {
         let Some(comparison) = present.step.comparison(pair) else {
             self.track = Track::default();
             let ended = self.nearest.take().map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)));
             return [None, ended];
         };
-        // Parts have the distances of their cores.
+        // Distances of parts are measured between their cores.
         let least = if pair.clearance > 0.0 { pair.clearance + pair.touch } else { TOUCHING };
         let wanted = match &self.nearest {
             None => Wanted { threshold: least, margin: 0.0, limit: least },

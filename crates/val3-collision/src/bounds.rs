@@ -1,11 +1,11 @@
-//! Boxes parallel to the axes of the common frame.
+//! Bounding boxes with sides parallel to the axes of the common frame.
 
 use parry3d_f64::bounding_volume::Aabb;
 use val3_geometry::Vector3;
 
 use crate::convert;
 
-/// A box that contains a shape.
+/// A bounding box of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Corner with the smallest coordinates.
@@ -19,14 +19,15 @@ impl Bounds {
         Self { min: convert::back(bounds.mins), max: convert::back(bounds.maxs) }
     }
 
-    /// Returns the distance to another box, which is at most the distance of the shapes inside; 0 if they overlap.
+    /// Returns the distance to another box; 0 if they overlap. The distance of the enclosed shapes is at least as
+    /// large.
     #[must_use]
     pub fn distance(&self, other: &Self) -> f64 {
         let gap = (other.min - self.max).sup(&(self.min - other.max));
         gap.map(|length| length.max(0.0)).norm()
     }
 
-    /// Returns the centre of what both boxes share, or of the gap between them.
+    /// Returns the centre of the overlap of both boxes, or of the gap between them.
     #[must_use]
     pub fn between(&self, other: &Self) -> Vector3<f64> {
         (self.min.sup(&other.min) + self.max.inf(&other.max)) / 2.0

@@ -16,24 +16,24 @@ impl Capsule {
         Self { from: place(&self.from), to: place(&self.to), radius: self.radius }
     }
 
-    /// Returns the points of both axes that are nearest to each other.
+    /// Returns the nearest points of both axes.
     pub(crate) fn nearest(&self, other: &Self) -> [Vector3<f64>; 2] {
         let (along, across) = (self.to - self.from, other.to - other.from);
         let offset = self.from - other.from;
         let (a, e, f) = (along.norm_squared(), across.norm_squared(), across.dot(&offset));
         let (b, c) = (along.dot(&across), along.dot(&offset));
         let share = |of: f64, length: f64| if length > 0.0 { (of / length).clamp(0.0, 1.0) } else { 0.0 };
-        // The nearest point of the infinite lines, cut to the first segment. Parallel lines: any point does.
+        // Nearest point of the infinite lines, limited to the first segment. For parallel lines, any point is valid.
         let cross = a * e - b * b;
         let s = if cross > PARALLEL * a * e { ((b * f - c * e) / cross).clamp(0.0, 1.0) } else { 0.0 };
-        // The nearest point of the second segment to it, and of the first segment to that.
+        // Nearest point of the second segment to this point, then of the first segment to that point.
         let t = share(b * s + f, e);
         let s = share(b * t - c, a);
         [self.from + along * s, other.from + across * t]
     }
 }
 
-/// Axes are parallel if the squared sine of their angle is smaller.
+/// Axes are parallel if the squared sine of their angle is below this value.
 const PARALLEL: f64 = 1e-14;
 
 #[cfg(test)]
@@ -48,7 +48,7 @@ mod tests {
     }
 
     proptest! {
-        /// Other points on the axes are not nearer.
+        /// Other points on the axes are not nearer than the computed points.
         #[test]
         fn no_points_are_nearer(a in capsule(), b in capsule(), s in 0.0..1.0_f64, t in 0.0..1.0_f64) {
             let [on_a, on_b] = a.nearest(&b);

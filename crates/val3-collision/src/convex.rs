@@ -1,9 +1,9 @@
-//! Distances between convex shapes, each with its proof.
+//! Distances between convex shapes, each verified by a separating gap.
 //!
-//! The library's search for the nearest points may end before it has found them, for example where two shapes touch
-//! with corners or faces, and may call shapes of many directions disjoint when it has searched for too long. So no
-//! answer is taken on trust: a distance needs a *gap*, two parallel planes so far apart that have the shapes on
-//! different sides. An answer without a proof is searched for again from other directions.
+//! The library's search for the nearest points may end before it has found them, for example if two shapes touch with
+//! corners or faces. It may also report shapes with many faces as disjoint when it reaches its iteration limit. Each
+//! result is therefore verified: a distance is accepted only with a *gap* of this width, which is a pair of parallel
+//! planes that separate the shapes. If a result cannot be verified, the search is repeated from other directions.
 
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query::details::{
@@ -12,31 +12,31 @@ use parry3d_f64::query::details::{
 use parry3d_f64::query::gjk::{GJKResult, VoronoiSimplex};
 use parry3d_f64::shape::SupportMap;
 
-/// Largest difference between a distance and its gap, in mm.
+/// Largest accepted difference between a distance and its gap, in mm.
 const PRECISION: f64 = 1e-4;
 
-/// How near two convex shapes are, with points in the frame of the first.
+/// Result for two convex shapes, with points in the frame of the first shape.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Found {
-    /// A gap is greater than the limit.
+    /// The gap is greater than the limit.
     Beyond,
     /// Nearest points.
     Apart([Vector; 2]),
-    /// They overlap or touch.
+    /// The shapes overlap or touch.
     Overlap,
 }
 
-/// Two convex shapes. The first one's frame is the common one.
+/// Two convex shapes in a common frame, which is the frame of the first shape.
 #[derive(Clone, Copy)]
 pub(crate) struct ConvexPair<'s> {
     pub(crate) first: &'s dyn SupportMap,
     pub(crate) second: &'s dyn SupportMap,
-    /// Pose of the second shape.
+    /// Pose of the second shape in the common frame.
     pub(crate) pose: &'s Pose,
 }
 
 impl ConvexPair<'_> {
-    /// Returns how near both are.
+    /// Returns the nearest points of both shapes, or their overlap.
     pub(crate) fn nearest(&self, limit: f64) -> Found {
         let mut best: Option<Proof> = None;
         for direction in self.directions() {
@@ -50,13 +50,14 @@ impl ConvexPair<'_> {
             best = Some(best.filter(|best| best.gap >= proof.gap).unwrap_or(proof));
         }
         match best {
-            // Not exact, but never farther than they are.
+            // Not exact, but never greater than the actual distance.
             Some(proof) if proof.gap > 0.0 => proof.shortened().found(),
             _ => Found::Overlap,
         }
     }
 
-    /// Returns the length of the shortest shift that separates shapes which overlap, and points at its ends.
+    /// Returns the depth of an overlap: the length of the shortest shift that separates the shapes, with its end
+    /// points.
     pub(crate) fn overlap(&self) -> (f64, [Vector; 2]) {
         let found = self.directions().filter_map(|direction| self.penetration(direction));
         let shifts = self.directions().chain(found);
@@ -64,8 +65,7 @@ impl ConvexPair<'_> {
         (-self.gap(normal), self.extremes(normal))
     }
 
-    /// Returns directions of unit length to begin a search with: from centre to centre, and along the axes of both
-    /// frames.
+    /// Returns unit vectors as start directions of a search: from centre to centre, and along the axes of both frames.
     fn directions(&self) -> impl Iterator<Item = Vector> {
         let axes = [Vector::X, Vector::Y, Vector::Z];
         let axes = axes.into_iter().chain(axes.map(|axis| self.pose.rotation * axis));
@@ -73,7 +73,7 @@ impl ConvexPair<'_> {
         centres.into_iter().chain(axes).flat_map(|direction| [direction, -direction])
     }
 
-    /// Searches for the nearest points. `None` means that the search has found an overlap, or nothing.
+    /// Searches for the nearest points; `None` if the search found an overlap or failed.
     fn search(&self, direction: Vector, limit: f64) -> Option<Proof> {
         let mut simplex = VoronoiSimplex::new();
         let ConvexPair { first, second, pose } = *self;
@@ -84,7 +84,7 @@ impl ConvexPair<'_> {
                 Some(Proof { points: [on_first, on_second], gap: self.gap(normal) })
             }
             GJKResult::NoIntersection(normal) | GJKResult::Proximity(normal) => {
-                // The library's normals point at the first or the second shape.
+                // The library's normal may point at either shape.
                 let normal = if self.gap(normal) > self.gap(-normal) { normal } else { -normal };
                 Some(Proof { points: self.extremes(normal), gap: self.gap(normal) })
             }
@@ -92,7 +92,7 @@ impl ConvexPair<'_> {
         }
     }
 
-    /// Returns the direction of the shortest shift that separates both, as the library finds it.
+    /// Returns the library's direction of the shortest shift that separates both shapes.
     fn penetration(&self, direction: Vector) -> Option<Vector> {
         let mut simplex = VoronoiSimplex::new();
         let ConvexPair { first, second, pose } = *self;
@@ -102,21 +102,21 @@ impl ConvexPair<'_> {
         }
     }
 
-    /// Returns the signed distance between two parallel planes with this normal: the first shape ends at one, the second
-    /// begins at the other. It is a lower bound of the distance between the shapes.
+    /// Returns the signed distance between two parallel planes with this normal: one at the end of the first shape, the
+    /// other at the beginning of the second shape. It is a lower bound of the distance between the shapes.
     fn gap(&self, normal: Vector) -> f64 {
         let [on_first, on_second] = self.extremes(normal);
         normal.dot(on_second - on_first)
     }
 
-    /// Returns the extreme points along a direction: the farthest point of the first shape, and the nearest point of the
-    /// second.
+    /// Returns the extreme points along a direction: the farthest point of the first shape, and the nearest point of
+    /// the second.
     fn extremes(&self, normal: Vector) -> [Vector; 2] {
         [self.first.local_support_point(normal), self.second.support_point(self.pose, -normal)]
     }
 }
 
-/// An upper and a lower bound of a distance: a point on each shape, and a gap between the shapes.
+/// Upper and lower bound of a distance: a point on each shape, and a gap between the shapes.
 #[derive(Debug, Clone, Copy)]
 struct Proof {
     points: [Vector; 2],
@@ -133,7 +133,7 @@ impl Proof {
         if self.gap > 0.0 { Found::Apart(self.points) } else { Found::Overlap }
     }
 
-    /// Moves the second point so that both are as far apart as the gap is wide.
+    /// Moves the second point so that the distance of the points equals the gap.
     fn shortened(self) -> Self {
         let [on_first, on_second] = self.points;
         let points = [on_first, on_first + (on_second - on_first) * (self.gap / self.distance())];

@@ -1,8 +1,8 @@
 //! Distances between shapes: boxes, cylinders, spheres, capsules, convex hulls, and surfaces of triangles.
 //!
-//! Lengths are in mm. Each shape has its own frame, and a pose places this frame in a common frame. The crate has
-//! no notion of arms, files or time. The same input yields the same bits on every machine: `parry3d-f64`, which computes
-//! all distances except between capsules, is built with its deterministic functions.
+//! Lengths are in mm. Each shape has its own frame, and a pose places this frame in a common frame. The crate has no
+//! concept of arms, files or time. Equal input yields bit-identical results on every machine: `parry3d-f64`, which
+//! computes all distances except between capsules, is built with its deterministic functions.
 
 mod bounds;
 mod capsules;

@@ -1,4 +1,4 @@
-//! How near two shapes are.
+//! Distance or overlap between two shapes.
 
 use parry3d_f64::math::Pose;
 use parry3d_f64::shape::SharedShape;
@@ -19,14 +19,14 @@ pub struct PlacedShape<'s> {
     pub pose: &'s IsometryMatrix3<f64>,
 }
 
-/// How near two shapes are.
+/// Distance or overlap between two shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Nearness {
-    /// Their distance is greater than the limit of the query.
+    /// The distance is greater than the limit of the query.
     Beyond,
-    /// They are apart.
+    /// The shapes are apart.
     Apart(Closest),
-    /// They overlap.
+    /// The shapes overlap.
     Overlap(Overlap),
 }
 
@@ -35,21 +35,21 @@ pub enum Nearness {
 pub struct Closest {
     /// Distance in mm.
     pub distance: f64,
-    /// A nearest point of the first and of the second shape, in the common frame.
+    /// A nearest point on the first and on the second shape, in the common frame.
     pub points: [Vector3<f64>; 2],
 }
 
 /// Overlap of two shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
-    /// Length of the shortest shift that separates them; `None` for surfaces, which have no inside.
+    /// Length in mm of the shortest shift that separates the shapes; `None` for surfaces, which have no inside.
     pub depth: Option<f64>,
     /// A common point, in the common frame.
     pub at: Vector3<f64>,
 }
 
-/// Returns how near two shapes are. Pairs beyond `limit` are recognised quickly: on surfaces of many triangles
-/// a limit of 10 mm shortens a query to a hundredth of its time.
+/// Returns the distance or overlap between two shapes. Pairs beyond `limit` (in mm) are detected quickly: for surfaces
+/// with many triangles, a limit of 10 mm makes a query a hundred times as fast.
 #[must_use]
 pub fn nearest(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Nearness {
     if let (Form::Capsule(first), Form::Capsule(second)) = (&a.shape.form, &b.shape.form) {
@@ -69,12 +69,12 @@ pub fn nearest(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Nearness {
     }
 }
 
-/// A shape without its rounding: the axis of a capsule; every other shape unchanged. The library computes distances
-/// from axes exactly, and distances from round bodies approximately.
+/// A shape without its rounding: the axis of a capsule, or any other shape unchanged. The library computes distances
+/// from axes exactly, but distances from round bodies only approximately.
 struct Core {
     shape: SharedShape,
     pose: Pose,
-    /// Distance of the shape's surface from the core.
+    /// Distance in mm between the core and the shape's surface.
     radius: f64,
 }
 
@@ -90,7 +90,7 @@ impl Core {
         }
     }
 
-    /// Returns the whole shape at its pose.
+    /// Returns the entire shape at its pose, as a core without rounding.
     fn whole(placed: PlacedShape<'_>) -> Self {
         let core = Self::of(placed);
         match &placed.shape.form {
@@ -107,7 +107,8 @@ fn are_solid(a: PlacedShape<'_>, b: PlacedShape<'_>) -> bool {
     !a.shape.is_surface() && !b.shape.is_surface()
 }
 
-/// Returns how near two cores are, of which the second is at a pose in the frame of the first.
+/// Returns the nearest points or the overlap of two cores. `relative` is the pose of the second core in the frame of
+/// the first.
 fn between(first: &Core, second: &Core, relative: &Pose, limit: f64) -> Found {
     if let Some(surface) = first.shape.as_trimesh() {
         return surfaces::nearest(surface, &second.shape, relative, limit);
@@ -119,17 +120,17 @@ fn between(first: &Core, second: &Core, relative: &Pose, limit: f64) -> Found {
     }
     match (first.shape.as_support_map(), second.shape.as_support_map()) {
         (Some(first), Some(second)) => ConvexPair { first, second, pose: relative }.nearest(limit),
-        // The only shapes that are not convex are surfaces. An overlap is the answer that hides nothing.
+        // Unreachable: only surfaces are not convex. An overlap is the safe result, because it hides no contact.
         _ => Found::Overlap,
     }
 }
 
-/// Returns how near shapes are whose cores have these nearest points.
+/// Returns the distance or overlap between two shapes whose cores have these nearest points.
 fn rounded(cores: [Vector3<f64>; 2], radii: [f64; 2], are_solid: bool, limit: f64) -> Nearness {
     let between = cores[1] - cores[0];
     let length = between.norm();
     let distance = length - radii[0] - radii[1];
-    // Cores that touch have no direction between them: any one is as good.
+    // Cores that touch have no direction between them, so any direction is valid.
     let direction = if length > 0.0 { between / length } else { Vector3::z() };
     let points = [cores[0] + direction * radii[0], cores[1] - direction * radii[1]];
     if distance > limit {
@@ -141,7 +142,7 @@ fn rounded(cores: [Vector3<f64>; 2], radii: [f64; 2], are_solid: bool, limit: f6
     }
 }
 
-/// Returns what shapes share whose cores overlap or touch.
+/// Returns the depth and a common point of two shapes whose cores overlap or touch.
 fn overlap(a: PlacedShape<'_>, b: PlacedShape<'_>) -> Overlap {
     let (first, second) = (Core::whole(a), Core::whole(b));
     match (first.shape.as_support_map(), second.shape.as_support_map()) {
@@ -162,7 +163,7 @@ mod tests {
     use super::*;
     use crate::testing::{convex, corners, hull, outside, pose};
 
-    /// Distance; negative for a depth.
+    /// Distance; negative for the depth of an overlap.
     fn signed(nearness: Nearness) -> f64 {
         match nearness {
             Nearness::Beyond => f64::INFINITY,
@@ -192,7 +193,7 @@ mod tests {
             prop_assert!((signed(here) - signed(there)).abs() < 1e-3, "{here:?} {there:?}");
         }
 
-        /// Boxes around shapes are at most as far apart, and all points are within the reach.
+        /// The distance of bounding boxes is at most the distance of the shapes, and all points are within the reach.
         #[test]
         fn bounds_are_nearer_than_shapes(a in convex(), at_a in pose(), b in convex(), at_b in pose()) {
             let distance = a.bounds(&at_a).distance(&b.bounds(&at_b));
@@ -202,8 +203,8 @@ mod tests {
             prop_assert!(signed(between(&a, &at_a, &b, &at_b)) >= least - 1e-6);
         }
 
-        /// The nearest points belong to both shapes: a small sphere around each one touches both its shape and, at the
-        /// distance, the other.
+        /// The nearest points belong to both shapes: a small sphere around each point touches its own shape, and has
+        /// the reported distance from the other shape.
         #[test]
         fn nearest_points_are_on_the_shapes(a in hull(), at_a in pose(), b in convex(), at_b in pose()) {
             let Nearness::Apart(Closest { distance, points }) = between(&a, &at_a, &b, &at_b) else { return Ok(()) };
@@ -238,7 +239,7 @@ mod tests {
             }
         }
 
-        /// Pairs within the limit have the distance that they have without a limit.
+        /// A limit does not change the distance of pairs within the limit.
         #[test]
         fn a_limit_changes_no_distance(a in convex(), at_a in pose(), b in convex(), at_b in pose(), limit in 0.0..900.0) {
             let [a, b] = [PlacedShape { shape: &a, pose: &at_a }, PlacedShape { shape: &b, pose: &at_b }];
@@ -250,7 +251,7 @@ mod tests {
             }
         }
 
-        /// The triangles of a hull are as far from a shape as the hull, unless the shape is inside.
+        /// The surface of a hull has the same distance from a shape as the hull itself, unless the shape is inside.
         #[test]
         fn the_surface_of_a_hull_is_as_far_as_the_hull(points in corners(), at in pose(), b in convex(), at_b in pose()) {
             let (hull, surface) = (Shape::hull(&points).unwrap(), outside(&points));

@@ -1,4 +1,4 @@
-//! Shapes and what cannot be one.
+//! Shapes, and errors in their values.
 
 use parry3d_f64::math::{Pose, Rotation, Vector};
 use parry3d_f64::shape::{Cylinder, SharedShape, TriMesh};
@@ -8,14 +8,14 @@ use crate::bounds::Bounds;
 use crate::capsules::Capsule;
 use crate::convert;
 
-/// Points, and triangles as numbers of them.
+/// Points, and triangles as indexes of three points.
 pub type Triangles = (Vec<Vector3<f64>>, Vec<[u32; 3]>);
 
 /// A shape in its own frame.
 #[derive(Clone)]
 pub struct Shape {
     pub(crate) form: Form,
-    /// Greatest distance of a point from the origin of the frame.
+    /// Largest distance of a point from the origin of the frame, in mm.
     reach: f64,
 }
 
@@ -28,7 +28,7 @@ pub(crate) enum Form {
     Surface(SharedShape),
 }
 
-/// Why values do not describe a shape.
+/// Reason why values do not describe a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeError {
     /// A length is not a positive number.
@@ -83,7 +83,7 @@ impl Shape {
     pub fn cylinder(radius: f64, length: f64) -> Result<Self, ShapeError> {
         positive(radius)?;
         positive(length)?;
-        // The library's cylinders are around the y axis: a quarter turn around x.
+        // The library's cylinders are around the y axis. A quarter turn around x makes z the axis.
         let half = std::f64::consts::FRAC_1_SQRT_2;
         let turn = Pose::from_rotation(Rotation::from_xyzw(half, 0.0, 0.0, half));
         let shape = SharedShape::new(Cylinder::new(length / 2.0, radius));
@@ -98,7 +98,7 @@ impl Shape {
         Self::capsule(Vector3::zeros(), Vector3::zeros(), radius)
     }
 
-    /// Creates the points within a radius of a line segment.
+    /// Creates a capsule: all points within a radius of a line segment.
     ///
     /// # Errors
     /// [`ShapeError::Size`] for the radius, [`ShapeError::Coordinate`].
@@ -120,7 +120,7 @@ impl Shape {
         Ok(Self { form: Form::Convex(hull.ok_or(ShapeError::Flat)?, Pose::IDENTITY), reach: reach(points) })
     }
 
-    /// Creates a surface of triangles, which are numbers of `points`.
+    /// Creates a surface of triangles, each with the indexes of three `points`.
     ///
     /// # Errors
     /// [`ShapeError::Coordinate`], [`ShapeError::Triangles`].
@@ -143,7 +143,7 @@ impl Shape {
         Some((points.iter().map(|point| Vector3::new(point.x, point.y, point.z)).collect(), triangles))
     }
 
-    /// Whether the shape is a surface: something inside of it does not touch it.
+    /// Whether the shape is a surface. A surface has no inside: a shape that it encloses does not touch it.
     #[must_use]
     pub fn is_surface(&self) -> bool {
         matches!(self.form, Form::Surface(_))
@@ -155,7 +155,7 @@ impl Shape {
         self.reach
     }
 
-    /// Returns a box around the shape at a pose.
+    /// Returns the bounding box of the shape at a pose.
     #[must_use]
     pub fn bounds(&self, pose: &IsometryMatrix3<f64>) -> Bounds {
         match &self.form {
@@ -183,7 +183,8 @@ fn reach(points: &[Vector3<f64>]) -> f64 {
     points.iter().map(Vector3::norm).fold(0.0, f64::max)
 }
 
-/// Points have a volume if one is farther from the plane through three others than this share of their extent.
+/// Points have a volume if one of them is farther from the plane through three other points than this fraction of their
+/// extent.
 const FLAT: f64 = 1e-9;
 
 /// Whether points have a volume.

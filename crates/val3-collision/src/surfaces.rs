@@ -7,8 +7,8 @@ use parry3d_f64::shape::{SharedShape, TriMesh};
 
 use crate::convex::{ConvexPair, Found};
 
-/// Returns how near a shape at a pose is to a surface, with points in the frame of the surface. The shape may be a
-/// surface too.
+/// Returns the nearest points or the overlap of a surface and a shape at a pose, with points in the frame of the
+/// surface. The shape may also be a surface.
 pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit: f64) -> Found {
     let bounds = shape.compute_aabb(pose);
     let to_box = |node: &BvhNode, _: f64| between(&bounds, node.mins(), node.maxs());
@@ -20,12 +20,13 @@ pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit
                 let triangle = SharedShape::triangle(triangle.a, triangle.b, triangle.c);
                 turned_back(nearest(other, &triangle, &pose.inverse(), limit), pose)
             }
-            // Every shape is one of both. An overlap is the answer that hides nothing.
+            // Unreachable: every shape is either convex or a surface. An overlap is the safe result, because it hides
+            // no contact.
             (None, None) => Found::Overlap,
         };
         Some(NearestTriangle(found))
     };
-    // A cost equal to the limit does not count as found.
+    // The library ignores a cost that equals the limit.
     let wanted = limit.next_up();
     surface.bvh().find_best(wanted, to_box, to_triangle).map_or(Found::Beyond, |(_, NearestTriangle(found))| found)
 }

@@ -5,7 +5,7 @@ use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
 
 use crate::Shape;
 
-/// Points whose coordinates are at most `most` from 0.
+/// Points with coordinates between `-most` and `most`.
 pub(crate) fn point(most: f64) -> impl Strategy<Value = Vector3<f64>> {
     [-most..most, -most..most, -most..most].prop_map(Vector3::from)
 }
@@ -17,7 +17,7 @@ pub(crate) fn pose() -> impl Strategy<Value = IsometryMatrix3<f64>> {
         .prop_map(|(place, angles)| Trsf::new(place, angles).isometry())
 }
 
-/// Convex shapes of every kind, of 5 to 600 mm.
+/// Convex shapes of all kinds, with sizes from 5 to 600 mm.
 pub(crate) fn convex() -> impl Strategy<Value = Shape> {
     let length = || 5.0..300.0;
     prop_oneof![
@@ -29,7 +29,7 @@ pub(crate) fn convex() -> impl Strategy<Value = Shape> {
     ]
 }
 
-/// Hulls of a few random points.
+/// Convex hulls of a few random points.
 pub(crate) fn hull() -> impl Strategy<Value = Shape> {
     corners().prop_map(|points| Shape::hull(&points).unwrap())
 }
@@ -39,7 +39,7 @@ pub(crate) fn corners() -> impl Strategy<Value = Vec<Vector3<f64>>> {
     prop::collection::vec(point(150.0), 4..12).prop_filter("flat", |points| Shape::hull(points).is_ok())
 }
 
-/// Returns the surface of the hull of points: the triangles with all points on one side.
+/// Returns the surface of the convex hull: the triangles that have all points on one side.
 pub(crate) fn outside(points: &[Vector3<f64>]) -> Shape {
     let numbers = 0..u32::try_from(points.len()).unwrap();
     let corner = |number: u32| points[usize::try_from(number).unwrap()];

@@ -22,8 +22,8 @@ pub(crate) struct Closings {
 }
 
 impl Closings {
-    /// Collects the keywords of the program in a file. Those of loops are needed for a debugger only, because they cost
-    /// an operation in each iteration.
+    /// Collects the keywords of the program in a file. Keywords of loops are collected only for a debugger, because
+    /// they cost an operation in each iteration.
     pub(crate) fn of(db: &dyn Db, file: File, form: CodeForm) -> Self {
         let parse = parse(db, file);
         let Some(code) = program::code(parse.view()) else { return Self::default() };
@@ -51,7 +51,7 @@ impl Closings {
         self.loops.get(&range).copied()
     }
 
-    /// Returns the `break` of a clause of the `switch` with this range.
+    /// Returns the `break` of clause `number` in the `switch` with this range.
     pub(crate) fn of_case(&self, range: TextRange, number: usize) -> Option<TextRange> {
         *self.breaks.get(&range)?.get(number)?
     }

@@ -137,7 +137,7 @@ impl CodeBuilder {
         self.pending = mark;
     }
 
-    /// Lets the next operation be the place of a keyword that closes a block.
+    /// Marks the next operation as the stop at a keyword that closes a block.
     pub(crate) fn closing(&mut self, range: TextRange) {
         self.begin();
         let place = SourceLine { op: count(&self.steps), range: source_range(range), row: self.row(range) };

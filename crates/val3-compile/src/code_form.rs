@@ -1,9 +1,9 @@
 //! Forms of code: without extras, with counters, with stops for a debugger.
 
-/// Form of the code of an image.
+/// Form of an image's code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CodeForm {
-    /// Nothing, for the fastest run.
+    /// No extras, for the fastest run.
     #[default]
     Plain,
     /// Counters: the virtual machine counts the executions of lines and branch sides.

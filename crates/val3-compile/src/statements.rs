@@ -36,14 +36,14 @@ impl<'u, 'db> Statements<'u, 'db> {
         Self { values, header, closings, range: TextRange::default() }
     }
 
-    /// Lets the next operation be the place of `end`.
+    /// Marks the next operation as the stop at `end`.
     pub(crate) fn end(&mut self) {
         if let Some(end) = self.closings.end {
             self.out().code().closing(end);
         }
     }
 
-    /// Adds the place of the keyword that closes a loop.
+    /// Adds the stop at the keyword that closes a loop.
     pub(crate) fn loop_end(&mut self, stmt: &Stmt) {
         if let Some(closing) = self.closings.of_loop(stmt.range) {
             self.out().code().closing(closing);

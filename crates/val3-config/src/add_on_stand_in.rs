@@ -8,7 +8,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// The stand-in of an instruction.
+/// Stand-in for an add-on instruction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(
     untagged,
@@ -21,7 +21,7 @@ pub enum AddOnStandIn {
     Program(StandInProgram),
 }
 
-/// The value that the stand-in of an instruction returns.
+/// Value that a stand-in returns in place of the instruction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum StandInValue {
@@ -33,12 +33,12 @@ pub enum StandInValue {
     Text(String),
 }
 
-/// The program that is called in place of an instruction.
+/// Program that is called in place of the instruction.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StandInProgram {
-    /// The program file in the folder of its library, from the folder of the settings file: `standIns/velJoint.pgx`. The
-    /// ending may be omitted.
+    /// The program file in the folder of its library, from the folder of the settings file: `standIns/velJoint.pgx`.
+    /// The ending may be omitted.
     pub program: Utf8PathBuf,
 }
 

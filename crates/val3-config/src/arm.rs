@@ -8,7 +8,7 @@ use val3_lang::types::Arm;
 /// Words for the kinds of arms.
 const KINDS: [(&str, Arm); 3] = [("six-axis", Arm::SixAxis), ("scara", Arm::Scara), ("other", Arm::Vrb)];
 
-/// Arm of a cell as set in the configuration.
+/// Arm setting of a cell.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct ArmSetting {

@@ -17,7 +17,7 @@ pub struct ConfigFile {
     pub text: String,
     /// Settings in the file.
     pub config: Config,
-    /// Places of the keys.
+    /// Byte ranges of the keys in the text.
     places: KeyPlaces,
 }
 
@@ -49,7 +49,7 @@ impl ConfigFile {
         self.places.line(key, &self.text)
     }
 
-    /// Creates an error in the value of `key` that only the user of the setting can detect.
+    /// Creates an error in the value of `key` that the parser cannot detect, only the code that uses the setting.
     pub fn fault(&self, key: &str, message: String, help: String) -> ConfigError {
         let range = self.places.range(key);
         ConfigError { path: self.path.clone(), text: self.text.clone(), range, message, help }
@@ -60,7 +60,7 @@ impl ConfigFile {
         self.lists(&self.config.exclude, path)
     }
 
-    /// Whether the file lists the application in `folder` as one with tests.
+    /// Whether the file lists the application in `folder` as an application with tests.
     pub fn lists_tests_in(&self, folder: &Utf8Path) -> bool {
         self.lists(&self.config.test.applications, folder)
     }

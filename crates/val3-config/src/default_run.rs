@@ -1,4 +1,4 @@
-//! The run of a folder that contains several applications.
+//! Default run of a folder that contains several applications.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use schemars::JsonSchema;
@@ -67,7 +67,7 @@ fn unwritable(path: &Utf8Path, extension: &str) -> Option<String> {
     None
 }
 
-/// Whether the part of a path is a name that neither hides the file nor leaves the folder on Windows.
+/// Whether a part of a path is a name that does not hide the file, and does not leave the folder on Windows.
 fn is_visible(part: Utf8Component<'_>) -> bool {
     match part {
         Utf8Component::Normal(name) => !name.starts_with('.') && !name.contains([':', '\\']),

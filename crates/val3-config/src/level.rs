@@ -1,4 +1,4 @@
-//! Level of a rule's findings.
+//! Levels of a rule's findings.
 
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! The configuration file `val3.toml`: settings with their lines, and the JSON schema.
 //!
-//! [`Config`] is the only description. The reader, the schema, the messages about wrong settings and the output of
-//! `val3 check --explain-config` are derived from it. This crate reads no files.
+//! [`Config`] is the only definition of the settings. The parser, the schema, the messages about invalid settings and
+//! the output of `val3 check --explain-config` are derived from it. This crate reads no files.
 
 mod add_on_stand_in;
 mod arm;

@@ -43,7 +43,7 @@ pub struct Options {
     pub task_words: Vec<String>,
 }
 
-/// Prefixes that most public programs use.
+/// Prefixes that most public programs use, by type.
 const PREFIXES: [(&str, &str); 14] = [
     ("bool", "b"),
     ("num", "n"),

@@ -41,12 +41,13 @@ pub struct RunSettings {
     pub profiles: BTreeMap<String, Profile>,
     /// The units of analog inputs and outputs, which viewers show, by link: `{ 'Rio\%IF0' = "bar" }`.
     pub units: BTreeMap<String, String>,
-    /// Files with the shapes of the arm's base and links, which viewers show, relative to the folder of this file:
+    /// Files with the shapes of the arm's base and links, which viewers show, and whose hulls are compared with the things
+    /// around the arm. Paths are relative to the folder of this file:
     /// `{ base = "arm/base.stl", link1 = "arm/link1.glb" }`. An STL file is in mm with z up, a GLB file in m with y up,
     /// both in the frame that the link has in the chain of the arm.
     #[schemars(with = "BTreeMap<String, String>")]
     pub shapes: BTreeMap<String, Utf8PathBuf>,
-    /// The file with the things around the arm, relative to the folder of this file; `cell.toml` beside this file by
+    /// The file with the things around the arm, relative to the folder of this file; `cell.toml` next to this file by
     /// default, and `none` for an empty room.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "String")]

@@ -49,7 +49,7 @@ pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
     }
 }
 
-/// Returns the words that the schema accepts; empty if it accepts any.
+/// Returns the words that the schema accepts; empty if it accepts any string.
 pub(crate) fn choices(schema: &Value) -> Vec<&str> {
     let listed = schema.get("enum").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
     let described = schema.get("oneOf").and_then(Value::as_array).into_iter().flatten();

@@ -31,7 +31,8 @@ pub enum ValueForm {
     Tables,
 }
 
-/// Returns the keys of the table at a path, in alphabetical order. Entries of a list are tables of its key.
+/// Returns the keys of the table at a path, in alphabetical order. Entries of a list are addressed by the key of the
+/// list, without an index.
 pub fn schema_keys<T: JsonSchema>(path: &[&str]) -> Vec<SchemaKey> {
     let schema = schema_of::<T>();
     let Some(table) = at(&schema, path) else { return Vec::new() };
@@ -43,7 +44,7 @@ pub fn schema_keys<T: JsonSchema>(path: &[&str]) -> Vec<SchemaKey> {
     described.collect()
 }
 
-/// Returns the words that the key at a path accepts: the choices of a text, or `true` and `false`.
+/// Returns the words that the key at a path accepts: the choices of a string, or `true` and `false`.
 pub fn schema_words<T: JsonSchema>(path: &[&str]) -> Vec<String> {
     let schema = schema_of::<T>();
     match at(&schema, path) {
@@ -53,7 +54,7 @@ pub fn schema_words<T: JsonSchema>(path: &[&str]) -> Vec<String> {
     }
 }
 
-/// Returns the schema at a path, without the lists around it.
+/// Returns the schema at a path. For a list, this is the schema of its items.
 fn at<'s>(schema: &'s Value, path: &[&str]) -> Option<&'s Value> {
     path.iter().try_fold(schema, |table, key| property(table, key).map(|key| key.get("items").unwrap_or(key)))
 }

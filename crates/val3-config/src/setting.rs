@@ -10,7 +10,7 @@ use crate::{Config, ConfigFile};
 pub struct Setting {
     /// Key, for example `lint.line-length`.
     pub key: String,
-    /// Value in TOML syntax; empty if it has none.
+    /// Value in TOML syntax; empty without a value.
     pub value: String,
     /// Line that sets the value, from 1; `None` for a default.
     pub line: Option<usize>,
@@ -34,7 +34,7 @@ fn collect(file: &ConfigFile, schema: &Value, value: &Value, path: &str, found: 
     let named = schema.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(key, _)| key);
     let given = value.as_object().into_iter().flatten().map(|(key, _)| key);
     let mut keys: Vec<&String> = named.chain(given).collect();
-    // Tables follow the single values, as in a TOML file.
+    // Single values come before tables, as in a TOML file.
     keys.sort_by_key(|key| (property(schema, key).is_some_and(is_table), *key));
     keys.dedup();
     for key in keys {

@@ -1,4 +1,4 @@
-//! Parsing of TOML files whose keys a type describes: `val3.toml` and `cell.toml`.
+//! Parser for TOML files whose keys are defined by a type: `val3.toml` and `cell.toml`.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -51,8 +51,8 @@ impl<T> TableFile<T> {
         self.path.parent().unwrap_or(Utf8Path::new(""))
     }
 
-    /// Creates an error at `key` (`object[2].in`) that only the user of the value can detect. If the file does not
-    /// contain the key, the error is at the table around it.
+    /// Creates an error at `key` (`object[2].in`) that the parser cannot detect, only the code that uses the value. If
+    /// the file does not contain the key, the error is at the enclosing table.
     pub fn fault(&self, key: &str, message: String, help: String) -> ConfigError {
         let range = self.places.range(key);
         ConfigError { path: self.path.clone(), text: self.text.clone(), range, message, help }
@@ -93,7 +93,7 @@ impl KeyPlaces {
         }
     }
 
-    /// Returns the range of a key, or of the nearest table around it that exists; empty without one.
+    /// Returns the range of a key, or of the nearest enclosing table that exists; empty if there is none.
     pub(crate) fn range(&self, key: &str) -> Range<usize> {
         let mut key = key;
         loop {
@@ -111,7 +111,7 @@ impl KeyPlaces {
     }
 }
 
-/// Converts an error of the TOML parser. Its message follows `before`.
+/// Converts an error of the TOML parser. Its message is prefixed with `before`.
 fn toml_error(cause: &toml::de::Error, before: &str) -> SettingError {
     let message = format!("{before}{}", cause.message().trim());
     SettingError { range: cause.span().unwrap_or_default(), message, help: String::new() }

@@ -1,4 +1,4 @@
-//! Strings in a TOML file with their places, for names in them.
+//! Strings in a TOML file with their byte ranges, for features that edit or resolve names in them.
 
 use std::ops::Range;
 
@@ -16,8 +16,8 @@ pub struct TableString {
     pub range: Range<usize>,
 }
 
-/// Returns the strings of a TOML file in source order. The file may be incomplete. Strings with escapes or several lines
-/// are omitted, because a part of them has no place in the file.
+/// Returns the strings of a TOML file in source order. The file may be incomplete. Strings with escapes or several
+/// lines are omitted, because offsets in their values do not match offsets in the file.
 pub fn table_strings(text: &str) -> Vec<TableString> {
     let (table, _) = DeTable::parse_recoverable(text);
     let mut strings = TableStrings { text, found: Vec::new() };

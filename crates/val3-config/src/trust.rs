@@ -49,7 +49,7 @@ pub struct NamedPath<'f> {
 }
 
 impl NamedPath<'_> {
-    /// Whether the path is a library's, whose surroundings programs can access.
+    /// Whether the path refers to a library, whose surroundings programs can access.
     pub fn is_library(&self) -> bool {
         self.key.starts_with("test.replace.") || self.key.starts_with("run.add-ons.")
     }
@@ -138,7 +138,7 @@ replace = { part = "fake/part" }
         ConfigFile::parse(Utf8Path::new("/cell/val3.toml"), text).unwrap()
     }
 
-    /// Every setting with a path is included, so that a new one is checked, too.
+    /// All settings with a path are included. The test fails for a new setting that is not checked.
     #[test]
     fn every_setting_with_a_path_is_named() {
         let sources = [

@@ -66,7 +66,7 @@ fn validate_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, erro
     }
 }
 
-/// Whether the setting is a whole number: a count or a percentage, never negative.
+/// Whether the setting is an integer: a count or a percentage, which is never negative.
 fn is_whole(schema: &Value) -> bool {
     schema.get("type").is_some_and(|ty| ty == "integer")
 }

@@ -100,7 +100,7 @@ impl Coverage {
     }
 }
 
-/// Returns the name of a project, with the folder of its file if several of the `names` are equal.
+/// Returns the project name; with the project file's folder if the name occurs more than once in `names`.
 fn unique_name(file: &str, name: &str, names: &[&str]) -> String {
     match names.iter().filter(|known| **known == name).count() {
         1 => name.to_owned(),

@@ -46,9 +46,9 @@ pub enum LineState {
     Uncounted,
     /// The line was never executed.
     Missed,
-    /// The line was executed, but a side of its branch was never taken.
+    /// The line was executed, but a branch side was never taken.
     Partial,
-    /// The line was executed, and every side of its branch was taken.
+    /// The line was executed, and every branch side was taken.
     Hit,
 }
 

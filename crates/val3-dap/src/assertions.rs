@@ -7,10 +7,10 @@ use val3_lang::ports::TaskNumber;
 use val3_lang::test_names::{ASSERTIONS, FAILURE};
 use val3_machine::controller::Controller;
 
-/// The identity of the breakpoint. The breakpoints of clients begin with 1.
+/// Identity of the breakpoint on failed assertions. Identities of clients' breakpoints begin with 1.
 pub(crate) const ID: BreakpointId = BreakpointId(0);
 
-/// The breakpoint at the program that each failed assertion calls.
+/// Returns the breakpoint on the library program that each failed assertion calls.
 pub(crate) fn breakpoint() -> ProgramBreakpoint {
     ProgramBreakpoint::new(ID, ProgramName { library: Some(ASSERTIONS.to_owned()), program: FAILURE.to_owned() })
 }
@@ -20,12 +20,12 @@ pub(crate) fn has_failed(frames: &[TaskFrame]) -> bool {
     frames.first().is_some_and(|frame| is_of_library(frame) && frame.program == FAILURE)
 }
 
-/// Whether a frame is in the library.
+/// Whether a stack frame is in the assertion library.
 pub(crate) fn is_of_library(frame: &TaskFrame) -> bool {
     frame.application == ASSERTIONS
 }
 
-/// The message of the failure that a task reports.
+/// Returns the message of the failed assertion that a task reports.
 pub(crate) fn message(controller: &mut Controller, task: TaskNumber) -> Option<String> {
     if !has_failed(&frames(&controller.vm, task)) {
         return None;

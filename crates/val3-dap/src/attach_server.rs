@@ -1,4 +1,4 @@
-//! Clients that attach to a run and leave it again, one at a time.
+//! Clients that attach to a run and detach from it, one at a time.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
@@ -10,7 +10,7 @@ use crate::secret::Secret;
 use crate::session::{DebugSession, NextAction, RunState};
 use crate::session_start::SessionStart;
 
-/// Accepts the clients of a run. Without a client the run continues.
+/// Accepts the clients of a run. The run continues while no client is attached.
 #[derive(Debug)]
 pub struct AttachServer {
     /// Sender of connected clients, so that the channel stays open.
@@ -19,7 +19,7 @@ pub struct AttachServer {
     /// Clients that have not attached yet.
     handshakes: Vec<Handshake>,
     session: Option<DebugSession>,
-    /// The state of the run for the next client.
+    /// State of the run when the next client attaches.
     run: RunState,
     /// Secret that each client has to send.
     secret: Secret,
@@ -55,7 +55,7 @@ impl AttachServer {
         }
     }
 
-    /// Attends to clients that have not attached yet.
+    /// Continues the handshakes of clients that have not attached yet.
     fn receive(&mut self, run: &mut DebuggedRun<'_>) {
         let secret = &self.secret;
         self.handshakes.extend(self.arrivals.try_iter().map(|client| Handshake::through_port(client, secret.clone())));
@@ -82,7 +82,7 @@ impl AttachServer {
         self.session = Some(handshake.accept(start, self.run));
     }
 
-    /// The session of the client that has attached.
+    /// Returns the session of the attached client.
     pub fn session(&mut self) -> Option<&mut DebugSession> {
         self.session.as_mut()
     }

@@ -1,4 +1,4 @@
-//! Hit counts of breakpoints, which clients show as messages of the breakpoints.
+//! Hit counts, which clients show as messages of the breakpoints.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ pub(crate) enum BreakpointGroup {
 pub(crate) struct ShownHits(BTreeMap<BreakpointGroup, Vec<Breakpoint>>);
 
 impl ShownHits {
-    /// Replaces the breakpoints of a group, and adds the hit counts of those that were hit before.
+    /// Replaces the breakpoints of a group, and adds hit counts to breakpoints that were already hit.
     pub(crate) fn replace(&mut self, group: BreakpointGroup, breakpoints: &mut [Breakpoint], debugger: &Debugger) {
         for breakpoint in breakpoints.iter_mut().filter(|breakpoint| breakpoint.verified) {
             breakpoint.message = hits_of(breakpoint, debugger).filter(|hits| *hits > 0).map(message);

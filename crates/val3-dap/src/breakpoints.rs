@@ -28,7 +28,7 @@ pub(crate) struct BreakpointTable {
     /// Results of `dataBreakpointInfo`, by data id.
     known_data: BTreeMap<String, WatchedData>,
     data: Vec<BreakpointId>,
-    /// Breakpoints on local variables whose program has ended, as the client knows them.
+    /// Breakpoints on local variables that were reported to the client as ended with their program.
     ended: BTreeSet<BreakpointId>,
     errors: StopErrors,
     /// Whether failed assertions stop the run.
@@ -197,7 +197,7 @@ impl BreakpointTable {
         })
     }
 
-    /// Stores data for `setDataBreakpoints`, and returns the data id.
+    /// Stores data for a later `setDataBreakpoints`, and returns the data id.
     pub(crate) fn know_data(&mut self, data: WatchedData) -> String {
         let id = data.id().to_owned();
         self.known_data.insert(id.clone(), data);
@@ -245,13 +245,13 @@ impl BreakpointTable {
         Ok(())
     }
 
-    /// Lets the selected run-time errors and failed assertions stop the run.
+    /// Applies the selected run-time errors and failed assertions to the run.
     pub(crate) fn apply_errors(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) {
         run.debugger.set_errors(self.errors.clone());
         self.place_programs(run, conventions);
     }
 
-    /// Returns the breakpoints on local variables whose program has ended since the last call, or lives again because
+    /// Returns the breakpoints on local variables whose program has ended since the last call, or exists again because
     /// the run has gone back.
     pub(crate) fn ended_data(&mut self, debugger: &Debugger) -> Vec<protocol::Breakpoint> {
         let now = debugger.ended_data();
@@ -274,7 +274,7 @@ impl BreakpointTable {
         removed.map(|id| unplaced(id, BreakpointReason::Failed, message)).collect()
     }
 
-    /// Returns the breakpoints with their ids. An unchanged breakpoint keeps its id, and with the id the hit count.
+    /// Returns the breakpoints with their ids. An unchanged breakpoint keeps its id, and therefore its hit count.
     fn identified<T: PartialEq>(&mut self, wanted: Vec<T>, before: &[(BreakpointId, T)]) -> Vec<(BreakpointId, T)> {
         let identified = wanted.into_iter().map(|wanted| {
             let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
@@ -283,14 +283,14 @@ impl BreakpointTable {
         identified.collect()
     }
 
-    /// An identity that no breakpoint has.
+    /// Returns an identity that no breakpoint has had.
     pub(crate) fn new_id(&mut self) -> BreakpointId {
         self.last_id += 1;
         BreakpointId(self.last_id)
     }
 }
 
-/// Breakpoint without a place, and the reason.
+/// Returns a breakpoint without a line, for the client, with the reason.
 fn unplaced(id: BreakpointId, reason: BreakpointReason, message: &str) -> protocol::Breakpoint {
     protocol::Breakpoint {
         id: Some(number(id)),
@@ -369,7 +369,7 @@ fn program(id: BreakpointId, wanted: &FunctionBreakpoint) -> Result<ProgramBreak
     Ok(ProgramBreakpoint { hits: hits(wanted.hit_condition.as_deref())?, ..ProgramBreakpoint::new(id, name) })
 }
 
-/// A breakpoint for the client: at a row, or why it is nowhere.
+/// Returns a breakpoint for the client: its row, or the reason why it has none.
 fn shown(
     id: BreakpointId,
     row: Result<u32, Unverified>,
@@ -394,18 +394,18 @@ fn shown(
     }
 }
 
-/// Returns breakpoints of a run that is not debugged.
+/// Returns this number of unverified breakpoints, for a run that is not debugged.
 pub(crate) fn ignored(count: usize) -> Vec<protocol::Breakpoint> {
     let message = Some("the run is not debugged".to_owned());
     vec![protocol::Breakpoint { message, ..protocol::Breakpoint::default() }; count]
 }
 
-/// The number that the client has for a breakpoint.
+/// Returns the breakpoint's id for the client.
 pub(crate) fn number(BreakpointId(id): BreakpointId) -> i32 {
     i32::try_from(id).unwrap_or(i32::MAX)
 }
 
-/// The lines of a file between two lines at which breakpoints can be.
+/// Returns the possible breakpoint lines in the requested range.
 pub(crate) fn locations(
     arguments: &BreakpointLocationsArguments,
     controller: &Controller,
@@ -418,7 +418,7 @@ pub(crate) fn locations(
     instruction_rows(&file, controller).range(first..=last.max(first)).copied().map(location).collect()
 }
 
-/// The rows of a file with an instruction.
+/// Returns the rows of a file at which a task can stop: instruction lines and closing keywords.
 fn instruction_rows(file: &str, controller: &Controller) -> BTreeSet<u32> {
     let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
     let programs = images.flat_map(|image| image.programs.iter().map(move |program| (image, program)));
@@ -426,7 +426,7 @@ fn instruction_rows(file: &str, controller: &Controller) -> BTreeSet<u32> {
     own.flat_map(|(_, program)| program.lines.iter().chain(&program.closings).map(|line| line.row)).collect()
 }
 
-/// The file of a loaded application or library that the client means.
+/// Returns the file of a loaded application or library for a source from the client.
 pub(crate) fn file_of(source: &Source, controller: &Controller) -> Option<String> {
     let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
     let files: Vec<&String> = images.flat_map(|image| &image.files).collect();

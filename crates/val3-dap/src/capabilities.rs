@@ -1,22 +1,22 @@
-//! The parts of the protocol that the adapter has.
+//! Parts of the protocol that the adapter supports.
 
 use crate::protocol::{Capabilities, ExceptionBreakpointsFilter};
 
-/// The filter of all run-time errors.
+/// Filter for all run-time errors.
 pub(crate) const ALL_ERRORS: &str = "all";
-/// The filter of run-time errors that no task handles.
+/// Filter for run-time errors that no task handles.
 pub(crate) const UNHANDLED_ERRORS: &str = "unhandled";
-/// The filter of the run-time errors of motion.
+/// Filter for the run-time errors of motion.
 pub(crate) const MOTION_ERRORS: &str = "motion";
-/// The filter of contacts with things around the arm.
+/// Filter for contacts with things around the arm.
 pub(crate) const CONTACTS: &str = "contacts";
-/// The filter of run-time errors with certain numbers.
+/// Filter for run-time errors with given numbers.
 pub(crate) const LISTED_ERRORS: &str = "codes";
 
-/// The filter of failed assertions of tests.
+/// Filter for failed assertions of tests.
 pub(crate) const ASSERTIONS: &str = "assertion";
 
-/// The answer to `initialize`.
+/// Returns the response to `initialize`.
 pub(crate) fn capabilities() -> Capabilities {
     let yes = Some(true);
     Capabilities {
@@ -55,7 +55,7 @@ pub(crate) fn capabilities() -> Capabilities {
     }
 }
 
-/// The capabilities that differ for a run to which a client has attached: it outlives its client, and the client cannot
+/// Returns the capabilities that differ after `attach`: the run continues after its client, and the client cannot
 /// restart it.
 pub(crate) fn of_attached_runs() -> Capabilities {
     let yes = Some(true);
@@ -67,7 +67,7 @@ pub(crate) fn of_attached_runs() -> Capabilities {
     }
 }
 
-/// The filters for errors.
+/// Returns the exception filters.
 pub(crate) fn filters() -> Vec<ExceptionBreakpointsFilter> {
     vec![
         filter(ALL_ERRORS, "All run-time errors", "Stop at each run-time error"),

@@ -6,13 +6,13 @@ use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
 use val3_machine::io::{IoTable, SignalId, SignalKind};
 use val3_view::{coordinates, direction, level};
 
-/// A property with the properties inside of it.
+/// A property with its nested properties.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Property {
     pub(crate) name: String,
     pub(crate) value: String,
     pub(crate) inside: Vec<Property>,
-    /// Path of the input or output that the property shows.
+    /// Path of the shown input or output.
     pub(crate) signal: Option<String>,
 }
 
@@ -105,7 +105,7 @@ fn robot(controller: &Controller) -> Vec<Property> {
     properties
 }
 
-/// The branch of the joint position, with the words of the type `config`.
+/// Returns the configuration of the joint position, in the words of the type `config`.
 fn configuration(controller: &Controller) -> String {
     let arm = controller.arm();
     let found = arm.model().configuration(&arm.joint());
@@ -116,7 +116,7 @@ fn configuration(controller: &Controller) -> String {
     text.to_lowercase()
 }
 
-/// A position with its coordinates inside.
+/// Returns a pose with its coordinates as nested properties.
 fn pose(name: &str, before: &str, position: &IsometryMatrix3<f64>) -> Property {
     let numbers = coordinates(position);
     let named = ["x", "y", "z", "rx", "ry", "rz"].into_iter().zip(numbers);
@@ -129,7 +129,7 @@ fn list(numbers: &[f64]) -> String {
     format!("{{{}}}", shown.join(", "))
 }
 
-/// The recorded moves that are not done.
+/// Returns the recorded moves that are not done.
 fn queue(controller: &Controller) -> Vec<Property> {
     controller.motion_queue().iter().map(queued).collect()
 }

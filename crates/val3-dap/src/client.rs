@@ -1,4 +1,4 @@
-//! The client of a session: its messages, and the messages to it.
+//! Client of a session: received messages, and the connection to send messages.
 
 use std::collections::VecDeque;
 use std::fmt;
@@ -6,19 +6,19 @@ use std::io::{BufRead, Write};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::time::Duration;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::error::ReadError;
 use crate::frame::{MessageReader, MessageWriter};
 use crate::message::{MessageContent, ProtocolMessage};
 use crate::protocol::{Message, OutputEvent, OutputEventCategory, StandardEvent};
 
-/// Message from the client, or the reason for its absence.
+/// Message from the client, or the reason why none could be read.
 #[derive(Debug)]
 pub enum Incoming {
     /// A message.
     Message(ProtocolMessage),
-    /// Bytes that are no message. The next message can be read.
+    /// Bytes that are no message. Reading continues with the next message.
     Garbage(ReadError),
     /// The connection has ended.
     End,
@@ -48,7 +48,7 @@ pub fn read_messages(input: impl BufRead, inbox: &Sender<Incoming>) {
 /// The connection to a client.
 pub struct Client {
     inbox: Receiver<Incoming>,
-    /// Messages that have arrived and are not handled.
+    /// Received messages that are not handled yet.
     queue: VecDeque<Incoming>,
     output: MessageWriter<Box<dyn Write + Send>>,
     is_connected: bool,
@@ -73,7 +73,7 @@ impl Client {
         (incoming.take_while(|incoming| !matches!(incoming, Incoming::End)), self.output)
     }
 
-    /// The next message if one has arrived.
+    /// Returns the next received message; `None` if there is none.
     pub(crate) fn poll(&mut self) -> Option<Incoming> {
         loop {
             match self.inbox.try_recv() {
@@ -97,21 +97,21 @@ impl Client {
         }
     }
 
-    /// Whether the client no longer waits for the result of a request, whose progress has this name: it cancels it,
-    /// requests `pause`, or ends the run.
+    /// Whether the client no longer expects the result of this request: it has cancelled the request or the progress
+    /// with this id, requested `pause`, or ended the run.
     pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
         self.queue.extend(self.inbox.try_iter());
         let is_over = |incoming: &Incoming| is_end(incoming) || is_pause(incoming);
         self.queue.iter().any(|incoming| is_over(incoming) || is_cancel(incoming, request, progress))
     }
 
-    /// Whether the client cancels a request that is not handled yet.
+    /// Whether the client has cancelled a request before it is handled.
     pub(crate) fn withdraws(&mut self, request: i64) -> bool {
         self.queue.extend(self.inbox.try_iter());
         self.queue.iter().any(|incoming| is_cancel(incoming, request, ""))
     }
 
-    /// Shows a text of the standard error output to the user.
+    /// Shows a text in the debug console as standard error output.
     pub(crate) fn say(&mut self, text: &str) {
         let (output, category) = (text.to_owned(), Some(OutputEventCategory::Stderr));
         self.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
@@ -127,31 +127,38 @@ impl Client {
         self.send(Ok(MessageContent::Event { event: name.to_owned(), body: Some(body) }));
     }
 
-    /// Answers a request that failed.
+    /// Sends the response to a failed request.
     pub(crate) fn refuse(&mut self, request: i64, command: &str, reason: impl fmt::Display) {
         let reason = reason.to_string();
-        // Clients insert variables into the format, so that braces in a reason are no placeholders.
+        // The reason is passed as a variable of the format, so that braces in it are not read as placeholders.
         let variables = [("reason".to_owned(), reason.clone())].into_iter().collect();
         let message =
             Message { id: 3, format: "{reason}".to_owned(), variables: Some(variables), ..Message::default() };
         self.send(MessageContent::failure(request, command, &reason, message));
     }
 
-    /// Sends a message. A client that no longer reads is not connected any more.
+    /// Sends a message. If that fails, the client counts as disconnected. A message without a JSON form is reported in
+    /// the debug console.
     pub(crate) fn send(&mut self, content: serde_json::Result<MessageContent>) {
-        let Ok(content) = content else { return };
+        let content = content.unwrap_or_else(|error| {
+            let output = format!("the debug adapter cannot send a message: {error}\n");
+            MessageContent::Event {
+                event: "output".to_owned(),
+                body: Some(json!({ "category": "stderr", "output": output })),
+            }
+        });
         if self.is_connected && self.output.write(content).is_err() {
             self.is_connected = false;
         }
     }
 
-    /// The connection has ended.
+    /// Handles the end of the connection.
     pub(crate) fn disconnect(&mut self) {
         self.is_connected = false;
     }
 }
 
-/// Whether a message cancels a request, or its progress.
+/// Whether a message cancels the request, or the progress with this id.
 fn is_cancel(incoming: &Incoming, request: i64, progress: &str) -> bool {
     let Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, arguments }, .. }) = incoming
     else {

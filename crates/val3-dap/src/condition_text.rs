@@ -15,8 +15,8 @@ pub(crate) struct ConditionText {
 }
 
 impl ConditionText {
-    /// Compiles a condition for the program of a file. A task filter is only recognized if the text is no condition by
-    /// itself, because a program may have a variable `task`.
+    /// Compiles a condition for the program of a file. A task filter is only recognised if the entire text is not a
+    /// valid condition, because a program may have a variable `task`.
     ///
     /// # Errors
     /// The condition is invalid in the program.

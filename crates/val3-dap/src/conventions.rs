@@ -1,4 +1,4 @@
-//! Conventions of a client: numbers of lines, forms of paths, optional events.
+//! Conventions of a client: first line and column number, form of paths, optional events.
 
 use crate::protocol::{InitializePathFormat, InitializeRequestArguments, Source};
 
@@ -44,36 +44,36 @@ impl Conventions {
         }
     }
 
-    /// The number that the client has for a line of a file; `row` counts from 1.
+    /// Converts a line of a file, from 1, to the client's line number.
     pub(crate) fn line(&self, row: u32) -> u64 {
         if self.lines_start_at_1 { row.into() } else { row.saturating_sub(1).into() }
     }
 
-    /// The line of a file, from 1, that the client means.
+    /// Converts the client's line number to a line of the file, from 1.
     pub(crate) fn row(&self, line: u64) -> u32 {
         let row = if self.lines_start_at_1 { line } else { line.saturating_add(1) };
         u32::try_from(row).unwrap_or(u32::MAX)
     }
 
-    /// The number that the client has for the first column.
+    /// Returns the client's number of the first column.
     pub(crate) fn first_column(&self) -> u64 {
         u64::from(self.columns_start_at_1)
     }
 
-    /// The offset in characters of a column that the client means.
+    /// Converts the client's column number to an offset in the line, from 0.
     pub(crate) fn offset(&self, column: u64) -> usize {
         let offset = if self.columns_start_at_1 { column.saturating_sub(1) } else { column };
         usize::try_from(offset).unwrap_or(usize::MAX)
     }
 
-    /// A file for the client.
+    /// Returns a file as a source for the client.
     pub(crate) fn source(&self, file: &str) -> Source {
         let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
         let path = if self.has_uris { uri(file) } else { file.to_owned() };
         Source { name: Some(name.to_owned()), path: Some(path), ..Source::default() }
     }
 
-    /// The path of a file that the client means.
+    /// Returns the path in a source from the client.
     pub(crate) fn path(source: &Source) -> Option<String> {
         source.path.as_deref().map(plain)
     }
@@ -95,7 +95,7 @@ fn uri(file: &str) -> String {
     format!("{FILE_URI}{slash}{}", path.collect::<String>())
 }
 
-/// The path of a URI, or the path itself.
+/// Returns the path of a URI; a path is returned unchanged.
 fn plain(path: &str) -> String {
     let path = path.strip_prefix(FILE_URI).map_or_else(|| path.to_owned(), decoded);
     match path.strip_prefix('/').filter(|rest| rest.as_bytes().get(1) == Some(&b':')) {
@@ -104,7 +104,7 @@ fn plain(path: &str) -> String {
     }
 }
 
-/// The path in a form that is equal for equal spellings.
+/// Returns the normalised path: equal for all spellings of the same file.
 fn key(path: &str) -> String {
     let path = plain(path).replace('\\', "/");
     match path.split_once(':') {

@@ -10,7 +10,7 @@ use crate::requests;
 use crate::session::{DebugSession, NextAction};
 
 impl DebugSession {
-    /// Handles the messages that have arrived.
+    /// Handles the received messages.
     pub fn attend(&mut self, run: &mut DebuggedRun<'_>) -> NextAction {
         while let Some(incoming) = self.client.poll() {
             match incoming {

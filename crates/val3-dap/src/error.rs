@@ -26,7 +26,7 @@ pub enum RequestError {
 }
 
 impl RequestError {
-    /// The failed response to the request with the number `request_seq`.
+    /// Returns the failed response to the request with the number `request_seq`.
     ///
     /// # Errors
     /// If the message has no JSON form.
@@ -35,7 +35,7 @@ impl RequestError {
             Self::UnknownCommand { command } => (1, command, None),
             Self::Arguments { command, reason } => (2, command, Some(reason.to_string())),
         };
-        // Clients insert the variables, so that braces in a name are no placeholders.
+        // Name and reason are passed as variables, so that braces in them are not read as placeholders.
         let format = match reason {
             None => "the request `{command}` is unknown",
             Some(_) => "the arguments of `{command}` are wrong: {reason}",
@@ -139,7 +139,7 @@ pub enum ReadError {
 }
 
 impl ReadError {
-    /// Whether the next message can be read: the beginning of the next frame is known, or can be searched.
+    /// Whether the next message can be read: its beginning is known, or can be searched for.
     pub const fn can_continue(&self) -> bool {
         matches!(self, Self::Message(_) | Self::Frame(HeaderError::Garbage(_) | HeaderError::NoLength))
     }

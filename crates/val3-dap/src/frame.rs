@@ -20,11 +20,11 @@ const SHOWN: usize = 60;
 #[derive(Debug)]
 pub struct MessageReader<R> {
     input: R,
-    /// The length of the next body, if its header has been read and had garbage before it.
+    /// Length of the next body, if its header was already read together with garbage before it.
     length: Option<u64>,
 }
 
-/// The parts of a header that matter.
+/// Content length in a header, and garbage before it.
 #[derive(Default)]
 struct Header {
     length: Option<u64>,
@@ -96,8 +96,8 @@ impl<R: BufRead> MessageReader<R> {
 }
 
 impl Header {
-    /// Adds a line. Garbage may precede `Content-Length` on its line: the rest of a message that was longer than its
-    /// length.
+    /// Adds a line. Garbage may precede `Content-Length` on its line, for example the rest of a message that was longer
+    /// than its `Content-Length`.
     fn add(&mut self, line: &[u8]) -> Result<(), HeaderError> {
         const NAME: &[u8] = b"content-length:";
         let at = line.windows(NAME.len()).rposition(|part| part.eq_ignore_ascii_case(NAME));

@@ -18,25 +18,25 @@ pub struct Handshake {
     conventions: Conventions,
     /// Arguments of `initialize`.
     introduction: InitializeRequestArguments,
-    /// Secret that `launch` and `attach` have to contain. `None` for a client that has started this process.
+    /// Secret that `launch` and `attach` have to contain; `None` for the client that started this process.
     secret: Option<Secret>,
 }
 
 /// Result of the handshake so far.
 #[derive(Debug)]
 pub enum HandshakeResult {
-    /// Nothing yet.
+    /// The client has sent neither `launch` nor `attach`.
     None,
-    /// An application.
+    /// The client launches an application.
     Launch(SessionStart),
-    /// A run that exists.
+    /// The client attaches to a run.
     Attach(SessionStart),
-    /// The client has left.
+    /// The client has disconnected.
     Disconnected,
 }
 
 impl Handshake {
-    /// A client that has sent nothing yet, and has started this process.
+    /// Creates the handshake with the client that started this process.
     #[must_use]
     pub fn new(client: Client) -> Self {
         Self {
@@ -47,8 +47,8 @@ impl Handshake {
         }
     }
 
-    /// A client of a port, which has to send a secret with `launch` or `attach`. Every request before is rejected, except
-    /// `initialize` and `disconnect`.
+    /// Creates the handshake with a client of a port, which has to send a secret with `launch` or `attach`. Before
+    /// that, all requests except `initialize` and `disconnect` are rejected.
     #[must_use]
     pub fn through_port(client: Client, secret: Secret) -> Self {
         Self { secret: Some(secret), ..Self::new(client) }
@@ -106,7 +106,7 @@ impl Handshake {
         }
     }
 
-    /// Shows a text of the standard error output to the user.
+    /// Shows a text in the debug console as standard error output.
     pub fn say(&mut self, text: &str) {
         self.client.say(text);
     }
@@ -117,12 +117,12 @@ impl Handshake {
         self.conventions.shows_colors
     }
 
-    /// Refuses to begin. The client may try again.
+    /// Rejects the client's `launch` or `attach`. The client may send another one.
     pub fn refuse(&mut self, start: &SessionStart, reason: &str) {
         self.client.refuse(start.seq, start.command(), reason);
     }
 
-    /// Begins the session with a run that is ready.
+    /// Starts the session for a run in this state.
     #[must_use]
     pub fn accept(mut self, start: &SessionStart, run: RunState) -> DebugSession {
         let response = if start.is_attach { Response::Attach } else { Response::Launch };
@@ -134,7 +134,7 @@ impl Handshake {
         DebugSession::new(self.client, self.conventions, start, run)
     }
 
-    /// The connection of the client and its first request, for a session that another process serves.
+    /// Returns the connection and the arguments of `initialize`, for a session that another process serves.
     #[must_use]
     pub fn into_parts(self) -> (Client, InitializeRequestArguments) {
         (self.client, self.introduction)

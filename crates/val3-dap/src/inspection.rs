@@ -17,15 +17,15 @@ use crate::protocol::{
     VariablePresentationHintAttributes, VariablesArguments, VariablesFilter,
 };
 
-/// The numbers that the client has for frames and for values with something inside. They hold while the run is stopped.
+/// Handles of stack frames and of values with nested values. They are valid while the run is stopped.
 #[derive(Debug, Default)]
 pub(crate) struct Handles {
-    /// `None` if the task has continued while others are stopped.
+    /// `None` for a frame whose task has continued while other tasks are stopped.
     frames: Vec<Option<FrameHandle>>,
     nodes: Vec<InspectedItem>,
 }
 
-/// A program that a task is in.
+/// A stack frame of a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct FrameHandle {
     pub(crate) task: TaskNumber,
@@ -33,30 +33,30 @@ pub(crate) struct FrameHandle {
     pub(crate) depth: usize,
 }
 
-/// Something that the client can look into.
+/// Item with nested values.
 #[derive(Debug, Clone)]
 pub(crate) enum InspectedItem {
     /// Variables of programs.
     Values(Inside),
-    /// Properties of the controller that programs do not see as data.
+    /// Properties of the controller that are not data of programs.
     Properties(Vec<Property>),
 }
 
 impl Handles {
-    /// The run continues: the numbers are no longer valid.
+    /// Invalidates all handles, because the run continues.
     pub(crate) fn clear(&mut self) {
         self.frames.clear();
         self.nodes.clear();
     }
 
-    /// One task continues: the handles of the task's stack frames are no longer valid.
+    /// Invalidates the handles of a task's stack frames, because the task continues.
     pub(crate) fn forget_frames(&mut self, task: TaskNumber) {
         for frame in &mut self.frames {
             *frame = frame.filter(|frame| frame.task != task);
         }
     }
 
-    /// The number of a node.
+    /// Adds an item, and returns its handle.
     pub(crate) fn add(&mut self, node: InspectedItem) -> i32 {
         self.nodes.push(node);
         i32::try_from(self.nodes.len()).unwrap_or_default()
@@ -79,7 +79,7 @@ impl Handles {
         *self.frames.get(usize::try_from(id).ok()?.checked_sub(1)?)?
     }
 
-    /// The frames of a task, page by page.
+    /// Returns the requested page of a task's stack frames; `None` if there is no such task.
     pub(crate) fn stack_trace(
         &mut self,
         arguments: &StackTraceArguments,
@@ -93,7 +93,7 @@ impl Handles {
         let all = frames(&controller.vm, task);
         let start = arguments.start_frame.unwrap_or_default() as usize;
         let levels = arguments.levels.filter(|levels| *levels > 0).map_or(usize::MAX, |levels| levels as usize);
-        // A client shows the line of the test first.
+        // Frames of the assertion library are de-emphasised, so that clients show the line of the test first.
         let has_failed = assertions::has_failed(&all);
         let shows_line = arguments.format.as_ref().is_some_and(|format| format.line == Some(true));
         let page = all.iter().enumerate().skip(start).take(levels).map(|(depth, frame)| {
@@ -139,7 +139,7 @@ impl Handles {
         shown
     }
 
-    /// The values inside of a node.
+    /// Returns the values nested in an item.
     pub(crate) fn variables(
         &mut self,
         arguments: &VariablesArguments,
@@ -165,7 +165,7 @@ impl Handles {
         }
     }
 
-    /// A value for the client.
+    /// Converts a value for the client.
     pub(crate) fn variable(&mut self, value: DebugValue, controller: &mut Controller) -> Variable {
         let DebugValue { name, type_name, shown, path, refers_to, inside } = value;
         let size = inside.as_ref().map(|inside| count(&mut controller.vm, inside));
@@ -225,7 +225,7 @@ fn stack_frame(id: i32, frame: &TaskFrame, shows_line: bool, conventions: &Conve
     }
 }
 
-/// A frame that clients do not show first.
+/// De-emphasises a stack frame, so that clients show another frame first.
 fn in_background(frame: StackFrame) -> StackFrame {
     let hint = Some(SourcePresentationHint::Deemphasize);
     StackFrame {
@@ -235,14 +235,14 @@ fn in_background(frame: StackFrame) -> StackFrame {
     }
 }
 
-/// The tasks.
+/// Returns the tasks.
 pub(crate) fn threads(controller: &Controller) -> Vec<Thread> {
     let positions = controller.task_positions();
     let tasks = controller.vm.tasks().iter().zip(positions);
     tasks.map(|(task, position)| Thread { id: thread(task.id), name: task_name(task, &position.activity) }).collect()
 }
 
-/// A task with its priority or period, and its state if it does not run.
+/// Formats a task with its priority or period, and its state if it does not run.
 fn task_name(task: &Task, activity: &Activity) -> String {
     let rate = match task.rate {
         Rate::Priority(priority) => format!("priority {priority}"),

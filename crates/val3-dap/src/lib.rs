@@ -1,11 +1,11 @@
-//! The debug adapter: clients of the Debug Adapter Protocol debug runs.
+//! The debug adapter, through which clients of the Debug Adapter Protocol debug runs.
 //!
 //! [`MessageReader`] and [`MessageWriter`] move [`ProtocolMessage`]s over any stream. [`StandardRequest::parse`] decodes a
 //! request. The types of [`protocol`] are generated from the schema of the specification.
 //!
-//! A [`Handshake`] handles the messages up to `launch` or `attach`. A [`DebugSession`] then handles the requests between the
-//! cycles of the run. A [`AttachServer`] accepts clients that attach to a run. Clients of a port have to send the [`Secret`]
-//! first. The caller provides the transports and the clock, and runs the controller.
+//! A [`Handshake`] handles the messages up to `launch` or `attach`. A [`DebugSession`] then handles the requests
+//! between the cycles of the run. An [`AttachServer`] accepts clients that attach to a run. Clients of a port have to
+//! send the [`Secret`] first. The caller provides the transports and the clock, and runs the controller.
 
 mod assertions;
 mod attach_server;

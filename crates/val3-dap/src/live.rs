@@ -19,24 +19,24 @@ use crate::user_page::ShownUserPage;
 /// Duration of a batch.
 const BATCH: Time = 25 * CYCLE;
 
-/// The subscriptions of a client; none at first.
+/// Subscriptions of a client; initially none.
 #[derive(Debug, Default)]
 pub(crate) struct Subscriptions {
-    /// The least time between two samples of the arm.
+    /// Shortest time between two samples of the arm; `None` without a subscription.
     motion: Option<Time>,
     has_io: bool,
     has_user_page: bool,
-    /// The messages of a page that shows the run.
+    /// Messages for a page that shows the run.
     view: Option<Feed>,
-    /// The operator at that page.
+    /// Operator at this page.
     pub(crate) operator: Operator,
     /// Latest message `unsaved`.
     unsaved: Option<UnsavedMessage>,
     samples: Vec<ArmSample>,
-    /// When the first of these samples was taken.
+    /// Time of the first sample in the current batch.
     begun: Time,
     last: Option<Time>,
-    /// The arm at the last sample.
+    /// Last sample of the arm.
     arm: Option<ArmSample>,
 }
 
@@ -85,8 +85,8 @@ impl Subscriptions {
         Ok(())
     }
 
-    /// A cycle that began at `start` is over. Gives the samples of the arm when a batch is full. An arm that rests is
-    /// sampled once.
+    /// Samples the arm at the end of a cycle that began at `start`. Returns the batch of samples when it is complete.
+    /// An arm at rest is sampled once.
     pub(crate) fn see(&mut self, start: Time, controller: &Controller) -> Option<Value> {
         let interval = self.motion?;
         if self.last.is_some_and(|last| start < last + interval) {
@@ -104,20 +104,20 @@ impl Subscriptions {
         if start + interval < self.begun + BATCH { None } else { self.flush() }
     }
 
-    /// The samples that wait for a batch.
+    /// Returns the samples of an incomplete batch.
     pub(crate) fn flush(&mut self) -> Option<Value> {
         let samples = std::mem::take(&mut self.samples);
         (!samples.is_empty()).then(|| json!({ "samples": samples }))
     }
 
-    /// A cycle that began at `start` is over: the messages for a page.
+    /// Returns the messages for a page after a cycle that began at `start`.
     pub(crate) fn view(&mut self, start: Time, controller: &Controller) -> Option<Value> {
         let feed = self.view.as_mut()?;
         feed.see(start, &[], controller);
         messages(feed)
     }
 
-    /// The messages for a page after a request or at a stop.
+    /// Returns the messages for a page after a request or at a stop.
     pub(crate) fn refreshed_view(&mut self, controller: &Controller) -> Option<Value> {
         let feed = self.view.as_mut()?;
         feed.refresh(controller);
@@ -129,14 +129,14 @@ impl Subscriptions {
         messages(feed)
     }
 
-    /// Events for the page.
+    /// Adds events of the run to the messages for the page.
     pub(crate) fn note(&mut self, events: &[Event], controller: &Controller) {
         if let Some(feed) = &mut self.view {
             feed.see_events(events, controller);
         }
     }
 
-    /// Returns the subscribed events about events of the run.
+    /// Returns the subscribed protocol events for these events of the run.
     pub(crate) fn changes(&self, events: &[Event], controller: &Controller) -> Vec<(&'static str, Value)> {
         let mut changes = Vec::new();
         let levels: Vec<Value> = events
@@ -156,7 +156,7 @@ impl Subscriptions {
     }
 }
 
-/// The body of `val3/view`. Samples are bytes in base 64.
+/// Returns the body of the event `val3/view`. Samples are bytes in base64.
 fn messages(feed: &mut Feed) -> Option<Value> {
     let messages = feed.take().into_iter().map(|message| match message {
         ViewerMessage::Object(object) => object,
@@ -174,7 +174,7 @@ fn changes_user_page(event: &Event) -> bool {
 }
 
 impl MotionSampling {
-    /// Returns the least time between two samples; `None` for no samples.
+    /// Returns the shortest time between two samples; `None` if samples are disabled.
     fn interval(self) -> Result<Option<Time>, RequestFailure> {
         match self {
             Self::Enabled(is_enabled) => Ok(is_enabled.then_some(CYCLE)),

@@ -22,13 +22,13 @@ pub struct ProtocolMessage {
 pub enum MessageContent {
     /// A request, of the specification or a custom one.
     Request {
-        /// Its name.
+        /// Name of the request.
         command: String,
-        /// Its arguments.
+        /// Arguments of the request.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         arguments: Option<Value>,
     },
-    /// The answer to a request.
+    /// The response to a request.
     Response {
         /// The number of the request.
         request_seq: i64,
@@ -36,7 +36,7 @@ pub enum MessageContent {
         success: bool,
         /// The name of the request.
         command: String,
-        /// The reason of a failure, in short. `cancelled` and `notStopped` are known to clients.
+        /// Short reason of a failure. The protocol predefines `cancelled` and `notStopped`.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         message: Option<String>,
         /// The result, or an [`ErrorResponse`].
@@ -45,9 +45,9 @@ pub enum MessageContent {
     },
     /// An event, of the specification or a custom one.
     Event {
-        /// Its name.
+        /// Name of the event.
         event: String,
-        /// Its details.
+        /// Details of the event.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         body: Option<Value>,
     },
@@ -74,7 +74,7 @@ impl MessageContent {
         Ok(Self::Request { command: request.command().to_owned(), arguments: properties(request)? })
     }
 
-    /// The answer to a request that was executed.
+    /// The response to a successful request.
     ///
     /// # Errors
     /// If the body has no JSON form.
@@ -83,13 +83,13 @@ impl MessageContent {
         Ok(Self::Response { request_seq, success: true, command, message: None, body })
     }
 
-    /// The answer to an executed request, with its body.
+    /// The response to a successful request, with an encoded body.
     #[must_use]
     pub fn answer(request_seq: i64, command: &str, body: Option<Value>) -> Self {
         Self::Response { request_seq, success: true, command: command.to_owned(), message: None, body }
     }
 
-    /// The answer to a request that failed. `reason` is the short form of `error`.
+    /// The response to a failed request. `reason` is the short form of `error`.
     ///
     /// # Errors
     /// If the error has no JSON form.

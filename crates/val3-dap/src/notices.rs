@@ -1,6 +1,6 @@
 //! Events of the specification about the run: output, tasks, libraries.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 use val3_lang::ports::TaskNumber;
@@ -11,7 +11,7 @@ use val3_machine::event::{ClearanceMove, Event as MachineEvent, EventKind};
 use crate::conventions::Conventions;
 use crate::protocol::{
     LoadedSourceEvent, LoadedSourceEventReason, Module, ModuleEvent, ModuleEventReason, OutputEvent,
-    OutputEventCategory, StandardEvent, ThreadEvent, ThreadEventReason,
+    OutputEventCategory, Source, StandardEvent, ThreadEvent, ThreadEventReason,
 };
 use crate::screen_text::ScreenText;
 
@@ -20,7 +20,8 @@ use crate::screen_text::ScreenText;
 pub(crate) struct Notices {
     tasks: BTreeSet<TaskNumber>,
     files: BTreeSet<String>,
-    modules: BTreeSet<String>,
+    /// Names by the paths of the project files.
+    modules: BTreeMap<String, String>,
     screen: ScreenText,
 }
 
@@ -48,7 +49,8 @@ impl Notices {
         self.screen.is_hidden = !is_shown;
     }
 
-    /// Converts an event with a text for the debug console, at the line that caused it.
+    /// Converts an event to output for the debug console, with the line that caused it. `None` for events without a
+    /// text.
     fn output(
         &mut self,
         event: &MachineEvent,
@@ -71,7 +73,7 @@ impl Notices {
         })
     }
 
-    /// Compares the tasks with the reported tasks.
+    /// Returns the events for tasks that were created or have ended since the last report.
     pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<StandardEvent> {
         let present: BTreeSet<TaskNumber> = controller.vm.tasks().iter().map(|task| task.id).collect();
         let ended = self.tasks.difference(&present).map(|task| thread_event(ThreadEventReason::Exited, *task));
@@ -81,26 +83,30 @@ impl Notices {
         changes
     }
 
-    /// Compares the loaded applications and libraries, and their files, with the reported state.
+    /// Returns the events for applications, libraries and files that were loaded or unloaded since the last report.
     pub(crate) fn source_changes(&mut self, controller: &Controller, conventions: &Conventions) -> Vec<StandardEvent> {
+        let images = || controller.vm.space.loaded().map(|(_, instance)| &instance.image);
+        let modules: BTreeMap<String, String> =
+            images().map(|image| (image.path.clone(), image.name.clone())).collect();
+        let files: BTreeSet<String> = images().flat_map(|image| image.files.iter().cloned()).collect();
         let mut changes = Vec::new();
-        for (_, instance) in controller.vm.space.loaded() {
-            let image = &instance.image;
-            if self.modules.insert(image.path.clone()) {
-                let reason = ModuleEventReason::New;
-                changes.push(StandardEvent::Module(ModuleEvent { module: module(&image.name, &image.path), reason }));
-            }
-            for file in &image.files {
-                if self.files.insert(file.clone()) {
-                    let (reason, source) = (LoadedSourceEventReason::New, conventions.source(file));
-                    changes.push(StandardEvent::LoadedSource(LoadedSourceEvent { reason, source }));
-                }
-            }
+        for (path, name) in self.modules.iter().filter(|(path, _)| !modules.contains_key(*path)) {
+            changes.push(module_event(ModuleEventReason::Removed, name, path));
         }
+        for (path, name) in modules.iter().filter(|(path, _)| !self.modules.contains_key(*path)) {
+            changes.push(module_event(ModuleEventReason::New, name, path));
+        }
+        for file in self.files.difference(&files) {
+            changes.push(source_event(LoadedSourceEventReason::Removed, conventions.source(file)));
+        }
+        for file in files.difference(&self.files) {
+            changes.push(source_event(LoadedSourceEventReason::New, conventions.source(file)));
+        }
+        (self.modules, self.files) = (modules, files);
         changes
     }
 
-    /// Resets the reported state: the application is opened again.
+    /// Returns the events for the end of all reported tasks, because the application is opened again.
     pub(crate) fn forget_tasks(&mut self) -> Vec<StandardEvent> {
         let reason = ThreadEventReason::Exited;
         let ended =
@@ -111,7 +117,7 @@ impl Notices {
     }
 }
 
-/// An application or library for the client.
+/// Returns an application or library as a module for the client.
 pub(crate) fn module(name: &str, path: &str) -> Module {
     Module {
         id: module_id(path),
@@ -127,18 +133,18 @@ pub(crate) fn module_id(path: &str) -> Value {
     Value::String(path.to_owned())
 }
 
-/// The number that the client has for a task.
+/// Returns the thread id of a task.
 pub(crate) fn thread(TaskNumber(number): TaskNumber) -> i32 {
-    // 0 would be no thread for some clients.
+    // Some clients do not accept 0 as a thread id.
     i32::try_from(number.saturating_add(1)).unwrap_or(i32::MAX)
 }
 
-/// The task that the client means.
+/// Returns the task with this thread id.
 pub(crate) fn task(thread: i32) -> Option<TaskNumber> {
     u64::try_from(thread).ok()?.checked_sub(1).map(TaskNumber)
 }
 
-/// Text of an event for the debug console, except text on user pages.
+/// Returns the console text and category for an event, except for text on user pages.
 fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
     Some(match &event.kind {
         EventKind::Print { text } => (text.clone(), OutputEventCategory::Stdout),
@@ -163,7 +169,7 @@ fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
     })
 }
 
-/// Returns line and file of an event.
+/// Returns the line and file that caused an event.
 fn place(event: &MachineEvent, controller: &Controller) -> Option<(u32, String)> {
     match &event.kind {
         EventKind::Error { line, file, .. }
@@ -183,14 +189,23 @@ fn error_text(code: u16, task: Option<&str>) -> String {
     format!("error {code}: {short}{task}")
 }
 
+fn module_event(reason: ModuleEventReason, name: &str, path: &str) -> StandardEvent {
+    StandardEvent::Module(ModuleEvent { module: module(name, path), reason })
+}
+
+fn source_event(reason: LoadedSourceEventReason, source: Source) -> StandardEvent {
+    StandardEvent::LoadedSource(LoadedSourceEvent { reason, source })
+}
+
 fn thread_event(reason: ThreadEventReason, task: TaskNumber) -> StandardEvent {
     StandardEvent::Thread(ThreadEvent { reason, thread_id: thread(task) })
 }
 
 #[cfg(test)]
 mod tests {
-    use serde_json::{Value, json};
+    use serde_json::json;
 
+    use super::*;
     use crate::test_client::{FIRST_LINE, TestClient, source};
 
     const PRINTING: &str = "program start()\nbegin\n  put(\"a\")\n  putln(\"b\")\n  logMsg(\"c\")\n  delay(1)\nend\n";
@@ -210,6 +225,24 @@ mod tests {
         assert_eq!(shown[..2], [expected("a", "stdout", 0), expected("b\n", "stdout", 1)]);
         assert_eq!((&shown[2]["line"], &shown[2]["category"]), (&json!(FIRST_LINE + 2), &json!("console")));
         assert!(shown[2]["output"].as_str().unwrap().ends_with("c\n"), "{shown:?}");
+    }
+
+    #[test]
+    fn loaded_and_unloaded_libraries_are_reported_once() {
+        let client = TestClient::launched(PRINTING, json!({}));
+        let unloaded = ("/cell/usr/usrapp/part/part.pjx".to_owned(), "part".to_owned());
+        let mut notices = Notices { modules: [unloaded].into(), ..Notices::default() };
+        let mut changes = || {
+            let changes = notices.source_changes(&client.debugger.controller, &Conventions::default());
+            let modules = changes.into_iter().filter_map(|change| match change {
+                StandardEvent::Module(event) => Some((event.reason, event.module.name)),
+                _ => None,
+            });
+            modules.collect::<Vec<_>>()
+        };
+        let expected = [(ModuleEventReason::Removed, "part".to_owned()), (ModuleEventReason::New, "main".to_owned())];
+        assert_eq!(changes(), expected);
+        assert_eq!(changes(), []);
     }
 
     #[test]

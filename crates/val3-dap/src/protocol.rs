@@ -1,4 +1,4 @@
-//! The types of the specification.
+//! Types of the specification.
 //!
 //! `cargo xtask dap` generates the files of this folder. Each type has the name of the definition in the schema. Types
 //! of responses and events describe the bodies. Unknown properties are ignored, and an open enumeration keeps
@@ -26,11 +26,11 @@ pub use self::operations::*;
 pub use self::responses::*;
 pub use self::types::*;
 
-/// Decodes arguments or a body. A missing one is the same as one without properties.
+/// Decodes arguments or a body. Missing arguments and bodies are decoded like an empty object.
 pub(crate) fn content<T: DeserializeOwned>(value: Option<Value>) -> serde_json::Result<T> {
     let properties = match value {
         None | Some(Value::Null) => Map::new(),
-        // A structure could also be read from a list, which the protocol does not allow.
+        // serde would also read a structure from a list, which the protocol does not allow.
         Some(value) => serde_json::from_value(value)?,
     };
     serde_json::from_value(Value::Object(properties))

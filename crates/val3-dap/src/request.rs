@@ -1,4 +1,4 @@
-//! What each request of a session defines.
+//! Definition of a session's request: command, arguments, body and execution.
 
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;

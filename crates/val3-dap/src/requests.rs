@@ -68,15 +68,15 @@ use Effect::{ChangesRun, Inspects, MayChangeRun, NeedsStop, Steers};
 /// Effect of a request on the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Effect {
-    /// None.
+    /// No effect.
     Inspects,
     /// Stops, resumes or ends the run, or changes where it stops. Data, inputs and the arm are unchanged.
     Steers,
-    /// The same, and rejected with `notStopped` while the run is not stopped.
+    /// Like `Steers`, and rejected with `notStopped` unless the run is stopped.
     NeedsStop,
-    /// A successful request changes data, inputs or the arm: later recorded events are discarded.
+    /// Changes data, inputs or the arm if it succeeds. Later recorded events are then discarded.
     ChangesRun,
-    /// The same in some cases, in which the request calls [`DebugSession::run_changed`].
+    /// Changes the run only in some cases, in which the request calls [`DebugSession::run_changed`].
     MayChangeRun,
 }
 
@@ -84,7 +84,7 @@ pub(crate) enum Effect {
 type Answer =
     fn(&mut DebugSession, &mut DebuggedRun<'_>, Option<Value>, Effect) -> Result<Option<Value>, RequestFailure>;
 
-/// A line of the list.
+/// Entry in the list of requests.
 pub(crate) struct RequestHandler {
     command: &'static str,
     effect: Effect,
@@ -252,7 +252,7 @@ fn own_arguments<T: DeserializeOwned>(arguments: Option<Value>) -> serde_json::R
     })
 }
 
-/// Returns the argument without which the reason is another one, or none.
+/// Returns the argument that causes the error: without it, decoding succeeds or fails for another reason.
 fn wrong_argument<'a, T: DeserializeOwned>(arguments: &'a Map<String, Value>, reason: &str) -> Option<&'a str> {
     let wrong = arguments.keys().find(|name| {
         let mut others = arguments.clone();

@@ -9,8 +9,8 @@ pub(crate) struct ScreenText {
 }
 
 impl ScreenText {
-    /// Returns the output for text at a cell (column, row). Text elsewhere than directly after the last text begins a
-    /// line.
+    /// Returns the output for text at a cell (column, row). If the text does not directly follow the last text, it
+    /// begins a new line.
     pub(crate) fn put(&mut self, page: &str, x: u8, y: u8, text: &str, ends_line: bool) -> Option<String> {
         if self.is_hidden {
             return None;

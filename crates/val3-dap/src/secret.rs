@@ -20,7 +20,8 @@ impl Secret {
         Self(text.into())
     }
 
-    /// Checks that the arguments of `launch` or `attach` contain the secret, in a time that depends on no byte.
+    /// Checks that the arguments of `launch` or `attach` contain the secret, in a time that does not depend on the
+    /// bytes.
     ///
     /// # Errors
     /// The secret is missing or wrong.

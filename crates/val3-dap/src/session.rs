@@ -1,8 +1,8 @@
 //! A session: a client that debugs a run.
 //!
-//! The loop of the run calls [`DebugSession::attend`] between two cycles. Requests are handled there, one after the other
-//! and on the thread of the run, so that they see the controller between two operations. While the run is stopped, the
-//! loop waits for the client, and the controller's clock is stopped.
+//! The loop of the run calls [`DebugSession::attend`] between two cycles. Requests are handled there, one after the
+//! other and on the thread of the run, so that they access the controller between two operations. While the run is
+//! stopped, the loop waits for the client, and the controller's clock is stopped.
 
 mod at_end;
 mod control;
@@ -41,33 +41,33 @@ pub(crate) use named_data::NamedData;
 /// Next action of the run's loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NextAction {
-    /// The next cycle.
+    /// Execute the next cycle.
     Run,
-    /// Nothing, until the client has another request: see [`DebugSession::wait`].
+    /// Wait for the next request of the client: see [`DebugSession::wait`].
     Wait,
     /// Open the application again and run it from its beginning.
     Restart,
     /// End the run.
     End,
-    /// Go on without the client, which has left the run that it had attached to.
+    /// Continue without the client, which has detached from the run.
     Detach {
-        /// The run stays stopped until another client comes.
+        /// Whether the run stays stopped until another client attaches.
         is_suspended: bool,
     },
 }
 
-/// The state of a run when its client comes.
+/// State of a run when its session begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RunState {
     /// Before its first line.
     Fresh,
-    /// It runs, also while the client sets its breakpoints.
+    /// Running, also while the client sets its breakpoints.
     Running,
-    /// A client that has left has stopped it.
+    /// Stopped by a client that has detached.
     Suspended,
 }
 
-/// The state of a session.
+/// State of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SessionState {
     /// The client sets its breakpoints.
@@ -89,21 +89,21 @@ pub struct DebugSession {
     is_configured: bool,
     /// Whether the run goes to its end without stops (`startAtEnd`).
     runs_to_end: bool,
-    /// Whether the run has stopped at the end of its recording, and was at no other moment since.
+    /// Whether the run has stopped at the end of its recording and is still at this moment.
     is_at_recorded_end: bool,
     /// Number of the present request.
     pub(crate) request: i64,
     /// Next action that the last request requires.
     pub(crate) action: Option<NextAction>,
     pub(crate) breakpoints: BreakpointTable,
-    /// Hit counts that the client has.
+    /// Hit counts that were sent to the client.
     pub(crate) shown_hits: ShownHits,
     pub(crate) handles: Handles,
     notices: Notices,
     pub(crate) subscriptions: Subscriptions,
-    /// Lines to which a task can go, by their numbers for the client.
+    /// Targets of `goto` by id: file and row.
     pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
-    /// Moment of the past to which the run goes after the response to the present request.
+    /// Goal of the reverse search that begins after the response to the present request.
     pub(crate) goal: Option<Goal>,
     /// Wait of the current step.
     step_wait: Option<StepWait>,
@@ -153,7 +153,7 @@ impl DebugSession {
             || (self.phase == SessionState::Configuring && self.run == RunState::Running)
     }
 
-    /// The client has left: a run that it has launched ends with it.
+    /// Returns the next action after the client has disconnected. A run that the client launched ends.
     pub(crate) fn action_after_disconnect(&self, is_suspended: bool) -> NextAction {
         if self.start.is_attach { NextAction::Detach { is_suspended } } else { NextAction::End }
     }
@@ -165,7 +165,7 @@ impl DebugSession {
         }
     }
 
-    /// Sends the events of the run.
+    /// Sends the events of the run to the client.
     pub fn report(&mut self, events: &[MachineEvent], run: &mut DebuggedRun<'_>) {
         let notices = self.notices.of(events, &run.debugger.controller, &self.conventions);
         let has_new_files = notices.iter().any(|notice| matches!(notice, StandardEvent::LoadedSource(_)));
@@ -188,7 +188,7 @@ impl DebugSession {
         }
     }
 
-    /// A cycle that began at `start` is over.
+    /// Sends samples and messages at the end of a cycle that began at `start`.
     pub fn see(&mut self, start: Time, run: &DebuggedRun<'_>) {
         if let Some(batch) = self.subscriptions.see(start, &run.debugger.controller) {
             self.client.custom_event("val3/motion", batch);
@@ -198,7 +198,7 @@ impl DebugSession {
         }
     }
 
-    /// Tells the client where its breakpoints are now.
+    /// Sends the present lines of the breakpoints.
     fn place_again(&mut self, run: &mut DebuggedRun<'_>) {
         let placed = self.breakpoints.place_all(run, &self.conventions);
         self.shown_hits.update(&placed);
@@ -216,7 +216,7 @@ impl DebugSession {
         self.client.event(&StandardEvent::Breakpoint(BreakpointEvent { breakpoint, reason }));
     }
 
-    /// The run, or only one task, has stopped by itself.
+    /// Handles a stop of the run, or of only one task.
     pub fn stop(&mut self, stop: &Stop, run: &mut DebuggedRun<'_>) {
         if self.passes(stop, run) {
             return;
@@ -227,7 +227,7 @@ impl DebugSession {
         self.report_stop(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event }, run);
     }
 
-    /// Reports a stop of the whole run, or of a task alone.
+    /// Reports a stop of the entire run, or of only one task.
     pub(crate) fn report_stop(&mut self, event: StoppedEvent, run: &mut DebuggedRun<'_>) {
         if event.all_threads_stopped == Some(true) {
             self.phase = SessionState::Stopped;
@@ -241,14 +241,14 @@ impl DebugSession {
         self.client.event(&StandardEvent::Stopped(event));
     }
 
-    /// The client has set its breakpoints. Does nothing in later calls.
+    /// Handles the end of the configuration by the client. Later calls have no effect.
     pub(crate) fn finish_configuration(&mut self, run: &mut DebuggedRun<'_>) {
         if !self.is_configured {
             self.configured(run);
         }
     }
 
-    /// The client has set its breakpoints: the run begins, stops before its first line, or continues.
+    /// Starts the run after its configuration, stops it before its first line, or continues it.
     fn configured(&mut self, run: &mut DebuggedRun<'_>) {
         self.is_configured = true;
         self.breakpoints.apply_errors(run, &self.conventions);
@@ -268,7 +268,7 @@ impl DebugSession {
             RunState::Fresh if self.start.settings.stops_on_entry && !self.runs_to_end => {
                 self.phase = SessionState::Stopped;
                 if let Some(task) = task {
-                    // A breakpoint at the first line does not stop the task there once more.
+                    // A breakpoint on the first line must not stop the task there a second time.
                     run.debugger.controller.vm.pass_stop(task);
                 }
                 self.following.push(StandardEvent::Stopped(stop_event::event(StoppedEventReason::Entry, task)));
@@ -282,7 +282,8 @@ impl DebugSession {
         }
     }
 
-    /// The application is in memory and has not begun. After a restart, the client has its breakpoints again.
+    /// Begins to debug an application that was loaded and has not started. After a restart, the client's breakpoints
+    /// are placed once more, and the run starts without another `configurationDone`.
     pub fn begin(&mut self, run: &mut DebuggedRun<'_>) {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);
@@ -302,7 +303,7 @@ impl DebugSession {
         }
     }
 
-    /// Shows a text of the standard error output to the user.
+    /// Shows a text in the debug console as standard error output.
     pub fn say(&mut self, text: &str) {
         self.client.say(text);
     }
@@ -318,7 +319,7 @@ impl DebugSession {
         self.conventions.shows_colors
     }
 
-    /// The run is over.
+    /// Reports the end of the run.
     pub fn end(&mut self, exit_code: u8) {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);

@@ -1,4 +1,4 @@
-//! The request that begins a session.
+//! Request that begins a session.
 
 use serde_json::{Map, Value};
 
@@ -7,17 +7,17 @@ use crate::message::{MessageContent, ProtocolMessage};
 use crate::secret::Secret;
 use crate::settings::SessionSettings;
 
-/// The request `launch` or `attach`.
+/// Request `launch` or `attach`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SessionStart {
-    /// The number of the request.
+    /// Sequence number of the request.
     pub(crate) seq: i64,
     pub(crate) is_attach: bool,
     /// Whether to ignore breakpoints.
     pub is_plain_run: bool,
-    /// Its properties that the specification does not list.
+    /// Arguments that the specification does not list.
     pub arguments: Map<String, Value>,
-    /// The settings among them.
+    /// Session settings among the arguments.
     pub settings: SessionSettings,
 }
 
@@ -34,12 +34,12 @@ impl SessionStart {
     ) -> Result<Self, RequestFailure> {
         secret.map_or(Ok(()), |secret| secret.check(&arguments))?;
         let mut settings = SessionSettings::of(&arguments)?;
-        // A client that attaches comes while the run is going on.
+        // `startAtEnd` is for new runs: a client attaches while the run is in progress.
         settings.starts_at_end &= !is_attach;
         Ok(Self { seq, is_attach, is_plain_run: false, arguments, settings })
     }
 
-    /// The message of the request, for another adapter.
+    /// Returns the request as a message, for another adapter.
     #[must_use]
     pub fn message(&self) -> ProtocolMessage {
         let mut arguments = self.arguments.clone();

@@ -9,19 +9,19 @@ use crate::failure::RequestFailure;
 /// The settings of a session.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SessionSettings {
-    /// The mode of the motion at the beginning (10.2.2).
+    /// Initial motion mode (10.2.2).
     motion_mode: MotionMode,
-    /// How much of the past is kept.
+    /// Limits of the recorded history.
     past: PastLimits,
-    /// The run stops before its first line, or as soon as a client has attached.
+    /// Whether the run stops before its first line, or as soon as a client has attached.
     pub(crate) stops_on_entry: bool,
     /// Whether text on user pages appears in the debug console.
     pub(crate) shows_screen_output: bool,
-    /// The run stops before the end of its last task.
+    /// Whether the run stops before the end of its last task.
     pub(crate) stops_on_exit: bool,
     /// Whether the run goes to its end without stops, and stops there.
     pub starts_at_end: bool,
-    /// The angles of positions are shown in radians.
+    /// Whether the angles of positions are shown in radians.
     pub(crate) has_radians: bool,
     /// Whether a breakpoint, a step or an error stops only its task.
     pub(crate) stops_one_task: bool,
@@ -30,7 +30,7 @@ pub struct SessionSettings {
 }
 
 impl SessionSettings {
-    /// Starts the history, and sets the modes of the run.
+    /// Starts recording the history, and sets the modes of the run.
     pub fn apply(&self, debugger: &mut Debugger) {
         debugger.stop_at_exit(self.stops_on_exit || self.starts_at_end);
         debugger.record(self.past);
@@ -46,10 +46,10 @@ impl SessionSettings {
         debugger.stop_tasks_alone(self.stops_one_task);
     }
 
-    /// The settings among the arguments of `launch` or `attach`.
+    /// Reads the settings among the arguments of `launch` or `attach`.
     ///
     /// # Errors
-    /// The reason why a value cannot be used.
+    /// A value is invalid.
     pub(crate) fn of(arguments: &Map<String, Value>) -> Result<Self, RequestFailure> {
         let usual = PastLimits::default();
         let snapshots = number(arguments, "pastSnapshots")?.and_then(|number| usize::try_from(number).ok());
@@ -77,7 +77,7 @@ fn motion_mode(mode: &Value) -> Result<MotionMode, RequestFailure> {
     }
 }
 
-/// The code in which steps into calls do not end.
+/// Parses the code in which steps into calls do not end.
 fn skipped(patterns: &Value) -> Result<Vec<SkipPattern>, RequestFailure> {
     if patterns.is_null() {
         return Ok(Vec::new());
@@ -89,7 +89,7 @@ fn skipped(patterns: &Value) -> Result<Vec<SkipPattern>, RequestFailure> {
     parsed.ok_or_else(|| RequestFailure::Rejected(invalid()))
 }
 
-/// A whole number of at least 1.
+/// Reads a whole number of at least 1.
 fn number(arguments: &Map<String, Value>, key: &str) -> Result<Option<u64>, RequestFailure> {
     let Some(value) = arguments.get(key).filter(|value| !value.is_null()) else { return Ok(None) };
     let number = value.as_u64().filter(|number| *number > 0);
@@ -97,7 +97,7 @@ fn number(arguments: &Map<String, Value>, key: &str) -> Result<Option<u64>, Requ
     number.map(Some).ok_or_else(invalid)
 }
 
-/// Whether a key is true; `usual` if it is absent.
+/// Reads a truth value; `usual` if the key is absent.
 fn switch(arguments: &Map<String, Value>, key: &str, usual: bool) -> Result<bool, RequestFailure> {
     match arguments.get(key) {
         None | Some(Value::Null) => Ok(usual),
@@ -106,7 +106,7 @@ fn switch(arguments: &Map<String, Value>, key: &str, usual: bool) -> Result<bool
     }
 }
 
-/// Whether a key has the second value. The default is the first.
+/// Reads a key with two possible values, and returns whether it has the second one. The first one is the default.
 fn is_second(arguments: &Map<String, Value>, key: &str, [first, second]: [&str; 2]) -> Result<bool, RequestFailure> {
     match arguments.get(key) {
         None | Some(Value::Null) => Ok(false),

@@ -11,7 +11,7 @@ use crate::breakpoints::number;
 use crate::notices::thread;
 use crate::protocol::{ProcessEvent, ProcessEventStartMethod, StoppedEvent, StoppedEventReason};
 
-/// The event of a stop.
+/// Returns the event for a stop.
 pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent {
     match stop {
         Stop::Breakpoints { task, ids, .. } if ids.contains(&assertions::ID) => StoppedEvent {
@@ -66,7 +66,7 @@ pub(crate) fn unlinked_data(fault: Fault, task: TaskNumber, controller: &mut Con
     if causes.is_empty() { String::new() } else { format!(": {}", causes.join("; ")) }
 }
 
-/// The event of a run in which no task can continue.
+/// Returns the event for a run in which no task can continue.
 pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
     StoppedEvent {
         description: Some("Paused because no task can continue".to_owned()),
@@ -75,7 +75,7 @@ pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The event of a run that has ended, with failed tasks or without any.
+/// Returns the event for a run that has ended, with failed tasks or without tasks.
 pub(crate) fn ended(controller: &Controller) -> StoppedEvent {
     StoppedEvent {
         description: Some("Paused at the end of the run".to_owned()),
@@ -84,7 +84,7 @@ pub(crate) fn ended(controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The event of a run at the end of the recording that it repeats.
+/// Returns the event for a run at the end of the recording that it repeats.
 pub(crate) fn recorded_end(controller: &Controller) -> StoppedEvent {
     StoppedEvent {
         description: Some("Paused at the end of the recording".to_owned()),
@@ -93,7 +93,7 @@ pub(crate) fn recorded_end(controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The event of a run that is where it was, because the client has cancelled a search.
+/// Returns the event for a run that is at its previous moment, because the client has cancelled a search.
 pub(crate) fn cancelled(controller: &Controller) -> StoppedEvent {
     StoppedEvent {
         description: Some("Paused where the search has begun".to_owned()),
@@ -128,7 +128,7 @@ fn data(stop: &DataStop, controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The arm has arrived in step mode. The reason is `step`, which every client shows.
+/// Returns the event for the end of a motion in step mode. The reason is `step`, which every client supports.
 fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
     let place = stop.piece.as_ref().map(|found| {
         let source = found.source.as_ref();
@@ -149,7 +149,7 @@ fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The arm has come to rest before a path that it cannot follow.
+/// Returns the event for an arm that has come to rest before a path that it cannot follow.
 fn path_fault(fault: &MotionFault, controller: &Controller) -> StoppedEvent {
     let place = fault.source.as_ref().map(|source| {
         let CodeSource { instruction, program, line, .. } = source;
@@ -163,7 +163,7 @@ fn path_fault(fault: &MotionFault, controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The arm, or a thing that it carries, touches something.
+/// Returns the event for contacts of the arm, or of a thing that it carries.
 fn contact(contacts: &[Contact], controller: &Controller) -> StoppedEvent {
     let text: Vec<String> = contacts.iter().map(Contact::to_string).collect();
     StoppedEvent {
@@ -173,7 +173,7 @@ fn contact(contacts: &[Contact], controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// A change of watched data: the old and new value, or the value that was read.
+/// Describes an access to watched data: the old and new value, or the value that was read.
 fn described(change: &DataChange) -> String {
     if let Some(fault) = &change.fault {
         return format!("the condition cannot be evaluated: {fault}");
@@ -181,18 +181,18 @@ fn described(change: &DataChange) -> String {
     if change.is_write { format!("{} -> {}", change.old, change.new) } else { format!("read: {}", change.new) }
 }
 
-/// The task that is in the program of the move.
+/// Returns a task that is in the program of the move.
 fn mover(stop: &MotionStop, controller: &Controller) -> Option<TaskNumber> {
     task_in(stop.piece.as_ref()?.source.as_ref()?, controller)
 }
 
-/// The task that is in the program of a line.
+/// Returns a task that is in the program of a line.
 fn task_in(source: &CodeSource, controller: &Controller) -> Option<TaskNumber> {
     let mut tasks = controller.vm.tasks().iter().map(|task| task.id);
     tasks.find(|task| frames(&controller.vm, *task).iter().any(|frame| frame.file == source.file))
 }
 
-/// The run as a process of this machine.
+/// Returns the event that presents the run as a process of this machine.
 pub(crate) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent {
     let first = controller.vm.space.loaded().next();
     let start = if is_attach { ProcessEventStartMethod::Attach } else { ProcessEventStartMethod::Launch };
@@ -204,7 +204,7 @@ pub(crate) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent 
     }
 }
 
-/// A stop of all tasks.
+/// Returns an event for a stop of all tasks.
 pub(crate) fn event(reason: StoppedEventReason, task: Option<TaskNumber>) -> StoppedEvent {
     StoppedEvent {
         reason,

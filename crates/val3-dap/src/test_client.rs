@@ -93,7 +93,7 @@ pub(crate) fn source(program: &str) -> Value {
 /// Client of a run.
 pub(crate) struct TestClient {
     session: DebugSession,
-    debugger: Debugger,
+    pub(crate) debugger: Debugger,
     evaluator: FrameEvaluator,
     inbox: Sender<Incoming>,
     output: ClientOutput,
@@ -273,7 +273,7 @@ impl TestClient {
         self.response(command, arguments).unwrap_err()
     }
 
-    /// Returns the number of the first thread and of its innermost stack frame.
+    /// Returns the ids of the first thread and its innermost stack frame.
     pub(crate) fn thread_and_frame(&mut self) -> (Value, Value) {
         let thread = self.body("threads", json!({}))["threads"][0]["id"].clone();
         let trace = self.body("stackTrace", json!({ "threadId": thread }));
@@ -287,7 +287,7 @@ impl TestClient {
         (frame["name"].as_str().unwrap().to_owned(), frame["line"].as_u64().unwrap())
     }
 
-    /// Returns the handle of a scope of the first thread.
+    /// Returns the handle of a scope in the first thread.
     pub(crate) fn scope(&mut self, name: &str) -> Value {
         let (_, frame) = self.thread_and_frame();
         let scopes = self.body("scopes", json!({ "frameId": frame }));

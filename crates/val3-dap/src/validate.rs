@@ -24,8 +24,8 @@ impl SchemaValidator {
     /// # Errors
     /// If the schema is not JSON.
     pub fn new() -> serde_json::Result<Self> {
-        // The arguments of `restart` are the arguments of `launch` or `attach`. Every object is both, so that `oneOf` would
-        // allow none.
+        // `restart` has the arguments of either `launch` or `attach`. Every object matches both, so `oneOf` would
+        // reject every object.
         let schema = serde_json::from_str(&SCHEMA.replace("\"oneOf\"", "\"anyOf\""))?;
         Ok(Self { schema, compiled: BTreeMap::new() })
     }
@@ -55,7 +55,7 @@ impl SchemaValidator {
             return Err(InvalidMessage::NoDefinition(definition.to_owned()));
         }
         let reference = format!("#/definitions/{definition}");
-        // Draft 4 ignores the neighbours of a `$ref`.
+        // Draft 4 ignores the siblings of a `$ref`.
         let schema = json!({
             "$schema": self.schema.get("$schema"),
             "definitions": definitions,

@@ -20,7 +20,7 @@ pub enum Goal {
     Breakpoint,
 }
 
-/// Result of [`Debugger::replay`].
+/// Result of [`Debugger::replay`] for the replayed part, at most a cycle.
 #[derive(Debug, Clone)]
 pub(crate) struct Replayed {
     pub(crate) status: RunStatus,
@@ -154,10 +154,10 @@ impl Debugger {
                 }
             }
             if let Some((outcomes, over, stop)) = last {
-                // A wait ends without time passing, so the moment does not tell whether the run was before or after the
-                // end.
+                // A wait ends without time passing, so the moment does not determine whether the run was before or
+                // after the end of the wait.
                 self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch, end));
-                // The replay counts the hits of an arrival that it reports.
+                // The replay has already counted the hits if it reports the arrival.
                 let mut is_counted = matches!(stop, Stop::Breakpoints { .. });
                 if over > Moment::of(&self.controller) {
                     self.go_to(over);
@@ -180,7 +180,7 @@ impl Debugger {
     }
 
     /// Goes to a moment at which the caller changed the run while a task was before a line, if `is_wanted` returns a
-    /// stop for that line. Such a stop is checked separately, because a replay ends before it reports the arrival.
+    /// stop for this line. Such a stop is checked separately, because a replay ends before it reports the arrival.
     fn stop_at_change(
         &mut self,
         moment: Moment,

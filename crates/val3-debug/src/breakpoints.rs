@@ -121,7 +121,8 @@ impl FromStr for HitCondition {
 }
 
 impl HitCondition {
-    /// Whether the number counts hits, from 1. `<1` would never hold, and `>=0` always.
+    /// Whether the number is at least 1, because hits are counted from 1: `<1` would select no hit, and `>=0` every
+    /// hit.
     const fn is_valid(self) -> bool {
         matches!(self, Self::Exactly(1..) | Self::From(1..) | Self::Until(1..) | Self::Every(1..))
     }
@@ -152,7 +153,7 @@ pub(crate) type Hits = BTreeMap<BreakpointId, u64>;
 /// All breakpoints of a run on lines and programs.
 #[derive(Debug, Default)]
 pub(crate) struct Breakpoints {
-    /// Line breakpoints by the path of their file.
+    /// Line breakpoints by file path.
     files: BTreeMap<String, Vec<Breakpoint>>,
     /// Breakpoints on the first line of programs.
     pub(crate) programs: ProgramBreakpoints,
@@ -195,7 +196,7 @@ impl Breakpoints {
         }
     }
 
-    /// Returns the breakpoints that stop the task at its next line if hit conditions are ignored.
+    /// Returns the breakpoints that stop the task at its next line, ignoring hit conditions.
     pub(crate) fn at(&self, controller: &mut Controller, task: TaskNumber) -> Arrival {
         let mut arrival = Arrival::default();
         let Some(next) = NextLine::of(controller, task) else { return arrival };
@@ -284,7 +285,7 @@ impl Breakpoints {
     }
 }
 
-/// The parts of a line or program breakpoint that decide about a stop.
+/// Properties of a line or program breakpoint that determine whether a task stops.
 struct StopRule<'a> {
     id: BreakpointId,
     task: Option<&'a str>,
@@ -294,8 +295,8 @@ struct StopRule<'a> {
 }
 
 impl StopRule<'_> {
-    /// Whether the breakpoint affects the task, and the condition holds for it before the line. If the condition cannot
-    /// be evaluated, the task stops, and `arrival` gets the fault.
+    /// Whether the breakpoint affects the task, and its condition holds before the line. If the condition cannot be
+    /// evaluated, returns false, and adds the breakpoint and the fault to `arrival`, so that the task stops.
     fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {
         if self.task.is_some_and(|name| !is_named(controller, task, name)) {
             return false;

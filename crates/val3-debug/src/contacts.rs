@@ -4,7 +4,7 @@ use std::fmt;
 
 use val3_machine::event::{ClearanceMove, Event, EventKind};
 
-/// Smallest depth of an overlap in mm that is shown as a number.
+/// Smallest overlap depth that is shown as a number, in mm.
 const DEPTH: f64 = 0.05;
 
 /// A contact that has begun.
@@ -12,7 +12,7 @@ const DEPTH: f64 = 0.05;
 pub struct Contact {
     /// Names of both things.
     pub names: [String; 2],
-    /// Depth of the overlap in mm; 0 for surfaces.
+    /// Overlap depth in mm; 0 if only the surfaces touch.
     pub depth: f64,
     /// Whether the things touched when the run began.
     pub at_start: bool,
@@ -21,7 +21,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Returns the contacts that begin in these events.
+    /// Returns the contacts whose beginning these events report.
     pub(crate) fn all(events: &[Event]) -> Vec<Self> {
         let contacts = events.iter().filter_map(|event| match &event.kind {
             EventKind::Clearance { state: "contact", a, b, distance, start, of, .. } => Some(Self {

@@ -1,5 +1,4 @@
-//! Data breakpoints: the run stops after a line that has changed or read a value, and when a value was changed from
-//! outside.
+//! Data breakpoints: the run stops after a line that has changed or read a value, and after a change from outside.
 //!
 //! While a data breakpoint is set, tasks execute one line at a time, and the watched values are compared bit by bit
 //! after each line. Writing the present value is no change. Reads are found in the operations of the line
@@ -103,7 +102,7 @@ struct DataWatch {
     /// Last compared value; `None` if it was not in memory.
     seen: Option<Digest>,
     text: String,
-    /// Moment at which the program of a local variable ended. From then on the same place may contain the variable of a
+    /// Moment at which the program of a local variable ended. From then on, the same place may contain a variable of a
     /// later call.
     over: Option<Moment>,
 }
@@ -131,8 +130,8 @@ impl Debugger {
         self.settle_data();
     }
 
-    /// Compares later values with the present ones. Called after changes by the caller, and after the run has gone to
-    /// another moment.
+    /// Stores the present values for later comparisons. Called after changes by the caller, and after the run has gone
+    /// to another moment.
     pub(crate) fn settle_data(&mut self) {
         let now = Moment::of(&self.controller);
         for watch in &mut self.data.all {
@@ -207,7 +206,7 @@ impl Debugger {
         Some(Stop::Data(Box::new(DataStop { task, line, changes })))
     }
 
-    /// Returns the breakpoints on local variables whose program has ended, so that they stop the run no more.
+    /// Returns the breakpoints on local variables whose program has ended, so that they no longer stop the run.
     #[must_use]
     pub fn ended_data(&self) -> BTreeSet<BreakpointId> {
         self.data.all.iter().filter(|watch| watch.over.is_some()).map(|watch| watch.breakpoint.id).collect()

@@ -43,7 +43,7 @@ pub struct Debugger {
     pub(crate) pending: Option<Stop>,
     /// Chosen motion mode.
     pub(crate) mode: MotionMode,
-    /// Whether a stop of a task pauses only this task.
+    /// Whether a stop pauses only the stopped task.
     stops_alone: bool,
     /// Whether the run stops before the end of its last task.
     stops_at_exit: bool,
@@ -108,7 +108,8 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Returns the task that stops if the other tasks could continue.
+    /// Returns the stopped task if the reason for the stop affects only this task, so that the other tasks could
+    /// continue.
     #[must_use]
     pub fn task_alone(&self) -> Option<TaskNumber> {
         match self {
@@ -330,7 +331,7 @@ impl Debugger {
             return self.exit(task);
         }
         let stop = self.hit(task)?;
-        // A breakpoint on the last `end` is already the stop before the end of the run.
+        // A breakpoint on the last `end` has already stopped the run before its end.
         if self.stops_at_exit && self.exit(task).is_some() {
             self.controller.vm.pass_end(task);
         }
@@ -373,7 +374,7 @@ impl Debugger {
         Some(stop.unwrap_or(Stop::Step { task }))
     }
 
-    /// Returns the number of hits of a breakpoint so far; at a moment of the past, up to this moment.
+    /// Returns the breakpoint's hit count so far; after going back, up to the present moment.
     #[must_use]
     pub fn hits(&self, id: BreakpointId) -> u64 {
         self.breakpoints.hits.get(&id).copied().unwrap_or_default()

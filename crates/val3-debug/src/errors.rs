@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::{CallSite, ProgramRef};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
-use val3_vm::{Imported, InstanceId, Task, TaskState, Vm};
+use val3_vm::{InstanceId, ProgramId, Task, TaskState, Vm};
 
 /// Run-time errors that stop the run: every error that at least one field selects.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -74,30 +73,19 @@ const HANDLING: [&str; 3] = ["taskStatus", "taskResume", "taskKill"];
 
 /// Whether the task is in a program of `owner` with such an instruction, or can call one.
 fn watches(vm: &Vm, task: &Task, owner: InstanceId) -> bool {
-    let mut left: Vec<(InstanceId, u16)> =
-        task.thread.frames.iter().map(|frame| (frame.instance, frame.program)).collect();
-    let mut seen: BTreeSet<(u16, u16)> = BTreeSet::new();
-    while let Some((id, number)) = left.pop() {
-        if !seen.insert((id.0, number)) {
+    let frames = task.thread.frames.iter();
+    let mut left: Vec<_> = frames.map(|frame| ProgramId { instance: frame.instance, number: frame.program }).collect();
+    let mut seen = BTreeSet::new();
+    while let Some(id) = left.pop() {
+        if !seen.insert(id) {
             continue;
         }
-        let Some(instance) = vm.space.instance(id) else { continue };
-        let Some(program) = instance.image.programs.get(usize::from(number)) else { continue };
-        if id == owner && program.instructions.iter().any(|site| HANDLING.contains(&site.callee.name())) {
+        let Some(instance) = vm.space.instance(id.instance) else { continue };
+        let Some(program) = instance.image.programs.get(usize::from(id.number)) else { continue };
+        if id.instance == owner && program.instructions.iter().any(|site| HANDLING.contains(&site.callee.name())) {
             return true;
         }
-        left.extend(program.calls.iter().filter_map(|call| called_program(vm, id, call)));
+        left.extend(program.calls.iter().filter_map(|call| vm.space.called(id.instance, call.program)));
     }
     false
-}
-
-/// Returns the program that a call site calls; `None` while its library is not loaded.
-pub(crate) fn called_program(vm: &Vm, caller: InstanceId, site: &CallSite) -> Option<(InstanceId, u16)> {
-    match site.program {
-        ProgramRef::Own(number) => Some((caller, number)),
-        ProgramRef::Import(number) => match vm.space.instance(caller)?.imports.get(usize::from(number)) {
-            Some(Some(Imported::Program(instance, number))) => Some((*instance, *number)),
-            _ => None,
-        },
-    }
 }

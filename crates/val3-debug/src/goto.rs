@@ -61,7 +61,7 @@ impl Debugger {
         Ok(target(program, row))
     }
 
-    /// Lets a task continue at another line in its innermost program, like `taskResume` for a task that is not running.
+    /// Sets the next line of a task in its innermost program, like `taskResume` for a task that is not running.
     /// Nothing is executed. A task that was halted or stopped by an error runs again. Discards the recorded future.
     ///
     /// # Errors

@@ -108,7 +108,7 @@ pub(crate) struct History {
 
 impl History {
     /// Creates the history of a run that begins now. Older snapshots are thinned out to keep the limits. The first one
-    /// remains unless the snapshots of changes exceed the limits without the others.
+    /// is kept unless the snapshots of changes alone exceed the limits.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
         let mut history = Self { points: VecDeque::new(), input_bytes: 0, limits, cycles: 0, latest: None };
         history.add(controller, hits, SnapshotReason::Time);

@@ -1,4 +1,4 @@
-//! Steps.
+//! Steps of a task, and the conditions under which they end.
 
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Task, Vm};

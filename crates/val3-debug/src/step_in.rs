@@ -4,7 +4,6 @@ use val3_bytecode::Op;
 use val3_lang::ports::TaskNumber;
 
 use crate::debugger::Debugger;
-use crate::errors::called_program;
 use crate::step::{Step, StepKind};
 
 /// Program that the task's next line calls, or with which a task begins that the line creates.
@@ -44,9 +43,9 @@ impl Debugger {
             Op::CreateTask { site } => Some((&program.tasks.get(*site as usize)?.call, StepKind::IntoTask)),
             _ => None,
         })?;
-        let (instance, number) = called_program(vm, frame.instance, site)?;
-        let owner = &vm.space.instance(instance)?.image;
-        let program = owner.programs.get(usize::from(number))?;
+        let called = vm.space.called(frame.instance, site.program)?;
+        let owner = &vm.space.instance(called.instance)?.image;
+        let program = owner.programs.get(usize::from(called.number))?;
         Some(StepInTarget { application: owner.name.clone(), program: program.name.clone(), kind })
     }
 }

@@ -1,4 +1,4 @@
-//! Inputs, outputs and serial lines without a signal in a line that has failed.
+//! Inputs, outputs and serial lines without a signal, in a line that has failed.
 
 use std::fmt;
 
@@ -16,9 +16,9 @@ use crate::watched::WatchedData;
 /// Variable that is linked to no signal of this controller.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnlinkedData {
-    /// Data path, for example `diPart[2]`; the array if several of its elements have no signal.
+    /// Data path, for example `diPart[2]`; the path of the array if several elements have no signal.
     pub path: String,
-    /// Text of the link that leads to no signal; `None` if the variable has no link.
+    /// Link for which there is no signal; `None` if the variable has no link.
     pub link: Option<String>,
 }
 
@@ -26,7 +26,7 @@ impl fmt::Display for UnlinkedData {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.link {
             Some(link) => {
-                write!(f, "`{}` has the link `{link}`, which leads to no signal of this controller", self.path)
+                write!(f, "`{}` has the link `{link}`, but this controller has no such signal", self.path)
             }
             None => write!(f, "`{}` has no link", self.path),
         }

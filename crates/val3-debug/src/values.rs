@@ -93,7 +93,7 @@ impl Inside {
         Some((path.context, path.text?))
     }
 
-    /// Returns a handle of a stack frame's parameters, or of its locals.
+    /// Returns a handle of the parameters or the locals in a stack frame.
     fn of_frame(task: TaskNumber, depth: usize, are_parameters: bool) -> Self {
         let path = ValuePath {
             context: FragmentContext::Frame(task, depth),
@@ -333,8 +333,8 @@ fn on_stack<T: Default>(
     }
 }
 
-/// Whether a stack frame's program can name data of its application or library, or without a stack frame, whether the
-/// data are public.
+/// Whether the program of a stack frame can name data of its application or library, which a parameter or local may
+/// hide. Without a stack frame: whether the data are public.
 fn is_visible(vm: &Vm, data: &DataDef, of_frame: Option<(TaskNumber, usize)>) -> bool {
     let Some((task, depth)) = of_frame else { return data.public };
     let program = frame(vm, task, depth).and_then(|frame| program(vm, &frame));

@@ -81,7 +81,7 @@ impl Debugger {
             && let Some(start) = self.restore_earlier(end)
         {
             let first = (data.digest(&mut self.controller), data.text(&mut self.controller));
-            let mut part = PartWrites::new(first.clone(), count + 1);
+            let mut part = PartWrites::new(first.0.clone(), first.1.clone(), count + 1);
             part.keep_tasks(&self.controller.vm);
             while let Some(task) = self.replay_line(end) {
                 part.follow(self, data, task);
@@ -90,7 +90,7 @@ impl Debugger {
                     return None;
                 }
             }
-            // A change by the debugger at the end of the part is in no replay.
+            // A change by the debugger at the end of the part is not repeated by a replay.
             if part.seen != later.0 {
                 part.add(DataWrite { time: end.time, task: None, line: None, value: later.1 }, later.0, data);
             }
@@ -130,12 +130,12 @@ impl Debugger {
 }
 
 impl PartWrites {
-    fn new((seen, initial): (Option<Digest>, String), limit: usize) -> Self {
+    fn new(seen: Option<Digest>, initial: String, limit: usize) -> Self {
         let (next, names) = (NextLines::default(), BTreeMap::new());
         Self { writes: VecDeque::new(), limit, initial, seen, has_begun: false, next, names }
     }
 
-    /// Stores the next line of each task, and the name.
+    /// Stores the next line and the name of each task.
     fn keep_tasks(&mut self, vm: &Vm) {
         self.next.keep(vm);
         for task in vm.tasks() {
@@ -143,7 +143,7 @@ impl PartWrites {
         }
     }
 
-    /// Adds the write of the last line, if the data have changed. `task`: the task of the line.
+    /// Adds the write of the last line if the data have changed. `task` executed the line.
     fn follow(&mut self, debugger: &mut Debugger, data: &WatchedData, task: Option<TaskNumber>) {
         let line = task.and_then(|task| self.next.take(task));
         self.keep_tasks(&debugger.controller.vm);
@@ -162,7 +162,7 @@ impl PartWrites {
         let was_there = self.seen.is_some();
         self.seen = now;
         if !was_there && data.is_local() {
-            // The variable of an earlier call was in the same place.
+            // The local variable begins to exist here. The earlier writes were to another call's variable in its place.
             self.writes.clear();
             self.has_begun = true;
             self.initial = write.value;

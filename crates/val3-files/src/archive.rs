@@ -1,4 +1,4 @@
-//! ZIP archives of backups, unpacked in memory within limits.
+//! Unpacks ZIP archives of backups in memory, within limits.
 
 use std::fmt;
 use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
@@ -12,22 +12,22 @@ use crate::{FileClass, Unreadable};
 /// Maximum number of entries.
 const MOST_ENTRIES: usize = 65_536;
 
-/// Limit of the unpacked size of all files, in bytes.
+/// Maximum unpacked size of all files, in bytes.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// Limit of the compression ratio, far above the ratio of text.
+/// Maximum compression ratio, far above the ratio of text.
 const MOST_RATIO: u64 = 1_024;
 
-/// Unpacked size that is accepted for any compression ratio, in bytes.
+/// Unpacked size in bytes up to which every compression ratio is accepted.
 const ANY_SIZE: u64 = 1 << 20;
 
-/// First bytes of an entry, with which an archive begins.
+/// Signature of an entry, which is also the first signature of an archive.
 const ENTRY_SIGNATURE: &[u8] = b"PK\x03\x04";
 
-/// First bytes of the record at the end of an archive.
+/// Signature of the record at the end of an archive.
 const END_SIGNATURE: &[u8] = b"PK\x05\x06";
 
-/// Maximum size of the record at the end of an archive, in bytes: 22 and a comment.
+/// Maximum size of the record at the end of an archive, in bytes: 22 and the longest comment.
 const MOST_END: u64 = 22 + 65_535;
 
 /// Reason why an archive cannot be read.
@@ -107,14 +107,14 @@ pub fn unpack(
     Ok(files)
 }
 
-/// Reads the directory of an archive.
+/// Opens an archive and reads its directory.
 fn open<R: Read + Seek>(mut reader: R) -> Result<ZipArchive<R>, ArchiveFault> {
     let fault = fault_without_directory(&mut reader).map_err(|error| ArchiveFault::Unreadable(error.into()))?;
     let archive = ZipArchive::new(reader).map_err(|_| fault)?;
     if archive.len() > MOST_ENTRIES { Err(ArchiveFault::TooLarge) } else { Ok(archive) }
 }
 
-/// The fault of a file whose directory cannot be read, from the signatures at its begin and end.
+/// Fault of a file without a readable directory, determined from the signatures at its start and end.
 fn fault_without_directory(reader: &mut (impl Read + Seek)) -> std::io::Result<ArchiveFault> {
     let mut begin = Vec::new();
     reader.by_ref().take(4).read_to_end(&mut begin)?;
@@ -131,7 +131,7 @@ fn fault_without_directory(reader: &mut (impl Read + Seek)) -> std::io::Result<A
     })
 }
 
-/// Entry path, which must be inside the archive. Some tools write backslashes.
+/// Converts an entry's name to a path, which must be inside the archive. Some tools write backslashes.
 fn inner_path(name: &str) -> Result<Utf8PathBuf, ArchiveFault> {
     let slashed = name.replace('\\', "/");
     let path = Utf8Path::new(&slashed);
@@ -228,7 +228,7 @@ mod tests {
         let bytes = std::fs::read(&path).unwrap();
         for length in 0..bytes.len() {
             std::fs::write(&path, &bytes[..length]).unwrap();
-            // Within the record at the end, only the record is damaged.
+            // If the cut is within the record at the end, its signature still exists, so the archive counts as damaged.
             let fault = match length {
                 0..4 => ArchiveFault::NoArchive,
                 _ if length + 18 < bytes.len() => ArchiveFault::CutOff,
@@ -243,7 +243,7 @@ mod tests {
         let (_kept, folder) = folder();
         let path = packed(&folder, &[("a.pjx", b"some text"), ("b.pgx", b"more text")]);
         let mut bytes = std::fs::read(&path).unwrap();
-        // Behind the local header of the first entry (30 bytes) and its name.
+        // After the local header of the first entry (30 bytes) and its name.
         bytes[30 + "a.pjx".len()] ^= 0xff;
         std::fs::write(&path, bytes).unwrap();
         assert_eq!(unpack(&path, |_| true), Err(ArchiveFault::DamagedEntry("a.pjx".to_owned())));

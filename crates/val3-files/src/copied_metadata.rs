@@ -4,15 +4,15 @@ use std::fs::{self, File};
 
 use camino::Utf8Path;
 
-/// Copies the metadata of the file at `path` to the file that will replace it. Returns false if the replacement would
-/// lose metadata or hard links; the file must then be overwritten instead.
+/// Copies the metadata of the file at `path` to the file that will replace it. Returns `false` if the replacement would
+/// lose metadata or hard links. The file must then be overwritten instead.
 #[cfg(unix)]
 pub(crate) fn copy(path: &Utf8Path, metadata: &fs::Metadata, new: &File) -> bool {
     use std::os::unix::fs::MetadataExt as _;
     metadata.nlink() == 1
         && copy_owner(metadata, new)
         && attributes::copy(path, new)
-        // Last, because a change of the owner clears bits of the mode.
+        // Last, because changing the owner clears bits of the mode.
         && new.set_permissions(metadata.permissions()).is_ok()
 }
 
@@ -76,7 +76,7 @@ mod attributes {
 
     use camino::Utf8Path;
 
-    /// On this system, the tools cannot read extended attributes.
+    /// The tools cannot read extended attributes on this system, so none are copied.
     pub(super) fn copy(_: &Utf8Path, _: &File) -> bool {
         true
     }

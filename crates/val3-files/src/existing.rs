@@ -1,4 +1,4 @@
-//! Changes of files that were read before.
+//! Changes of files that were read earlier.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use camino::Utf8Path;
 
 use crate::{FileClass, Unreadable, Unwritable, read, replace};
 
-/// Replaces an existing file's content atomically. The content must still be `before`, so that changes by other
+/// Replaces an existing file's content atomically. Fails if the content is no longer `before`, so that changes by other
 /// programs are not lost.
 ///
 /// # Errors

@@ -26,7 +26,7 @@ pub(crate) fn overwrite(target: &Utf8Path, new: &mut File) -> Result<(), Unwrita
         return Err(error.into());
     }
     if let Err(error) = copy(new, &mut file) {
-        // The disk may be full, but the old content fits, because it does not need more space than before.
+        // The disk may be full. The old content still fits, because it needs no more space than before.
         copy(&mut old, &mut file)?;
         fs::remove_file(&backup)?;
         return Err(error.into());

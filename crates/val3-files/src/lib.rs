@@ -1,7 +1,7 @@
 //! Reads files with a size limit for each class, and replaces files atomically.
 //!
 //! All files that the tools read or write pass through this crate. The exceptions are the media of running programs
-//! (`val3-machine`), which are confined to their folders, and the project's own tools. A test checks this
+//! (`val3-machine`), which are confined to their folders, and the project's own development tools. A test checks this
 //! (`xtask/tests/files_once.rs`).
 
 mod archive;

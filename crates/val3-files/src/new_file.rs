@@ -18,11 +18,11 @@ pub fn replace(path: &Utf8Path, bytes: &[u8]) -> Result<(), Unwritable> {
     file.commit()
 }
 
-/// A file during writing. `commit` makes it appear under its name, replacing an existing file. If it is dropped without
-/// `commit`, nothing changes.
+/// A file that is being written. `commit` moves it to its name and replaces an existing file. Dropping it without
+/// `commit` changes nothing.
 #[derive(Debug)]
 pub struct NewFile {
-    /// Path with resolved links, so that a link is kept.
+    /// Path with resolved symbolic links, so that a link is not replaced by a file.
     target: Utf8PathBuf,
     temporary: Temporary,
 }

@@ -7,7 +7,7 @@ use camino::Utf8Path;
 
 use crate::{NewFile, Unwritable};
 
-/// Output that is complete at the end of the command. A file appears only when the output is committed.
+/// Output that must be complete at the end of the command. A file appears only when the output is committed.
 #[derive(Debug)]
 pub enum OutputFile {
     /// A file.
@@ -53,13 +53,13 @@ impl Write for OutputFile {
     }
 }
 
-/// Output that readers follow while it is written, and that remains if the process is killed: the event record of a
-/// run.
+/// Output that other programs read while it is written, and that remains if the process is killed: the event record of
+/// a run.
 #[derive(Debug)]
 pub struct LogFile(File);
 
 impl LogFile {
-    /// Starts the output, and removes the old content of a file.
+    /// Opens the output, and truncates an existing file.
     ///
     /// # Errors
     /// If the file cannot be written.
@@ -68,7 +68,7 @@ impl LogFile {
             _ if is_stream(path) => Ok(Self(open_stream(path)?)),
             Ok(found) if found.is_dir() => Err(Unwritable::NotRegular),
             Ok(_) => Ok(Self(OpenOptions::new().write(true).truncate(true).open(path)?)),
-            // `create_new` does not follow a link whose target does not exist.
+            // `create_new` does not follow a symbolic link whose target does not exist.
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Self(File::create_new(path)?)),
             Err(error) => Err(error.into()),
         }
@@ -86,7 +86,7 @@ impl Write for LogFile {
 }
 
 /// Whether the path is a device or pipe, or an open file of this process, for example `/dev/stdout` or
-/// `/proc/self/fd/3`, which is written as a stream even if it is a regular file.
+/// `/proc/self/fd/3`. An open file is written as a stream even if it is a regular file.
 fn is_stream(path: &Utf8Path) -> bool {
     let opened = ["/dev/fd", "/dev/stdin", "/dev/stdout", "/dev/stderr", "/proc"];
     opened.iter().any(|folder| path.starts_with(folder))

@@ -7,7 +7,7 @@ use camino::Utf8Path;
 
 use crate::{FileClass, Unreadable};
 
-/// Bytes of a regular file. Links are followed.
+/// Reads a regular file. Links are followed.
 ///
 /// # Errors
 /// If the path is not a regular file, if the file exceeds its class limit, or if the system cannot read it.
@@ -20,7 +20,7 @@ pub fn read(path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
     read_stream(file, class)
 }
 
-/// First bytes of a regular file, at most `count`.
+/// Reads the first bytes of a regular file, at most `count`.
 ///
 /// # Errors
 /// If the path is not a regular file, or if the system cannot read it.
@@ -30,7 +30,7 @@ pub fn read_head(path: &Utf8Path, count: u64) -> Result<Vec<u8>, Unreadable> {
     Ok(bytes)
 }
 
-/// Text of a regular file.
+/// Reads a regular file as UTF-8 text.
 ///
 /// # Errors
 /// Like [`read`], and [`Unreadable::NotUtf8`].
@@ -38,7 +38,7 @@ pub fn read_text(path: &Utf8Path, class: FileClass) -> Result<String, Unreadable
     String::from_utf8(read(path, class)?).map_err(|_| Unreadable::NotUtf8)
 }
 
-/// All bytes of a stream, for example the standard input.
+/// Reads a stream to its end, for example the standard input.
 ///
 /// # Errors
 /// If the stream has more bytes than the limit of the class, or cannot be read.
@@ -52,8 +52,8 @@ pub fn read_stream(stream: impl Read, class: FileClass) -> Result<Vec<u8>, Unrea
     }
 }
 
-/// Opens a regular file. The type is checked before, because opening some devices has an effect. The opened file is
-/// checked again, because the entry may have been replaced.
+/// Opens a regular file. The type is checked before opening, because opening some devices has an effect. It is checked
+/// again afterwards, because the path may have been replaced meanwhile.
 pub(crate) fn open_regular(path: &Utf8Path) -> Result<File, Unreadable> {
     check_type(&fs::metadata(path)?)?;
     let file = open(path)?;

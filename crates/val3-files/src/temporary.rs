@@ -17,7 +17,7 @@ const SUFFIX: &str = "val3-tmp";
 /// Suffix of the backup of a file that is overwritten.
 const BACKUP_SUFFIX: &str = "val3-old";
 
-/// Limit of attempts to create the file while other processes remove it.
+/// Maximum number of attempts to create the file while other processes remove it.
 const ATTEMPTS: usize = 8;
 
 /// A temporary file that this process owns. Dropping it removes the file.
@@ -36,7 +36,7 @@ impl Temporary {
             match create_new(&path, access) {
                 Ok(file) => {
                     lock(&file)?;
-                    // Before the lock, another process may have removed the file as a leftover.
+                    // Before the lock was acquired, another process may have removed the file as a leftover.
                     if is_at(&file, &path) {
                         return Ok(Self { file, path, is_renamed: false });
                     }
@@ -59,7 +59,7 @@ impl Temporary {
 impl Drop for Temporary {
     fn drop(&mut self) {
         if !self.is_renamed {
-            // The next write of the file removes it.
+            // If this fails, the next write of the file removes the leftover.
             let _ = fs::remove_file(&self.path);
         }
     }
@@ -157,7 +157,7 @@ fn lock(file: &File) -> Result<(), Unwritable> {
     }
 }
 
-/// Whether the path still refers to the opened file.
+/// Whether the path still refers to the open file.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Utf8Path) -> bool {
     use std::os::unix::fs::MetadataExt as _;
@@ -166,7 +166,7 @@ fn is_at(file: &File, path: &Utf8Path) -> bool {
     opened.is_some() && opened == fs::symlink_metadata(path).map(identity).ok()
 }
 
-/// Whether the path still refers to the opened file. On this system, other processes cannot replace it.
+/// Whether the path still refers to the open file: always, because other processes cannot replace it on this system.
 #[cfg(not(unix))]
 fn is_at(_: &File, path: &Utf8Path) -> bool {
     path.is_file()

@@ -5,7 +5,7 @@
 //!
 //! Equal transformations at the outer ends of two chains do not affect their relative pose and are omitted from the
 //! computation. Positions in the same frame are therefore compared exactly, without the rounding of a conversion to
-//! `world` and back. It does not matter whether the fathers are the same variables or have the same values.
+//! `world` and back. Only the values of the fathers are compared, not their variables.
 //!
 //! The instruction `link` changes only the father and not the transformation, so it needs no computation.
 

@@ -28,7 +28,7 @@ pub fn sin_cos(degrees: f64) -> (f64, f64) {
     sine_and_cosine(within_many_turns(degrees))
 }
 
-/// Returns the tangent of an angle in degrees; at odd multiples of 90° ±1.633e16, with the sign of the angle.
+/// Returns the tangent of an angle in degrees; at odd multiples of 90°, returns ±1.633e16 with the sign of the angle.
 #[must_use]
 pub fn tan(degrees: f64) -> f64 {
     let (quarters, rest) = reduce(within_many_turns(degrees));

@@ -169,7 +169,7 @@ impl Arm {
     }
 
     /// Returns the load at the flange for which forces and torques are computed, in kg: the nominal load, otherwise the
-    /// maximum load.
+    /// maximum load, otherwise a default.
     #[must_use]
     pub fn nominal_load(&self) -> f64 {
         self.payload.nominal.or(self.payload.maximum).unwrap_or(USUAL_LOAD)
@@ -202,8 +202,8 @@ impl Arm {
         self.axes.get(axis).map_or(0.0, |axis| axis.deceleration)
     }
 
-    /// Returns the arm with the narrower limits that `arm.cfx` and `cell.cfx` contain for a single unit. Missing
-    /// values, and absolute values from 99999, leave the type's limit unchanged.
+    /// Returns the arm with the individual, narrower limits from `arm.cfx` and `cell.cfx`. Missing values, and absolute
+    /// values from 99999 on, leave the type's limit unchanged.
     pub fn with_limits(mut self, min: &[f64], max: &[f64]) -> Result<Self, Violation> {
         let given = |value: Option<&f64>| value.copied().filter(|value| value.abs() < LIMIT_OF_TYPE);
         for (index, axis) in self.axes.iter_mut().enumerate() {
@@ -235,8 +235,8 @@ impl Arm {
         }
     }
 
-    /// Computes the poses of the base and of all link ends in world: one more entry than axes. The z axis of entry `i`
-    /// is axis `i + 1`, and the last entry is the flange.
+    /// Computes the poses of the base and of all link ends in world. The result has one more entry than the arm has
+    /// axes: the z axis of entry `i` is axis `i + 1`, and the last entry is the flange.
     #[must_use]
     pub fn links(&self, joints: &Joints) -> Vec<IsometryMatrix3<f64>> {
         let dh = self.dh();
@@ -253,8 +253,8 @@ impl Arm {
         links
     }
 
-    /// Computes the frames of the base and of all links in world, in which their shapes are: one more entry than axes.
-    /// The frame of a link has its own axis as z and moves with its joint.
+    /// Computes the frames of the base and of all links in world, to which the shapes are relative. The result has one
+    /// more entry than the arm has axes. The frame of a link has its own axis as z and moves with its joint.
     #[must_use]
     pub fn parts(&self, joints: &Joints) -> Vec<IsometryMatrix3<f64>> {
         let moved = |(axis, before): (usize, IsometryMatrix3<f64>)| {

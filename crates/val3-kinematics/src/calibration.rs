@@ -5,15 +5,15 @@ use val3_geometry::{IsometryMatrix3, Vector3};
 
 use crate::{Arm, Joints, Unreachable};
 
-/// Largest number of iterations. After them the position counts as not computable.
+/// Maximum number of iterations. If it is reached, the joints count as not computable.
 const STEPS: usize = 20;
 
-/// Error below which the iteration ends: in mm, and as the sine of an angle.
+/// Error tolerance that ends the iteration: in mm, and as the sine of an angle.
 const POSITION: f64 = 1e-10;
 const ORIENTATION: f64 = 1e-13;
 
-/// Largest change of a joint in an iteration, in degrees or mm. A larger change leaves the neighbourhood of the nominal
-/// solution.
+/// Largest accepted change of a joint in one iteration, in degrees or mm. A larger change would leave the neighbourhood
+/// of the nominal solution.
 const LONGEST_STEP: f64 = 30.0;
 
 /// Returns the joints near `start` at which the flange has the pose `target`.
@@ -49,7 +49,7 @@ fn error(from: &IsometryMatrix3<f64>, to: &IsometryMatrix3<f64>) -> Vector6<f64>
     Vector6::new(position.x, position.y, position.z, turn.x, turn.y, turn.z)
 }
 
-/// Returns the joint changes that remove the error to first order.
+/// Returns the joint changes that remove the error in a linear approximation.
 fn step(arm: &Arm, joints: &Joints, error: &Vector6<f64>) -> Option<Vector6<f64>> {
     let mut matrix = Matrix6::zeros();
     for (mut column, twist) in matrix.column_iter_mut().zip(arm.jacobian(joints)) {
@@ -58,7 +58,8 @@ fn step(arm: &Arm, joints: &Joints, error: &Vector6<f64>) -> Option<Vector6<f64>
     }
     let mut error = *error;
     if arm.is_scara() {
-        // No axis changes the tilt. Its two rows are replaced by conditions on the two columns without an axis.
+        // No axis of a SCARA arm changes the tilt. Conditions on the two columns without an axis replace the two tilt
+        // rows.
         matrix.row_mut(3).fill(0.0);
         matrix.row_mut(4).fill(0.0);
         (matrix.m45, matrix.m56) = (1.0, 1.0);

@@ -1,4 +1,4 @@
-//! Arm files: parsing, with an error for each implausible value.
+//! Arm file parser, with an error for each implausible value.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -116,7 +116,7 @@ struct CapsuleEntry {
     radius: f64,
 }
 
-/// Accepted signs of a length.
+/// Accepted sign of a length.
 #[derive(Clone, Copy)]
 enum Sign {
     Any,
@@ -124,7 +124,7 @@ enum Sign {
     Positive,
 }
 
-/// Entries that a file may list under `model`.
+/// Keys that a file may list under `model`.
 const MODEL_ENTRIES: &[&str] = &[
     "geometry",
     "height",
@@ -139,7 +139,7 @@ const MODEL_ENTRIES: &[&str] = &[
     "shapes",
 ];
 
-/// Entries that are measured if `times` is `"measured"`.
+/// Keys that must be measured if `times` is `"measured"`.
 const TIME_ENTRIES: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
 
 pub(crate) fn parse(text: &str) -> Result<Arm, ArmError> {
@@ -235,7 +235,7 @@ impl ArmTableReader<'_> {
         Ok((geometry, height))
     }
 
-    /// Reads a length that the kind of arm needs, in mm.
+    /// Reads a length in mm that this kind of arm requires.
     fn length(
         &self,
         file: &ArmDataFile,
@@ -331,7 +331,7 @@ impl ArmTableReader<'_> {
         number.map(Some).map_err(|message| self.error(load.span().start, &format!("payload.{name}"), message))
     }
 
-    /// Reads the shapes of the base and of the links; of none or of all of them.
+    /// Reads the shapes of the base and of all links. A file contains either no shapes or all of them.
     fn shapes(&self, file: &ArmDataFile) -> Result<Vec<Vec<LinkCapsule>>, ArmError> {
         if file.shapes.is_empty() {
             return Ok(Vec::new());

@@ -14,24 +14,24 @@ const ANGLE_TOLERANCE: f64 = 2.0;
 /// Geometric parameters: lengths in mm, angles in degrees. A SCARA arm uses the first four rows, and its flange `d[4]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dh {
-    /// About z, added to the joint.
+    /// Rotation about z, added to the joint position.
     pub theta: [f64; 6],
-    /// Along z. The entry after the last axis belongs to the flange.
+    /// Translation along z. The entry after the last axis belongs to the flange.
     pub d: [f64; 7],
-    /// Along x.
+    /// Translation along x.
     pub a: [f64; 6],
-    /// Along y.
+    /// Translation along y.
     pub b: [f64; 6],
-    /// About x.
+    /// Rotation about x.
     pub alpha: [f64; 6],
-    /// About the new y.
+    /// Rotation about the new y.
     pub beta: [f64; 6],
 }
 
 /// A geometric parameter that differs too much from its nominal value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DhError {
-    /// Array: `theta`, `d`, `a`, `b`, `alpha` or `beta`.
+    /// Array name: `theta`, `d`, `a`, `b`, `alpha` or `beta`.
     pub parameter: &'static str,
     /// Index in the array.
     pub index: usize,
@@ -44,7 +44,7 @@ pub struct DhError {
 }
 
 impl Dh {
-    /// Returns the link after axis `index` (from 0) for this joint position.
+    /// Returns the transformation of the link after axis `index` (from 0) at this joint position.
     pub(crate) fn link(&self, index: usize, joint: f64, is_stroke: bool) -> IsometryMatrix3<f64> {
         let at = |values: &[f64]| values.get(index).copied().unwrap_or_default();
         let (angle, stroke) = if is_stroke { (0.0, joint) } else { (joint, 0.0) };
@@ -53,7 +53,7 @@ impl Dh {
         turn.isometry() * link.isometry()
     }
 
-    /// Checks that all parameters are near the nominal ones.
+    /// Checks that all parameters are within the tolerances of the nominal parameters.
     pub(crate) fn check(&self, nominal: &Self) -> Result<(), DhError> {
         check("theta", &self.theta, &nominal.theta, ANGLE_TOLERANCE)?;
         check("d", &self.d, &nominal.d, LENGTH_TOLERANCE)?;

@@ -1,13 +1,13 @@
-//! Speeds that exceed the maximum of an axis.
+//! Axis speeds above the maximum speed.
 
 use std::fmt;
 
 use crate::Arm;
 
-/// Relative difference up to which speeds are equal.
+/// Relative tolerance within which speeds are equal.
 const ROUNDING: f64 = 1e-9;
 
-/// Entry of an arm's file. Its values are not limits if they are choices of the model.
+/// Key in the arm file. Its values are not limits if the file lists them as model choices.
 const MAXIMUM_SPEED: &str = "maximum_speed";
 
 /// An axis whose speed under a motion descriptor may exceed its maximum speed.

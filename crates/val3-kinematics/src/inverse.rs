@@ -5,7 +5,7 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 use crate::arm::Geometry;
 use crate::{Arm, Configuration, Joints, RequestedConfiguration, Unreachable, calibration, turns};
 
-/// Largest accepted tilt of a SCARA arm's flange, as a sine: the rounding of angles to six decimals.
+/// Largest accepted tilt of a SCARA arm's flange, as a sine. It covers angles that are rounded to six decimals.
 const NOMINAL_TILT: f64 = 1e-6;
 
 /// Largest tilt that calibration can cause, as a sine.

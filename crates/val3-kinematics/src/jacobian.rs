@@ -7,15 +7,15 @@ use crate::{Arm, Joints};
 /// Flange velocity in world when one axis moves at one unit per second.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twist {
-    /// In mm per degree, or in mm per mm for a stroke.
+    /// Linear velocity: mm per degree, or mm per mm for a stroke.
     pub linear: Vector3<f64>,
-    /// In degrees per degree: the unit vector of the axis, or zero for a stroke.
+    /// Angular velocity in degrees per degree: the unit vector of the axis, or zero for a stroke.
     pub angular: Vector3<f64>,
 }
 
 impl Arm {
-    /// Computes the geometric Jacobian at the centre of the flange, with a column per axis. Columns without an axis are
-    /// zero.
+    /// Computes the geometric Jacobian at the centre of the flange, with one column per axis. The columns of missing
+    /// axes are zero.
     #[must_use]
     pub fn jacobian(&self, joints: &Joints) -> [Twist; 6] {
         let links = self.links(joints);

@@ -5,7 +5,7 @@ use val3_geometry::{IsometryMatrix3, Rotation3, Vector3, degrees};
 use crate::dh::Dh;
 use crate::{Configuration, Joints, Shoulder, Unreachable};
 
-/// Distance outside the reach up to which a position counts as on the boundary, in mm.
+/// Tolerance outside of the reach within which a position counts as on the boundary, in mm.
 const BOUNDARY: f64 = 1e-10;
 
 /// Length below which a value is noise, in mm.

@@ -1,10 +1,10 @@
-//! The rough shape of an arm: capsules, a cylinder with rounded ends, around each of its links.
+//! Approximate shape of an arm: capsules (cylinders with rounded ends) around its links.
 
 use val3_geometry::Vector3;
 
-/// The points within a radius of a line, in mm, in the frame of a body.
+/// A capsule: the points within a radius of a line, in mm, in the frame of a body.
 ///
-/// The frames of the base and of the links are those of [`crate::Arm::parts`].
+/// The frames of the base and of the links are the results of [`crate::Arm::parts`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkCapsule {
     /// One end of the line.

@@ -8,7 +8,7 @@ use crate::{Configuration, Elbow, Joints, Shoulder, Unreachable, Wrist};
 /// Length below which a value is noise, in mm.
 const NOISE: f64 = 1e-9;
 
-/// Distance outside the reach up to which a position counts as on the boundary, in mm.
+/// Tolerance outside of the reach within which a position counts as on the boundary, in mm.
 const BOUNDARY: f64 = 1e-10;
 
 /// Sine of axis 5 below which axes 4 and 6 are in line.
@@ -132,7 +132,7 @@ impl SixAxis {
         Ok(ForearmPlacement { joints: [j1, j2, j3], plane, forearm: upper.plus(elbow) })
     }
 
-    /// Computes axes 2 and 3 for a centre of the wrist at (`x`, `z`) relative to axis 2, in the arm plane.
+    /// Computes axes 2 and 3 for a wrist centre at (`x`, `z`) relative to axis 2, in the arm plane.
     fn fold(&self, elbow: Elbow, x: f64, z: f64) -> Result<(Direction, f64, Direction, f64), Unreachable> {
         let square = x * x + z * z;
         let distance = square.sqrt();
@@ -150,7 +150,7 @@ impl SixAxis {
         Ok((upper, j2, Direction { sin, cos }, degrees::atan2(sin, cos)))
     }
 
-    /// Returns the nominal parameters, as a controller returns them.
+    /// Returns the nominal parameters, in the convention of the controller.
     pub(crate) fn dh(&self) -> Dh {
         Dh {
             theta: [0.0, -90.0, 90.0, 0.0, 0.0, 0.0],

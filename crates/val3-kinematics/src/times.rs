@@ -3,7 +3,7 @@
 use crate::Arm;
 
 impl Arm {
-    /// Returns the note for people who read times of this arm; `None` if its speeds and accelerations were measured.
+    /// Returns the note for readers of cycle times; `None` if the arm's speeds and accelerations were measured.
     #[must_use]
     pub fn times_note(&self) -> Option<String> {
         let name = self.name();
@@ -15,7 +15,7 @@ impl Arm {
         })
     }
 
-    /// Returns the origin of this arm's times, for programs that read them: `measured` or `model`.
+    /// Returns the origin of this arm's times, for machine-readable output: `measured` or `model`.
     #[must_use]
     pub const fn times_origin(&self) -> &'static str {
         if self.has_measured_times() { "measured" } else { "model" }

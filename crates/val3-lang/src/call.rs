@@ -79,7 +79,7 @@ pub enum Argument {
     Library(u16),
 }
 
-/// What an instruction can read and change.
+/// Memory and ports that an instruction can access.
 pub struct Reach<'c> {
     /// All data.
     pub memory: &'c mut Memory,

@@ -2,7 +2,7 @@
 
 /// A key.
 #[derive(Debug, PartialEq, Eq)]
-pub struct CollectionKey {
+pub struct PendantKey {
     /// Code returned by `get` and `getKey`.
     pub code: u16,
     /// Label.
@@ -49,12 +49,12 @@ pub fn character(code: u16) -> Option<char> {
     char::from_u32(code.into()).filter(|_| written)
 }
 
-const fn row(code: u16, name: &'static str) -> CollectionKey {
-    CollectionKey { code, name }
+const fn row(code: u16, name: &'static str) -> PendantKey {
+    PendantKey { code, name }
 }
 
 /// All keys without a character, ascending.
-pub static KEYS: [CollectionKey; 24] = [
+pub static KEYS: [PendantKey; 24] = [
     row(ESC, "Esc"),
     row(259, "Tab"),
     row(260, "UnTab"),

@@ -76,12 +76,13 @@ pub static LIBRARY_ERRORS: [LibraryError; 29] = [
         controller."),
 ];
 
-/// Codes that `libLoad` returns. Code 10 belongs to calls on an identifier, and 31 and others to writing.
+/// Codes that `libLoad` can return. Code 10 is excluded because it belongs to calls on a loaded library, and codes such
+/// as 31 because they belong to writing.
 pub fn of_load() -> impl Iterator<Item = &'static LibraryError> {
     LIBRARY_ERRORS.iter().filter(|row| !NEVER_BY_LOAD.contains(&row.number))
 }
 
-/// Codes of instructions that require a loaded library or write to the medium.
+/// Codes of instructions that require a loaded library or write to the medium, and therefore not of `libLoad`.
 const NEVER_BY_LOAD: [u16; 6] = [NO_LIBRARY, 31, 35, 38, 40, 46];
 
 /// Finds a return code. A code above 30 that is not listed is treated as 30, a fault of the medium.

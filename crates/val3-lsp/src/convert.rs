@@ -45,15 +45,17 @@ pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Ve
     files.chain(cell_faults(snapshot, project)).collect()
 }
 
-/// Faults in the `cell.toml` of an application. Of several applications that share it, the first reports them.
-fn cell_faults(snapshot: &Snapshot, project: Project) -> Option<(Url, Vec<Diagnostic>)> {
-    let file = project.surroundings(&snapshot.db)?;
+/// Faults in the `cell.toml` of an application and in the meshes of links, by file. Of several applications that share
+/// the `cell.toml`, the first reports them.
+fn cell_faults(snapshot: &Snapshot, project: Project) -> Vec<(Url, Vec<Diagnostic>)> {
+    let Some(file) = project.surroundings(&snapshot.db) else { return Vec::new() };
     let mut sharing = ide::projects_of(snapshot.db(), file).iter().filter(|other| snapshot.projects.contains(other));
     if sharing.next() != Some(&project) {
-        return None;
+        return Vec::new();
     }
-    let faults = val3_analysis::surroundings::cell_faults(snapshot.db(), file, true);
-    Some((snapshot.uri(file), faults.iter().map(|fault| configuration_fault(snapshot, fault)).collect()))
+    let mut files = vec![(snapshot.uri(file), Vec::new())];
+    add_by_file(snapshot, &val3_analysis::surroundings::cell_faults(snapshot.db(), file, true), &mut files);
+    files
 }
 
 /// Diagnostics of one program in a project, available before the other programs are checked. `None` without settings or
@@ -123,8 +125,14 @@ fn tag(rule: &Rule) -> Option<DiagnosticTag> {
 
 /// Configuration faults, by file.
 pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnostic>)> {
-    let mut files: Vec<(Url, Vec<Diagnostic>)> = Vec::new();
-    for error in snapshot.faults.iter() {
+    let mut files = Vec::new();
+    add_by_file(snapshot, &snapshot.faults, &mut files);
+    files
+}
+
+/// Adds errors to the diagnostics of their files.
+fn add_by_file(snapshot: &Snapshot, errors: &[ConfigError], files: &mut Vec<(Url, Vec<Diagnostic>)>) {
+    for error in errors {
         let uri = snapshot.uri_of(&error.path);
         let found = configuration_fault(snapshot, error);
         match files.iter_mut().find(|(known, _)| *known == uri) {
@@ -132,7 +140,6 @@ pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnos
             None => files.push((uri, vec![found])),
         }
     }
-    files
 }
 
 /// Converts one configuration fault.

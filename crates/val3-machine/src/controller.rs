@@ -15,7 +15,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, CycleEnd, CycleWatch, Host as _, InstanceId, Schedule, TaskState, Vm};
+use val3_vm::{CYCLE, CycleEnd, CycleWatch, Host as _, InstanceId, ProgramId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
 use crate::script::Script;
@@ -150,7 +150,7 @@ impl Controller {
             return Err(NotStarted::HasParameters);
         }
         self.devices.origin(self.outside());
-        let program = (self.application, number);
+        let program = ProgramId { instance: self.application, number };
         let started = self.vm.start_with(&task(&image.name), program, numbers, PRIORITY, &mut self.devices);
         self.lead = started.ok();
         started.map_err(NotStarted::Fault)

@@ -4,23 +4,23 @@ use serde_json::Value;
 
 use crate::cut::cut;
 
-/// Answer of a tool: text for a language model, and for some tools the same facts as data.
+/// Answer of a tool: text for a language model, and for some tools the same facts as structured data.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Answer {
     /// Whether nothing is wrong with the files or the run.
     pub(crate) ok: bool,
     /// Compact Markdown.
     pub(crate) text: String,
-    /// Counts and the result for programs that use the client; no repetition of the text.
+    /// Counts and the result, for programs that use the client. The text is not repeated.
     pub(crate) data: Option<Value>,
-    /// Whether the text may have [`LONG`] bytes.
+    /// Whether the limit of the text is [`LONG`] instead of [`SHORT`].
     pub(crate) detail: bool,
 }
 
-/// Size limit of an answer in bytes.
+/// Size limit of an answer, in bytes.
 pub(crate) const SHORT: usize = 8_000;
 
-/// Size limit of an answer with `detail` in bytes.
+/// Size limit of an answer with `detail`, in bytes.
 pub(crate) const LONG: usize = 24_000;
 
 impl Answer {
@@ -36,7 +36,7 @@ impl Answer {
         Self { detail, ..self }
     }
 
-    /// Text of the answer: the verdict, and as much of the text as the limit permits.
+    /// Text of the answer, shortened to its limit: the verdict, followed by the text.
     pub(crate) fn limited_text(&self) -> String {
         let verdict = if self.ok { "ok" } else { "not ok" };
         let (limit, hint) = if self.detail {

@@ -8,7 +8,8 @@ use crate::refusal::Refusal;
 /// Reads the arguments of a call.
 ///
 /// # Errors
-/// An argument is missing, unknown or has the wrong type. The refusal contains the form of the arguments.
+///
+/// An argument is missing, unknown or has the wrong type. The error contains the expected form of the arguments.
 pub(crate) fn read<A: DeserializeOwned>(
     tool: &str,
     arguments: Map<String, Value>,
@@ -18,7 +19,7 @@ pub(crate) fn read<A: DeserializeOwned>(
         .map_err(|error| Refusal(format!("the arguments of `{tool}` are wrong: {error}. Write {}", form(schema))))
 }
 
-/// Form of the arguments, such as `{"path": string (required), "max": integer}`.
+/// Expected form of the arguments, such as `{"path": string (required), "max": integer}`.
 fn form(schema: &Map<String, Value>) -> String {
     let required = schema.get("required").and_then(Value::as_array);
     let is_required = |name: &str| required.is_some_and(|names| names.iter().any(|required| required == name));
@@ -30,7 +31,7 @@ fn form(schema: &Map<String, Value>) -> String {
     format!("{{{}}}", shown.collect::<Vec<_>>().join(", "))
 }
 
-/// Path of the first root, for calls without a path.
+/// Default path of a call: the first root.
 pub(crate) fn here() -> String {
     ".".to_owned()
 }

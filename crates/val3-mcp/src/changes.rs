@@ -1,4 +1,4 @@
-//! Changes of files: their effect on findings, their diff, and writing.
+//! Changes of files: their effect on findings, their diff, and their execution.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -30,12 +30,12 @@ struct FileChange {
     after: Option<Vec<u8>>,
 }
 
-/// Changes of files, which are written together.
+/// Changes of files that are written together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Changes(Vec<FileChange>);
 
 impl Changes {
-    /// Converts a change of source texts to bytes.
+    /// Converts a change of source texts to changes of bytes.
     ///
     /// # Errors
     /// A file is outside of the roots, or its encoding does not have a character of the new text.
@@ -76,13 +76,13 @@ impl Changes {
         self.0.is_empty()
     }
 
-    /// Changed files, each with its changed lines. A created file has only its number of lines.
+    /// Changed files, each with its changed lines. For a created file, only its number of lines.
     pub(crate) fn diff(&self, roots: &Roots) -> String {
         self.0.iter().map(|file| file.diff(roots)).collect()
     }
 
-    /// Findings of the projects below `path` that the change adds, one a line, with the number of findings that it
-    /// removes.
+    /// Effect of the change on the projects below `path`: the new findings, one per line, and the number of removed
+    /// findings.
     ///
     /// # Errors
     /// The projects cannot be read.
@@ -95,7 +95,7 @@ impl Changes {
             }
         }
         let mut after = findings(&changed, roots, path)?;
-        // The overlay cannot remove a file.
+        // The overlay cannot represent a removed file.
         let removed: Vec<String> =
             self.0.iter().filter(|file| file.after.is_none()).map(|file| roots.shown(&file.path)).collect();
         after.retain(|finding| !removed.iter().any(|path| finding.text.contains(path.as_str())));
@@ -108,10 +108,11 @@ impl Changes {
         })
     }
 
-    /// Writes all files. Each file is replaced completely or stays unchanged.
+    /// Writes all files. Each file is either replaced completely or unchanged.
     ///
     /// # Errors
-    /// A file cannot be written, or was changed since it was read. Files before it are written.
+    ///
+    /// A file cannot be written, or was changed since it was read. Earlier files of the list are written in this case.
     pub(crate) fn write(&self, roots: &Roots) -> Result<(), Refusal> {
         self.0.iter().try_for_each(|file| file.write(roots))
     }
@@ -120,7 +121,7 @@ impl Changes {
 /// Effect of a change on findings.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Effect {
-    /// New findings, one a line.
+    /// New findings, one per line.
     pub(crate) new: Vec<String>,
     /// Whether one of the new findings is an error.
     pub(crate) has_errors: bool,
@@ -160,7 +161,7 @@ impl FileChange {
     }
 }
 
-/// Files with edits, each once.
+/// Files with edits, without duplicates.
 fn edited_files(change: &SourceChange) -> Vec<File> {
     let mut files: Vec<File> = Vec::new();
     for edit in &change.edits {
@@ -195,7 +196,7 @@ fn unchanged(path: &Utf8Path) -> Result<FileChange, Refusal> {
     Ok(FileChange { path: path.to_owned(), before: Some(bytes.clone()), after: Some(bytes) })
 }
 
-/// A finding, compared without its line.
+/// A finding. Two findings are equal even if their lines differ.
 struct Finding {
     severity: Severity,
     key: String,

@@ -1,4 +1,4 @@
-//! Commands of `val3`, which the tools start.
+//! Commands of `val3` that the tools start.
 
 use std::time::Duration;
 
@@ -7,16 +7,16 @@ use crate::refusal::Refusal;
 /// Limits of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CommandLimits {
-    /// Wall time after which the command is ended.
+    /// Wall-clock time after which the command is killed.
     pub wall: Duration,
-    /// Memory in bytes, on systems that can limit it.
+    /// Memory limit in bytes, on systems that support it.
     pub memory: u64,
 }
 
-/// Limits of commands that execute one program.
+/// Limits for commands that execute one program.
 pub(crate) const OF_RUNS: CommandLimits = CommandLimits { wall: Duration::from_secs(10), memory: 512 << 20 };
 
-/// Limits of commands that read or test whole cells on several threads.
+/// Limits for commands that read or test whole cells on several threads.
 pub(crate) const OF_CELLS: CommandLimits = CommandLimits { wall: Duration::from_secs(60), memory: 2 << 30 };
 
 /// A command and its input.
@@ -26,7 +26,7 @@ pub struct CommandRequest {
     pub arguments: Vec<String>,
     /// Text of the standard input.
     pub input: String,
-    /// Script text, which the command receives in a temporary file as `--script`.
+    /// Script text, which is passed to the command as a temporary file with `--script`.
     pub script: Option<String>,
     /// Limits.
     pub limits: CommandLimits,
@@ -50,16 +50,17 @@ pub struct CommandOutput {
     pub messages: String,
 }
 
-/// Reason why a command has no output.
+/// Reason why a command has not returned an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum CommandEnd {
-    /// The wall time is used up.
+    /// The command has exceeded its wall-clock time.
     Time,
     /// The client has cancelled the call.
     Cancelled,
-    /// The command has written more than the server reads.
+    /// The command has written more output than the server reads.
     Output,
-    /// The command was ended by a signal: a panic, or the memory is used up. The text is its last message.
+    /// A signal has ended the command because of a panic or the memory limit. The text is the last message of the
+    /// command.
     Crash(String),
     /// The command cannot be started.
     Start(String),
@@ -67,20 +68,22 @@ pub enum CommandEnd {
 
 /// Starts commands of `val3`.
 pub trait Commands: Send + Sync {
-    /// Starts a command in the first root, and waits for its end. `is_cancelled` is polled meanwhile.
+    /// Starts a command in the first root and waits for its end. `is_cancelled` is polled meanwhile.
     ///
     /// # Errors
-    /// The command has not ended by itself.
+    ///
+    /// The command could not be started, was ended early, or has written too much output.
     fn start(&self, request: &CommandRequest, is_cancelled: &dyn Fn() -> bool) -> Result<CommandOutput, CommandEnd>;
 }
 
-/// Exit code of wrong arguments and unreadable files.
+/// Exit code for wrong arguments and unreadable files.
 const USAGE: i32 = 2;
 
-/// Starts a command whose exit code is not that of wrong arguments.
+/// Starts a command.
 ///
 /// # Errors
-/// The command rejects its arguments, has reached a limit or was ended.
+///
+/// The command rejects its arguments, has exceeded a limit or was ended.
 pub(crate) fn run(
     commands: &dyn Commands,
     request: &CommandRequest,

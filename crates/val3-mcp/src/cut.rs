@@ -1,18 +1,18 @@
-//! Limits of texts.
+//! Shortening of texts to a size limit.
 
-/// Returns at most `limit` bytes of the text, in whole lines. If lines are omitted, the last line counts them and gives
-/// the hint.
+/// Shortens the text to at most `limit` bytes of whole lines. If lines are omitted, the last line contains their number
+/// and the hint.
 pub(crate) fn cut(text: &str, limit: usize, hint: &str) -> String {
     if text.len() <= limit {
         return text.to_owned();
     }
-    // Room for the last line.
+    // Size without the last line.
     let room = limit.saturating_sub(hint.len() + 60);
     let fits = text.floor_char_boundary(room);
     let head = text.get(..fits).unwrap_or_default();
     let head = head.rfind('\n').and_then(|end| head.get(..end)).unwrap_or(head);
     let omitted = text.lines().count().saturating_sub(head.lines().count());
-    // An open fence would swallow what follows.
+    // An open fence would include the last line and all following text.
     let fence = if head.lines().filter(|line| line.starts_with("```")).count() % 2 == 1 { "\n```" } else { "" };
     format!("{head}{fence}\n… {omitted} more lines: {hint}")
 }

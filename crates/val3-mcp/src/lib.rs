@@ -1,8 +1,8 @@
 //! Tools of VAL 3 for language models, over the Model Context Protocol on standard input and output.
 //!
-//! A tool is a file in `tools`: its arguments, its description, and a function that returns an [`answer::Answer`]. Tools
-//! that check or execute programs start a command of `val3` through [`Commands`], so that limits, cancellation and
-//! faults of a command never affect the server. Only `server` depends on the protocol.
+//! Each file in `tools` is a tool: its arguments, its description, and a function that returns an [`answer::Answer`].
+//! Tools that check or execute programs start a command of `val3` through [`Commands`], so that resource limits,
+//! cancellation and crashes of a command do not affect the server. Only `server` depends on the protocol.
 
 mod answer;
 mod arguments;

@@ -1,4 +1,4 @@
-//! Projects of the roots.
+//! Projects in the roots.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
@@ -18,10 +18,11 @@ pub(crate) fn read(system: &dyn System, roots: &Roots, path: &Utf8Path) -> Resul
     load(system, &[path.to_owned()]).map_err(|error| Refusal(error.to_string().replace(roots.first().as_str(), ".")))
 }
 
-/// Returns the project at a path: the only one below it, or the one whose folder, `.pjx` or file it is.
+/// Returns the project for a path: the only project below it, or the project with this folder, `.pjx` or file.
 ///
 /// # Errors
-/// There is no such project, or there are several.
+///
+/// No project matches, or several do.
 pub(crate) fn only(workspace: &Workspace, roots: &Roots, path: &Utf8Path) -> Result<Project, Refusal> {
     let Workspace { db, projects, .. } = workspace;
     let folder = |project: &Project| project.manifest(db).path(db).parent().unwrap_or(Utf8Path::new("")).to_owned();
@@ -46,7 +47,7 @@ pub(crate) fn folder(db: &Database, project: Project) -> Utf8PathBuf {
     val3_analysis::items::project::folder(db, project).to_owned()
 }
 
-/// Refusal because nothing has the name, with similar names.
+/// Error for an unknown name, with similar names. `what` is the kind of the named item.
 pub(crate) fn unknown<'n>(what: &str, name: &str, names: impl IntoIterator<Item = &'n SmolStr>) -> Refusal {
     let names: Vec<&str> = names.into_iter().map(SmolStr::as_str).collect();
     let hint = question(proposals(name, names)).unwrap_or_else(|| "`outline` lists all names".to_owned());

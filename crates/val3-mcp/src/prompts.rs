@@ -1,4 +1,4 @@
-//! Prompts, which clients offer to their users as commands.
+//! Prompts that clients offer to their users as commands.
 
 /// A prompt.
 #[derive(Debug, Clone, Copy)]
@@ -7,12 +7,12 @@ pub(crate) struct PromptText {
     pub(crate) description: &'static str,
     /// Name and description of the required argument.
     pub(crate) argument: (&'static str, &'static str),
-    /// Text, in which `{}` is the argument.
+    /// Text with the placeholder `{}` for the argument.
     text: &'static str,
 }
 
 impl PromptText {
-    /// Text with the argument.
+    /// Text in which the argument replaces the placeholder.
     pub(crate) fn filled(&self, argument: &str) -> String {
         self.text.replace("{}", argument)
     }

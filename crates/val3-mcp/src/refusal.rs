@@ -1,10 +1,10 @@
-//! Reason why a call cannot be executed.
+//! Reasons why a call cannot be executed.
 
 use std::fmt;
 
 /// Reason why a call cannot be executed, with the remedy: wrong arguments, a path outside of the roots, a limit.
 ///
-/// A fault of a VAL 3 program is an answer, and no refusal.
+/// An error in a VAL 3 program is no refusal: it is reported in an answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal(pub String);
 

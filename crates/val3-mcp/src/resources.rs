@@ -1,12 +1,12 @@
 //! Resources: the pages of `explain`, for clients that attach documents.
 
-/// Address of the primer.
+/// URI of the primer.
 pub(crate) const GUIDE: &str = "val3://guide";
 
-/// Addresses of pages.
+/// URI template of the pages.
 pub(crate) const TEMPLATE: &str = "val3://explain/{topic}";
 
-/// Topic of an address; `None` if there is no such resource.
+/// Topic of a URI; `None` if the resource does not exist.
 pub(crate) fn topic(address: &str) -> Option<String> {
     if address == GUIDE {
         return Some(crate::tools::GUIDE.to_owned());

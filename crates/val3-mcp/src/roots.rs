@@ -5,7 +5,7 @@ use val3_analysis::system::{Disk, System as _};
 
 use crate::refusal::Refusal;
 
-/// Folders that tools may read and write, with resolved links. Relative paths begin in the first one.
+/// Folders that tools may read and write, with resolved links. Relative paths start at the first folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Roots {
     first: Utf8PathBuf,
@@ -26,16 +26,17 @@ impl Roots {
         Ok(Self { first: canonical(first)?, others })
     }
 
-    /// Folder in which relative paths begin.
+    /// Folder at which relative paths start.
     #[must_use]
     pub fn first(&self) -> &Utf8Path {
         &self.first
     }
 
-    /// Resolves a path of a call, with all links. The last parts need not exist.
+    /// Resolves a path of a call, including all links. The last components of the path need not exist.
     ///
     /// # Errors
-    /// The path leads outside of all roots, or has no meaning on every system.
+    ///
+    /// The path is outside of all roots, or is not valid on every system.
     pub fn resolve(&self, path: &str) -> Result<Utf8PathBuf, Refusal> {
         if let Some(reason) = fault(path) {
             return Err(Refusal(format!(
@@ -59,14 +60,14 @@ impl Roots {
         target.starts_with(&self.first) || self.others.iter().any(|root| target.starts_with(root))
     }
 
-    /// Path as answers show it: relative to the first root, with `/`.
+    /// Path for answers: relative to the first root, with `/` as separator.
     pub(crate) fn shown(&self, path: &Utf8Path) -> String {
         let relative = path.strip_prefix(&self.first).unwrap_or(path);
         if relative.as_str().is_empty() { ".".to_owned() } else { relative.as_str().replace('\\', "/") }
     }
 }
 
-/// Reason why a text is no path, as the end of a sentence.
+/// Reason why a string is no valid path, as the end of a sentence.
 fn fault(path: &str) -> Option<&'static str> {
     let mut head = path.chars();
     let is_drive = head.next().is_some_and(|first| first.is_ascii_alphabetic()) && head.next() == Some(':');

@@ -1,10 +1,10 @@
-//! JSON schemas of arguments, in the subset that all clients accept.
+//! JSON schemas of arguments, in the subset that all clients support.
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};
 
-/// Returns the schema of arguments: an object without references, titles, `null` and names of dialects.
+/// Returns the schema of arguments: an object without references, titles, `null` and dialect names.
 pub(crate) fn schema<A: JsonSchema>() -> Map<String, Value> {
     let settings = SchemaSettings::draft2020_12().with(|settings| {
         settings.inline_subschemas = true;
@@ -22,11 +22,12 @@ pub(crate) fn schema<A: JsonSchema>() -> Map<String, Value> {
     }
 }
 
-/// Removes parts that clients reject or that cost their readers more than they tell.
+/// Removes parts that clients reject, or that cost more tokens than their information is worth.
 fn simplify(value: &mut Value) {
     match value {
         Value::Object(object) => {
-            // A property may have any name, so that only keywords of schemas are removed.
+            // A property may have any name, for example a keyword's name. Therefore, only keywords of schemas are
+            // removed.
             let is_schema = object.get("type").is_some_and(|kind| kind.is_string() || kind.is_array());
             if is_schema {
                 for keyword in ["title", "format", "minimum", "maximum"] {
@@ -34,7 +35,7 @@ fn simplify(value: &mut Value) {
                 }
                 object.retain(|key, value| match key.as_str() {
                     "default" => !value.is_null(),
-                    // Some clients reject schemas that are `true`.
+                    // Some clients reject a schema that is `true`.
                     "additionalProperties" => *value != true,
                     _ => true,
                 });
@@ -49,7 +50,7 @@ fn simplify(value: &mut Value) {
     }
 }
 
-/// Replaces `["string", "null"]` by `"string"`: an optional argument is omitted.
+/// Replaces `["string", "null"]` by `"string"`, because an optional argument can be omitted.
 fn without_null(kind: &mut Value) {
     let Value::Array(kinds) = kind else { return };
     kinds.retain(|kind| kind != "null");

@@ -36,7 +36,7 @@ impl Folder {
     }
 }
 
-/// Commands that have a prepared end.
+/// Commands that end as prepared, without a process.
 pub(crate) struct Prepared(pub(crate) Result<CommandOutput, CommandEnd>);
 
 impl Commands for Prepared {
@@ -45,7 +45,7 @@ impl Commands for Prepared {
     }
 }
 
-/// Calls a tool in a folder, with the end that its command will have.
+/// Calls a tool in a folder. A command that it starts ends with `end`.
 pub(crate) fn call(
     folder: &Folder,
     tool: &Tool,

@@ -1,4 +1,4 @@
-//! A tool: its definition, and the surroundings of its calls.
+//! A tool: its definition, and the context of its calls.
 
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
@@ -11,14 +11,14 @@ use crate::refusal::Refusal;
 use crate::roots::Roots;
 use crate::schema::schema;
 
-/// What a tool does with files.
+/// Effect of a tool on files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Effect {
-    /// It changes no file.
+    /// No file is changed.
     Reads,
-    /// It changes files. A second equal call changes nothing more.
+    /// Files are changed. An identical second call changes nothing more.
     Writes,
-    /// It changes files. A second equal call is refused.
+    /// Files are changed. An identical second call is rejected.
     WritesOnce,
 }
 
@@ -26,13 +26,13 @@ pub(crate) enum Effect {
 pub(crate) trait Definition {
     /// Name.
     const NAME: &'static str;
-    /// Title for people.
+    /// Title for users.
     const TITLE: &'static str;
     /// Description for language models.
     const DESCRIPTION: &'static str;
-    /// Effect.
+    /// Effect on files.
     const EFFECT: Effect = Effect::Reads;
-    /// Arguments; the documentation of each field is its description.
+    /// Arguments. The doc comment of each field is the description in the schema.
     type Arguments: DeserializeOwned + JsonSchema;
 
     /// Executes a call.
@@ -42,10 +42,10 @@ pub(crate) trait Definition {
     fn call(call: &Call<'_>, arguments: Self::Arguments) -> Result<Answer, Refusal>;
 }
 
-/// Executes a call: its surroundings, the schema of the arguments, and the arguments.
+/// Executes a call, with its context, the schema of the arguments, and the arguments.
 type ToolFunction = fn(&Call<'_>, &Map<String, Value>, Map<String, Value>) -> Result<Answer, Refusal>;
 
-/// A tool of the list.
+/// A tool in the list of tools.
 #[derive(Debug, Clone)]
 pub(crate) struct Tool {
     pub(crate) name: &'static str,
@@ -58,7 +58,7 @@ pub(crate) struct Tool {
 }
 
 impl Tool {
-    /// Creates the tool of a definition.
+    /// Creates the list entry for a definition.
     pub(crate) fn of<D: Definition>() -> Self {
         Self {
             name: D::NAME,
@@ -79,7 +79,7 @@ impl Tool {
     }
 }
 
-/// Surroundings of a call.
+/// Context of a call.
 pub(crate) struct Call<'c> {
     pub(crate) roots: &'c Roots,
     pub(crate) commands: &'c dyn Commands,
@@ -88,9 +88,10 @@ pub(crate) struct Call<'c> {
 }
 
 impl Call<'_> {
-    /// Starts a command.
+    /// Starts a command of `val3`.
     ///
     /// # Errors
+    ///
     /// The command rejects its arguments, or was ended.
     pub(crate) fn command(&self, request: &CommandRequest) -> Result<CommandOutput, Refusal> {
         run(self.commands, request, self.is_cancelled)

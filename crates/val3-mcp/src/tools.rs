@@ -1,4 +1,4 @@
-//! The tools, one a file.
+//! The tools, one per file.
 
 mod check;
 mod eval;
@@ -14,7 +14,7 @@ pub(crate) use explain::{GUIDE, page};
 
 use crate::tool::{Effect, Tool};
 
-/// Returns the tools in the order of the list; those that change files only if `may_write`.
+/// Returns the tools in the order of the list. Tools that change files are included only if `may_write`.
 pub(crate) fn all(may_write: bool) -> Vec<Tool> {
     let tools = [
         Tool::of::<outline::Outline>(),
@@ -39,7 +39,7 @@ mod tests {
     use crate::command::CommandEnd;
     use crate::testing::{Folder, call};
 
-    /// Descriptions and schemas of the tools as a client receives them, without annotations.
+    /// Descriptions and schemas of the tools as received by a client, without annotations.
     fn listed() -> Value {
         let tool =
             |tool: Tool| json!({ "name": tool.name, "description": tool.description, "inputSchema": tool.schema });
@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn the_list_fits_its_budget() {
-        // Titles and annotations need about 150 bytes more for each tool.
+        // Titles and annotations add about 150 bytes per tool.
         let bytes = listed().to_string().len() + 9 * 150;
         assert!(bytes <= 9_000, "{bytes}");
     }
@@ -74,7 +74,7 @@ mod tests {
         }
     }
 
-    /// Refusal of a call with these arguments, before a command is started.
+    /// Error of a call with these arguments, returned before a command is started.
     fn refused(name: &str, arguments: Value) -> String {
         let tool = all(true).into_iter().find(|tool| tool.name == name).unwrap();
         let unexpected = Err(CommandEnd::Start("no command was expected".to_owned()));

@@ -8,8 +8,8 @@ use crate::refusal::Refusal;
 use crate::report::counted;
 use crate::tool::Call;
 
-/// Writes changes unless it is a dry run, and describes them: changed lines, and findings of the projects below `path`
-/// that are new.
+/// Writes changes unless it is a dry run. The answer describes them: changed lines, and new findings of the projects
+/// below `path`.
 pub(crate) fn changed(call: &Call<'_>, changes: &Changes, path: &Utf8Path, dry_run: bool) -> Result<Answer, Refusal> {
     if changes.is_empty() {
         return Ok(Answer::new(true, "nothing changes: the files already contain this"));

@@ -7,7 +7,6 @@ use camino::{Utf8Path, Utf8PathBuf};
 use salsa::Setter as _;
 use val3_analysis::arm::RequestedArm;
 use val3_analysis::db::{Configuration, Database, Project};
-use val3_analysis::load::LoadError;
 use val3_config::{ArmModel, ArmSetting, ConfigFile};
 use val3_files::FileClass;
 use val3_kinematics::{Arm, UnknownArm};
@@ -36,9 +35,7 @@ pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result
 /// Adds the line in `val3.toml` to the error.
 fn in_file(file: &ConfigFile, error: SessionError) -> SessionError {
     match error {
-        SessionError::Setting { message, help } => {
-            SessionError::Load(LoadError::Configuration(vec![file.fault("arm", message, help)]))
-        }
+        SessionError::Setting { message, help } => file.fault("arm", message, help).into(),
         other => other,
     }
 }

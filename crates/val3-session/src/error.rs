@@ -5,6 +5,7 @@ use std::fmt::{self, Display};
 use camino::Utf8PathBuf;
 use val3_analysis::load::LoadError;
 use val3_compile::CompileError;
+use val3_config::{ConfigError, ConfigFile};
 use val3_lang::memory::MEMORY;
 
 /// Reason why an application cannot be opened. `Display` states the fault and its location, [`help`](Self::help) the
@@ -75,6 +76,17 @@ pub enum SessionError {
         /// The remedy; may be empty.
         help: String,
     },
+}
+
+impl From<ConfigError> for SessionError {
+    fn from(error: ConfigError) -> Self {
+        Self::Load(LoadError::Configuration(vec![error]))
+    }
+}
+
+/// Returns the error of a key in a `val3.toml` whose value cannot be used.
+pub(crate) fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> SessionError {
+    file.fault(key, message, help.to_owned()).into()
 }
 
 impl SessionError {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use camino::Utf8PathBuf;
 use val3_compile::CodeForm;
-use val3_config::{ConfigError, ConfigFile, Licence, RunSettings};
+use val3_config::{ConfigFile, Licence, RunSettings};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::arm::RobotArm;
 use val3_machine::controller_state::{self, Calendar};
@@ -14,7 +14,7 @@ use val3_machine::devices::Devices;
 use val3_machine::sio::SocketGuard;
 
 use crate::connection::Connection;
-use crate::error::SessionError;
+use crate::error::{SessionError, refused};
 use crate::grants;
 use crate::surroundings::CellChoice;
 
@@ -107,7 +107,7 @@ impl MergedSettings {
         let reaches_out = run.network || !lines.is_empty();
         let is_trusted = reaches_out && grants::is_trusted(file);
         if !is_trusted {
-            grants::check(file, &lines, settings).map_err(|error| refusal(&error))?;
+            grants::check(file, &lines, settings)?;
         }
         let of_caller = settings.connections.iter().cloned();
         let of_user = lines.iter().filter(|_| is_trusted).cloned().chain(of_caller.clone());
@@ -208,14 +208,6 @@ fn monitor_speed(file: &ConfigFile) -> Result<Option<u8>, SessionError> {
         }
         speed => Ok(speed),
     }
-}
-
-pub(crate) fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> SessionError {
-    refusal(&file.fault(key, message, help.to_owned()))
-}
-
-fn refusal(error: &ConfigError) -> SessionError {
-    SessionError::Setting { message: error.to_string(), help: String::new() }
 }
 
 /// Profiles of the file, and `default` if the file does not describe it.

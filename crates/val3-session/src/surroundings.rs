@@ -4,7 +4,6 @@ use std::convert::Infallible;
 use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::load::LoadError;
 use val3_cell::{ArmBase, Cell, CellFile, DataKind, KnownSignal, Mesh, Surroundings};
 use val3_config::{ConfigError, ConfigFile, TableFile};
 use val3_files::FileClass;
@@ -12,7 +11,8 @@ use val3_lang::suggest::nearest;
 use val3_machine::controller::Controller;
 use val3_machine::event::EventKind;
 
-use crate::error::SessionError;
+use crate::error::{SessionError, refused};
+use crate::shapes;
 
 /// Name of the file that is used without a setting, beside `val3.toml` or in the folder of the application.
 const FILE_NAME: &str = "cell.toml";
@@ -56,19 +56,22 @@ pub(crate) fn place(
     // A file that is only beside the settings can be about another application of the same cell.
     let is_named = choice.is_some() || file.is_some_and(|file| file.config.run.cell.is_some());
     let cell = TableFile::<CellFile>::parse(&path, &text).and_then(|file| build(controller, &file, is_named));
-    let cell = cell.map_err(configuration)?;
+    let cell = cell?;
+    let links = file.map_or(Ok(Vec::new()), |file| shapes::hulls(file, &controller.devices.shapes));
+    let cell = cell.with_links(links?);
     if !cell.missing.is_empty() {
         let names = cell.missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let file = path.file_name().unwrap_or(FILE_NAME);
         let text = format!("without {names} of {file}: this application does not have their frames, tools or signals");
         controller.devices.record_outside(0, EventKind::Notice { text });
     }
-    let arm = controller.arm().model();
-    if arm.shapes().is_empty() {
-        let text = format!("the links of the arm `{}` have no [shapes]: their distances are unknown", arm.name());
+    controller.surround(cell);
+    let has_links = controller.devices.state.watch.as_ref().is_some_and(|watch| watch.scene().has_link_shapes());
+    if !has_links {
+        let name = controller.arm().model().name();
+        let text = format!("links of the arm `{name}` have no shapes: their distances are unknown");
         controller.devices.record_outside(0, EventKind::Notice { text });
     }
-    controller.surround(cell);
     Ok(())
 }
 
@@ -96,15 +99,11 @@ fn chosen(
     let text = text.map_err(|reason| {
         let (message, help) = (format!("cannot read `{path}`: {reason}"), "name an existing file, or `none`");
         match of_file.filter(|_| choice.is_none()) {
-            Some((file, _)) => configuration(file.fault("run.cell", message, help.to_owned())),
+            Some((file, _)) => refused(file, "run.cell", message, help),
             None => SessionError::Setting { message, help: help.to_owned() },
         }
     })?;
     Ok(Some((path, text)))
-}
-
-fn configuration(error: ConfigError) -> SessionError {
-    SessionError::Load(LoadError::Configuration(vec![error]))
 }
 
 fn build(controller: &Controller, file: &TableFile<CellFile>, is_named: bool) -> Result<Cell, ConfigError> {

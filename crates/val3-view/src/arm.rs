@@ -8,10 +8,10 @@ use val3_machine::shapes::LinkShape;
 use crate::coordinates;
 use crate::wire::{self, ArmChain, Link};
 
-/// Returns the name, whether it is the default, the note about times, the axes with their limits, all axis frames'
-/// poses, each relative to the previous frame, the pose of the flange relative to the last frame, and the shapes of the
-/// links. An axis rotates about the z axis of its frame, or moves along it. The frames after this movement are those of
-/// [`Arm::parts`], in which the capsules are.
+/// Returns the description of an arm for pages: the name, the note about times, the axes with their limits, the pose of
+/// each axis frame relative to the previous frame, the pose of the flange relative to the last frame, and the shapes of
+/// the links. An axis rotates about the z axis of its frame, or moves along it. After this movement, the frames are
+/// those of [`Arm::parts`], to which the capsules are relative.
 pub(crate) fn description(arm: &Arm, is_default: bool, shapes: &[Option<LinkShape>]) -> ArmChain {
     let poses = arm.links(&Joints::default());
     let mut before = IsometryMatrix3::identity();
@@ -59,7 +59,7 @@ mod tests {
     use serde_json::json;
     use val3_geometry::{Rotation3, Trsf, Vector3};
 
-    /// Joint positions of the sample postures, as shares of each axis' range.
+    /// Joint positions of the sample postures, as fractions of each axis' range.
     const SHARES: [[f64; 6]; 2] = [[0.3, 0.7, 0.6, 0.2, 0.65, 0.9], [0.85, 0.35, 0.25, 0.7, 0.2, 0.1]];
 
     /// Rounds a coordinate to 0.000001 mm.
@@ -67,7 +67,7 @@ mod tests {
         (value * 1e6).round() / 1e6 + 0.0
     }
 
-    /// Returns the ends of all capsules of an arm in world, by part.
+    /// Returns the ends of an arm's capsules in world, by link.
     fn capsule_ends(arm: &Arm, joints: &Joints) -> Vec<Vec<[[f64; 3]; 2]>> {
         let placed = |frame: &IsometryMatrix3<f64>, point: &Vector3<f64>| {
             let point = frame.rotation * point + frame.translation.vector;
@@ -80,7 +80,7 @@ mod tests {
         parts.iter().zip(arm.shapes()).map(of_part).collect()
     }
 
-    /// The page's test `armShape` draws these arms, and finds the capsules at these positions.
+    /// The page's test `armShape` draws these arms and expects the capsules at these positions.
     #[test]
     fn the_page_tests_contain_the_capsules_in_world() {
         let arms = ["TX2-60L", "TS2-60"].map(|name| {
@@ -106,7 +106,7 @@ mod tests {
             .assert_eq(&format!("[{}]\n", arms.join(",\n")));
     }
 
-    /// Computes the flange as a page does.
+    /// Computes the flange pose in the same way as a page.
     fn flange(description: &ArmChain, joints: &Joints) -> IsometryMatrix3<f64> {
         let pose = |&[x, y, z, rx, ry, rz]: &wire::Pose| Trsf::new([x, y, z], [rx, ry, rz]).isometry();
         let mut found = IsometryMatrix3::identity();

@@ -1,4 +1,4 @@
-//! Things around the arm and parts, for pages.
+//! Objects and parts of the cell, for pages.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use val3_cell::{Carrier, Cell, Mesh, Part, Solid, SolidForm, Thing};
@@ -8,7 +8,7 @@ use val3_machine::controller::{Controller, PartState};
 use crate::coordinates;
 use crate::wire::{CellObject, CellPart, ObjectCarrier, ObjectShape, PartPlace, PartsMessage};
 
-/// Returns the things of a cell.
+/// Returns the things of a cell: objects and conveyor belts.
 pub(crate) fn objects(cell: &Cell) -> Vec<CellObject> {
     cell.things.iter().map(object).collect()
 }
@@ -32,7 +32,7 @@ pub(crate) fn parts(cell: &Cell) -> Vec<CellPart> {
     cell.parts.iter().map(part).collect()
 }
 
-/// Returns the places of the parts; `None` without parts.
+/// Returns the message with the carriers and poses of all parts; `None` without parts.
 pub(crate) fn places(t: f64, controller: &Controller) -> Option<PartsMessage> {
     let place = |part: PartState| PartPlace {
         carrier: part.carrier.as_ref().map(carrier),
@@ -63,7 +63,7 @@ fn shape(place: &IsometryMatrix3<f64>, solid: &Solid) -> ObjectShape {
     }
 }
 
-/// Returns the corners of all triangles in base64. Pages draw with 32 bits.
+/// Returns the corners of all triangles in base64, as 32-bit numbers because pages draw with this precision.
 fn corners(mesh: &Mesh) -> String {
     let corners = mesh.triangles.iter().flatten().filter_map(|corner| mesh.points.get(*corner as usize));
     let bytes = corners.flat_map(|point| [point.x, point.y, point.z]).flat_map(|length| (length as f32).to_le_bytes());

@@ -33,7 +33,7 @@ use teach::teach;
 use teach_frame::teach_frame;
 use teach_tool::teach_tool;
 
-/// Operators of a run. All pages share the changes that were not saved.
+/// State of operator commands in a run. All pages share the unsaved changes.
 #[derive(Debug, Default)]
 pub struct Operator {
     edits: Edits,
@@ -89,7 +89,7 @@ impl Operator {
             "userPage" => user_page(&UserPage::read(arguments)?, controller),
             _ => return Err(CommandError(format!("`{name}` is not a command"))),
         }
-        // `operate` with the keys of a script is recorded elsewhere.
+        // Scripted `operate` commands are recorded by another component.
         if name != "operate" {
             let keys = Map::from_iter([(name.to_owned(), Value::Object(arguments.clone()))]);
             controller.devices.record_outside(controller.now(), EventKind::Act { keys });
@@ -103,7 +103,7 @@ impl Operator {
         self.edits.message()
     }
 
-    /// Writes the changed values to copies of their files, next to them: `main.dtx.unsaved`. Returns the names of the
+    /// Writes the changed values to copies next to the files, for example `main.dtx.unsaved`. Returns the names of the
     /// copies.
     ///
     /// # Errors
@@ -113,13 +113,13 @@ impl Operator {
         controller.devices.save_copies(&controller.vm.space, &places).map_err(not_saved)
     }
 
-    /// Copies the unsaved values to a controller that has loaded the application again. Values that no longer exist are
-    /// no longer unsaved; their names are returned.
+    /// Copies the unsaved values to a controller that has reloaded the application. Values that no longer exist are
+    /// discarded, and their names are returned.
     pub fn carry(&mut self, from: &Controller, to: &mut Controller) -> Vec<PointName> {
         self.edits.carry(from, to)
     }
 
-    /// Places of the changed values, without values that the program has removed meanwhile.
+    /// Memory addresses of the changed values, without values that the program has removed meanwhile.
     fn changed_places(&self, controller: &Controller) -> Vec<Place> {
         let data = positions::data(controller).into_iter();
         data.filter(|datum| self.edits.has_changed(datum)).map(|datum| datum.place).collect()
@@ -149,7 +149,7 @@ fn not_saved(fault: FileFault) -> CommandError {
     })
 }
 
-/// Shows another user page, as the keys User-Up and User-Down do (4.2).
+/// Shows the next or previous user page, like the keys User-Up and User-Down (4.2).
 fn user_page(page: &UserPage, controller: &mut Controller) {
     let pendant = &mut controller.devices.state.pendant;
     match page.to {
@@ -174,7 +174,7 @@ pub fn response(response: &impl Serialize) -> Map<String, Value> {
     }
 }
 
-/// Sets the coordinates of a point in its frame. Its configuration is unchanged.
+/// Sets the coordinates of a point in its frame. The configuration is unchanged.
 fn set_point(point: &GlobalValue, local: &[f64; 6], controller: &mut Controller) -> Result<(), CommandError> {
     if point.base != BaseType::Point {
         return Err(no_datum("point", &point.name, point.key.as_deref()));

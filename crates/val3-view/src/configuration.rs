@@ -1,17 +1,17 @@
-//! Configurations in words.
+//! Arm configurations as text.
 
 use val3_lang::enumerations;
 use val3_lang::memory::{Memory, Place};
 use val3_lang::types::BaseType;
 use val3_lang::values::ConfigValue;
 
-/// First number of a point's configuration, after its coordinates.
+/// Offset of a point's configuration, which follows the coordinates.
 const FIRST_NUMBER: u32 = 6;
 
-/// Index of the enumerators `ssame`, `esame` and `wsame`.
+/// Enumerator index of `ssame`, `esame` and `wsame`.
 const SAME: f64 = 0.0;
 
-/// Enumerators of a configuration: shoulder, elbow, wrist; a SCARA arm has only a shoulder.
+/// Formats a configuration: shoulder, elbow, wrist; for a SCARA arm only the shoulder.
 pub(crate) fn words(ConfigValue(numbers): &ConfigValue, is_scara: bool) -> String {
     let fields = [BaseType::Shoulder, BaseType::Elbow, BaseType::Wrist];
     let fields = numbers.iter().zip(fields).take(count(is_scara));
@@ -32,8 +32,8 @@ pub(crate) fn of_point(memory: &Memory, point: Place, is_scara: bool) -> Option<
     Some(ConfigValue(numbers))
 }
 
-/// Numbers that teaching writes into a point's configuration, by lane: the configuration of the arm, as `here` returns
-/// it. The words `ssame`, `esame` and `wsame` stay, because a move from the taught position keeps the joints.
+/// Numbers that teaching writes into a point's configuration, by lane: the configuration of the arm, like the result of
+/// `here`. `ssame`, `esame` and `wsame` are kept, because a move from the taught position does not change the joints.
 pub(crate) fn taught(
     ConfigValue(present): ConfigValue,
     ConfigValue(arm): ConfigValue,

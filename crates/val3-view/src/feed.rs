@@ -21,16 +21,16 @@ use crate::wire::{
 };
 use crate::{cell, numbers, positions, scene, state, user_page, wire};
 
-/// Polling interval of the state, in nanoseconds on the controller's clock.
+/// Polling interval for the state, in nanoseconds on the controller's clock.
 const LOOK: Time = 25 * CYCLE;
 
 /// Number of state polls between two comparisons of the positions in memory.
 const POSITIONS: u32 = 10;
 
-/// Difference up to which two tools are equal, in mm and degrees.
+/// Tolerance within which two tools are equal, in mm and degrees.
 const SAME_TOOL: f64 = 1e-6;
 
-/// Number that all tools after the first 255 share.
+/// Tool number that all tools after the first 255 share.
 const OTHER_TOOL: u8 = u8::MAX;
 
 /// A message for pages.
@@ -46,7 +46,7 @@ pub enum ViewerMessage {
 #[derive(Debug)]
 pub struct Feed {
     batch: Batch,
-    /// Whether other messages may overtake samples, so that batches are long.
+    /// Whether samples may be delayed after other messages, so that their batches are longer.
     is_recorded: bool,
     /// Time of the last sample, the sample, and whether it is in a batch.
     last: Option<(Time, (Sample, SpeedLimit), bool)>,
@@ -69,8 +69,8 @@ pub struct Feed {
 }
 
 impl Feed {
-    /// Starts the messages of a run that begins or is observed from now on. The first messages are its scene and
-    /// complete state.
+    /// Starts the messages of a run, at its start or when a viewer begins to observe it. The first messages are its
+    /// scene and its complete state.
     #[must_use]
     pub fn new(controller: &Controller, role: Role) -> Self {
         let is_recorded = role == Role::Recording;
@@ -139,7 +139,7 @@ impl Feed {
         self.signals = SignalStates::default();
     }
 
-    /// Compares the complete state immediately: after a command, at a stop, or after stepping back.
+    /// Sends the changes of the complete state immediately: after a command, at a stop, or after stepping back.
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
         if now < self.seen {
@@ -218,7 +218,7 @@ impl Feed {
         let mut computer = PositionComputer::new(&data, memory);
         let [points, frames, tools] = [BaseType::Point, BaseType::Frame, BaseType::Tool].map(|of| computer.of_type(of));
         let joints = positions::joints(&data, memory);
-        // The scene contains the initial positions.
+        // The scene contains the initial positions, so the first comparison sends nothing.
         if self.looks > 0 {
             let message = DataMessage {
                 t: seconds(time),
@@ -251,7 +251,7 @@ impl Feed {
         }
     }
 
-    /// Sends the samples of a run that is watched before other messages. Those of a recording wait for a full batch.
+    /// Before other messages, sends the pending samples of a live run. In a recording, samples wait for a full batch.
     fn release_samples(&mut self) {
         if !self.is_recorded {
             self.flush_samples();
@@ -262,7 +262,7 @@ impl Feed {
         self.messages.extend(self.batch.take().map(ViewerMessage::Samples));
     }
 
-    /// Adds a sample of the arm, unless the arm has stopped and not moved.
+    /// Adds a sample of the arm, unless the arm is stopped and has not moved.
     fn sample(&mut self, time: Time, controller: &Controller) {
         if self.last.is_some_and(|(last, ..)| time < last + CYCLE) {
             return;
@@ -301,7 +301,7 @@ impl Feed {
         self.batch.add(time, sample, origin);
     }
 
-    /// Number of a tool. New tools are sent to pages.
+    /// Number of a tool. A new tool is sent to the pages.
     fn tool(&mut self, tool: &IsometryMatrix3<f64>, controller: &Controller) -> u8 {
         let pose = numbers(&Trsf::from(*tool));
         if let Some(number) = self.tools.iter().position(|known| is_same(known, &pose)) {
@@ -316,7 +316,7 @@ impl Feed {
         number
     }
 
-    /// Number of a program line that requests moves. New lines are sent to pages.
+    /// Number of a program line that requests moves. A new line is sent to the pages.
     fn number_of(&mut self, source: Option<&CodeSource>) -> u16 {
         let Some(source) = source else { return NO_SOURCE };
         let key = (source.file.clone(), source.line, source.program.clone());
@@ -338,9 +338,9 @@ impl Feed {
     }
 }
 
-/// Values that differ from all known values, which include their names.
+/// Values that differ from all known values. A value includes its name.
 fn changed<T: PartialEq + Clone>(values: &[T], known: &[T]) -> Vec<T> {
-    // Values are nearly always at the same index as before.
+    // A value is nearly always at its previous index.
     let is_known = |(index, value): &(usize, &T)| known.get(*index) == Some(*value) || known.contains(value);
     values.iter().enumerate().filter(|value| !is_known(value)).map(|(_, value)| value.clone()).collect()
 }

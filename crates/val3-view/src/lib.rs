@@ -1,7 +1,7 @@
-//! Messages of a run for the pages that show and operate it (docs/src/view.md).
+//! Messages of a run for the pages that display and operate it (docs/src/view.md).
 //!
-//! All displayed content is determined by the messages up to that time. The crate has no connections: its caller sends
-//! each cycle to a [`Feed`], and transmits the messages.
+//! The content of a page at any time is determined by the messages up to that time. The crate contains no network code:
+//! its caller passes each cycle to a [`Feed`] and transmits the messages.
 
 mod arm;
 mod cell;
@@ -26,7 +26,7 @@ pub use wire::CommandError;
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 
-/// Returns x, y, z in mm, rx, ry, rz in degrees, as in the fields of a `trsf`.
+/// Converts a pose to x, y, z in mm and rx, ry, rz in degrees, like the fields of a `trsf`.
 #[must_use]
 pub fn coordinates(position: &IsometryMatrix3<f64>) -> [f64; 6] {
     numbers(&Trsf::from(*position))

@@ -7,17 +7,17 @@ use val3_motion::{MoveStage, PieceAhead};
 use crate::coordinates;
 use crate::wire::{MotionMessage, QueueEntry, WayPiece};
 
-/// Maximum number of path pieces in the message: nominal parts and blends.
+/// Maximum number of path pieces in the message: nominal sections and blends.
 const PIECES: usize = 60;
 
 /// Maximum deviation of the drawn path, in mm.
 const TOLERANCE: f64 = 0.2;
 
-/// Units of the coordinates of the path and of poses in a mm or degree: more digits take half of a recording.
+/// Units of path coordinates and poses per mm or degree. With more digits, they would make up half of a recording.
 const PATH_UNITS: f64 = 100.0;
 const POSE_UNITS: f64 = 10_000.0;
 
-/// Properties that determine the message, except the progress on the current piece.
+/// Properties that determine the message, without the progress on the current piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MotionKey {
     revision: u64,
@@ -67,7 +67,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
     }
 }
 
-/// Path of the tool centre point to the last destination, in mm, by piece.
+/// Remaining path of the tool centre point to the last destination, in mm, by piece.
 fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     let pieces = controller.arm().motion().way_ahead(PIECES);
     let pieces = pieces.iter().map(|PieceAhead { phase, points }| {
@@ -78,9 +78,9 @@ fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     pieces.collect()
 }
 
-/// Rounds numbers to whole units. The quotient has the shortest text, unlike a product with the size of a unit.
+/// Rounds numbers to whole units. A quotient has the shortest decimal text, unlike a product with the size of a unit.
 fn rounded<const N: usize>(numbers: [f64; N], units: f64) -> [f64; N] {
-    // The sum is a zero without a sign.
+    // Adding 0.0 removes the sign of a negative zero.
     numbers.map(|number| (number * units).round() / units + 0.0)
 }
 

@@ -1,4 +1,4 @@
-//! Positions of the applications and libraries in memory, and the names of data linked to signals.
+//! Positions of the application and its libraries in memory, and the names of data that are linked to signals.
 
 use rustc_hash::FxHashMap;
 use val3_debug::subscript;
@@ -33,7 +33,7 @@ impl GlobalValue {
     }
 }
 
-/// Global values of the application and its libraries, for the types that pages show.
+/// Global values of the application and its libraries, for the types that pages display.
 pub(crate) fn data(controller: &Controller) -> Vec<GlobalValue> {
     let space = &controller.vm.space;
     let mut found = Vec::new();
@@ -70,7 +70,7 @@ pub(crate) fn names_by_signal(data: &[GlobalValue], controller: &Controller) -> 
     names
 }
 
-/// Name of the tool in memory with this pose on the flange. The flange itself is a tool, too.
+/// Name of the tool in memory whose pose on the flange satisfies the predicate. The flange itself is also a tool.
 pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> bool) -> Option<String> {
     if is_there(&[0.0; 6]) {
         return Some("flange".to_owned());
@@ -81,7 +81,7 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
     tool.as_ref().map(GlobalValue::whole_name)
 }
 
-/// Computes names and poses of all values; the time per value does not depend on its chain length.
+/// Computes names and poses of all values. The time per value does not depend on the length of its chain of fathers.
 pub(crate) struct PositionComputer<'a> {
     data: &'a [GlobalValue],
     memory: &'a Memory,
@@ -95,7 +95,7 @@ impl<'a> PositionComputer<'a> {
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
 
-    /// Values of this type (frames, tools or points), except values without a placement.
+    /// Values of this type (frames, tools or points) whose pose can be computed.
     pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<CellPoint> {
         let of_base = self.data.iter().filter(|datum| datum.base == base);
         of_base.filter_map(|datum| self.described(datum)).collect()
@@ -124,7 +124,7 @@ impl<'a> PositionComputer<'a> {
     }
 }
 
-/// Joint positions.
+/// Names and values of all joint positions.
 pub(crate) fn joints(data: &[GlobalValue], memory: &Memory) -> Vec<JointValue> {
     let joints = data.iter().filter(|datum| datum.base == BaseType::Joint);
     let values = joints.filter_map(|GlobalValue { name, key, place, .. }| {
@@ -133,7 +133,7 @@ pub(crate) fn joints(data: &[GlobalValue], memory: &Memory) -> Vec<JointValue> {
     values.collect()
 }
 
-/// Words of a point's configuration; empty if the point does not exist.
+/// Configuration of a point as text; empty if the point does not exist.
 fn configuration(memory: &Memory, point: Place) -> String {
     let is_scara = is_for_scara(memory, point);
     configuration::of_point(memory, point, is_scara)

@@ -4,26 +4,26 @@ use val3_lang::ports::Time;
 use val3_motion::{Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
-/// First byte of a batch.
+/// First byte of a batch, which identifies its kind.
 const KIND: u8 = 1;
 
-/// Maximum time that a batch covers in a run that is watched, and in a recording, where long batches are smaller.
+/// Maximum time that a batch covers, in a live run and in a recording. In a recording, long batches take less space.
 const LIVE: Time = 10 * CYCLE;
 const RECORDED: Time = 250 * CYCLE;
 
-/// Units of a batch in a degree or mm, and in a mm/s.
+/// Units per degree or mm in a batch, and per mm/s.
 const JOINT_UNITS: f64 = 1e6;
 const SPEED_UNITS: f64 = 100.0;
 
-/// Order of the differences in columns that change steadily, and in the columns of joints. The acceleration of an axis
-/// is often constant, so that its third differences are nearly zero.
+/// Order of the differences in columns that change steadily, and in columns of joints. The acceleration of an axis is
+/// often constant, so its third differences are nearly zero.
 const STEADY: usize = 2;
 const ACCELERATED: usize = 3;
 
-/// Source number of a sample without a requesting line.
+/// Source number of a sample that no line has requested.
 pub(crate) const NO_SOURCE: u16 = u16::MAX;
 
-/// Properties of a sample that seldom change.
+/// Properties of a sample that rarely change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct SampleOrigin {
     /// Index of the motion phase.
@@ -32,11 +32,11 @@ pub(crate) struct SampleOrigin {
     pub(crate) tool: u8,
     /// Number of the line that requests the move.
     pub(crate) source: u16,
-    /// Number of the limit of the speed.
+    /// Number of the speed limit.
     pub(crate) limit: u8,
 }
 
-/// Samples in a batch that is not full.
+/// Samples of an unfinished batch.
 #[derive(Debug)]
 pub(crate) struct Batch {
     /// Maximum time that the batch covers.
@@ -44,7 +44,7 @@ pub(crate) struct Batch {
     /// Time of the first sample.
     begun: Time,
     times: Vec<i64>,
-    /// A column for each axis.
+    /// One column for each axis.
     joints: Vec<Vec<i64>>,
     speeds: Vec<i64>,
     origins: Vec<SampleOrigin>,
@@ -104,10 +104,10 @@ fn units(number: f64, units: f64) -> i64 {
     whole
 }
 
-/// Writes the differences of a column up to an order, and empties the column. The first value is written itself, the
-/// second one as its difference to the first, and so on up to the order.
+/// Writes the differences of a column up to an order, and clears the column. The first value is written unchanged, the
+/// second value as its difference from the first, and so on up to the order.
 fn write_column(message: &mut Vec<u8>, column: &mut Vec<i64>, order: usize) {
-    // Differences of the previous value, by their order; the first one is the value.
+    // Differences at the previous value, by order; the difference of order 0 is the value.
     let mut previous = [0_i64; ACCELERATED + 1];
     for (index, value) in column.drain(..).enumerate() {
         let mut difference = value;
@@ -123,7 +123,7 @@ fn write_column(message: &mut Vec<u8>, column: &mut Vec<i64>, order: usize) {
     }
 }
 
-/// Writes each run of equal origins: its length and its origin.
+/// Writes each run of equal origins as its length and its origin.
 fn write_origins(message: &mut Vec<u8>, origins: &[SampleOrigin]) {
     for run in origins.chunk_by(PartialEq::eq) {
         let Some(SampleOrigin { phase, tool, source, limit }) = run.first() else { continue };
@@ -133,12 +133,12 @@ fn write_origins(message: &mut Vec<u8>, origins: &[SampleOrigin]) {
     }
 }
 
-/// Maps numbers near zero to small numbers: 0, -1, 1, -2 … to 0, 1, 2, 3 ….
+/// Zigzag encoding: maps 0, -1, 1, -2 … to 0, 1, 2, 3 …, so that numbers near zero are small.
 fn zigzag(number: i64) -> u64 {
     (number.cast_unsigned() << 1) ^ (number >> 63).cast_unsigned()
 }
 
-/// Writes a number in groups of seven bits, the lowest first; all bytes but the last one have the highest bit.
+/// Writes a number in groups of seven bits, lowest first. All bytes except the last have the highest bit set.
 fn write_number(message: &mut Vec<u8>, mut number: u64) {
     while number >= 0x80 {
         message.push((number & 0x7f) as u8 | 0x80);
@@ -186,11 +186,11 @@ mod tests {
         assert!(!batch.is_full(40_000_000) && batch.is_full(44_000_000));
         let bytes = batch.take().unwrap();
         assert_eq!(bytes[..8], [1, 2, 0, 0, 4, 0, 0, 0]);
-        // 4,000,000 ns and then a difference of the same size.
+        // 4,000,000 ns, then a difference of the same size.
         assert_eq!(bytes[8..18], [0x80, 0xa4, 0xe8, 3, 0x80, 0xa4, 0xe8, 3, 0, 0]);
-        // The units 1, 3, 6 and 10: 1, their first difference 2, second difference 1, third difference 0.
+        // The units 1, 3, 6 and 10 are written as 1, first difference 2, second difference 1, third difference 0.
         assert_eq!(bytes[18..22], [2, 4, 2, 0]);
-        // Two degrees, without a change.
+        // Two degrees, constant.
         assert_eq!(bytes[22..29], [0x80, 0x92, 0xf4, 1, 0, 0, 0]);
         // Speeds of 1, 3, 5 and 5 units.
         assert_eq!(bytes[29..33], [2, 4, 0, 3]);

@@ -9,7 +9,7 @@ use crate::samples::limit_names;
 use crate::wire::{Role, Scene};
 use crate::{arm, cell, signals};
 
-/// Version of the messages.
+/// Version of the message format.
 const VERSION: u32 = 1;
 
 /// Motion phases, by their numbers in samples.

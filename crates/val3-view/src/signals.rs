@@ -6,7 +6,7 @@ use val3_machine::io::{Direction, IoTable, SignalId, SignalKind};
 
 use crate::wire::{self, IoMessage, LineInfo, SignalInfo};
 
-/// Displayed value of a signal: at the terminal for an input, the written value for an output.
+/// Displayed value of a signal: the terminal value of an input, or the written value of an output.
 #[must_use]
 pub fn level(io: &IoTable, id: SignalId) -> Option<f64> {
     match io.signal(id)?.direction {
@@ -15,7 +15,7 @@ pub fn level(io: &IoTable, id: SignalId) -> Option<f64> {
     }
 }
 
-/// Name of a direction.
+/// Word for a direction.
 #[must_use]
 pub fn direction(direction: Direction) -> &'static str {
     match direction {
@@ -48,7 +48,7 @@ pub(crate) fn lines(controller: &Controller) -> Vec<LineInfo> {
     kinds.map(|(link, kind)| LineInfo { link: link.to_owned(), kind: format!("{kind:?}").to_lowercase() }).collect()
 }
 
-/// Last states of all signals that were sent to pages.
+/// Latest states of all signals as sent to the pages.
 #[derive(Debug, Default)]
 pub(crate) struct SignalStates(Vec<SignalState>);
 
@@ -62,7 +62,7 @@ struct SignalState {
 }
 
 impl SignalStates {
-    /// Message `io` with all changes, if any.
+    /// Message `io` with all changes; `None` without changes.
     pub(crate) fn changes(&mut self, t: f64, io: &IoTable) -> Option<IoMessage> {
         let mut changes = Vec::new();
         for (number, id) in io.signals().enumerate() {

@@ -1,4 +1,4 @@
-//! User page that the pendant shows.
+//! User page that the pendant displays.
 
 use serde_json::{Value, json};
 use val3_machine::controller::Controller;
@@ -6,7 +6,7 @@ use val3_machine::screen::{self, ScreenCell};
 
 use crate::wire::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
 
-/// Name of the screen, its title and its 14 lines.
+/// Returns the name of the screen, its title and its 14 lines.
 #[must_use]
 pub fn user_page(controller: &Controller) -> Value {
     let pendant = &controller.devices.state.pendant;

@@ -221,7 +221,7 @@ pub struct Select {
     pub name: Option<String>,
 }
 
-/// Returns the schema of all messages, commands and responses. Its root is any [`Message`].
+/// Returns the schema of all messages, commands and responses. The schema of [`Message`] is its root.
 #[must_use]
 pub fn schema() -> Value {
     let mut messages = SchemaSettings::draft2020_12().for_serialize().into_generator();

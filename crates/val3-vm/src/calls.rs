@@ -4,11 +4,10 @@ use val3_bytecode::{CallSite, Pass, Program, ProgramRef};
 use val3_lang::fault::{Fault, Result};
 
 use crate::enter::{enter, enter_plain, get, leave, pass, write};
-use crate::instance::Imported;
 use crate::operands::OperandContext;
 use crate::task::Base;
 use crate::turn_context::TurnContext;
-use crate::{Frame, Instance, InstanceId};
+use crate::{Frame, Instance, InstanceId, ProgramId};
 
 impl TurnContext<'_> {
     /// Creates the stack frame of a called program, with its arguments. The program returns to the operation `back`
@@ -26,16 +25,16 @@ impl TurnContext<'_> {
         back_line: u32,
     ) -> Result<Frame> {
         let base = frame.base.after(scope.program);
-        let (instance, program) = match (site.program, &site.passes) {
+        let program = match (site.program, &site.passes) {
             (ProgramRef::Own(number), Some(passes)) => {
                 let callee = scope.instance.image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
                 self.open_plain(callee, &base, scope, passes)?;
-                (frame.instance, number)
+                ProgramId { instance: frame.instance, number }
             }
             _ => self.open_any(base, frame.instance, scope, site)?,
         };
         #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more operations")]
-        Ok(Frame { base, back: back as u32, back_line, instance, program })
+        Ok(Frame { base, back: back as u32, back_line, instance: program.instance, program: program.number })
     }
 
     /// Creates the frame of a plain program, and passes the arguments.
@@ -80,10 +79,10 @@ impl TurnContext<'_> {
         from: InstanceId,
         caller: &OperandContext<'_>,
         site: &CallSite,
-    ) -> Result<(InstanceId, u16)> {
-        let (id, number) = self.resolve(from, site.program)?;
-        let instance = self.space.instances.get(usize::from(id.0)).ok_or(Fault::INTERPRETER)?;
-        let callee = instance.image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+    ) -> Result<ProgramId> {
+        let called = self.space.called(from, site.program).ok_or(Fault::LIBRARY_ITEM_MISSING)?;
+        let instance = self.space.instances.get(usize::from(called.instance.0)).ok_or(Fault::INTERPRETER)?;
+        let callee = instance.image.programs.get(usize::from(called.number)).ok_or(Fault::INTERPRETER)?;
         let memory = &mut self.space.memory;
         enter(memory, callee, &base, self.stack_size)?;
         let mut arguments = callee.params.iter().zip(&site.arguments);
@@ -92,17 +91,7 @@ impl TurnContext<'_> {
             pass(memory, &base, param, argument)
         });
         passed.inspect_err(|_| leave(memory, &base))?;
-        Ok((id, number))
-    }
-
-    pub(crate) fn resolve(&self, from: InstanceId, program: ProgramRef) -> Result<(InstanceId, u16)> {
-        match program {
-            ProgramRef::Own(number) => Ok((from, number)),
-            ProgramRef::Import(number) => match self.instance(from)?.imports.get(usize::from(number)) {
-                Some(Some(Imported::Program(instance, number))) => Ok((*instance, *number)),
-                _ => Err(Fault::LIBRARY_ITEM_MISSING),
-            },
-        }
+        Ok(called)
     }
 }
 

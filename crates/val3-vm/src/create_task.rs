@@ -14,7 +14,7 @@ use crate::enter::{enter_with, write};
 use crate::operands::OperandContext;
 use crate::task::{Base, NewThread, Thread};
 use crate::turn_context::TurnContext;
-use crate::{CYCLE, Frame, InstanceId, Rate};
+use crate::{CYCLE, Frame, ProgramId, Rate};
 
 impl TurnContext<'_> {
     /// Executes `taskCreate` or `taskCreateSync` (5.10).
@@ -34,8 +34,8 @@ impl TurnContext<'_> {
         let arguments = site.call.arguments.iter().map(|site| scope.argument(memory, site));
         let arguments = arguments.collect::<Result<Vec<_>>>()?;
         let rate = self.rate(rate, overrun)?;
-        let program = self.resolve(frame.instance, site.call.program)?;
-        let thread = self.new_thread(program, &arguments)?;
+        let called = self.space.called(frame.instance, site.call.program).ok_or(Fault::LIBRARY_ITEM_MISSING)?;
+        let thread = self.new_thread(called, &arguments)?;
         let id = self.roster.new_id();
         self.ports.task(id, &name, TaskChange::Created, thread.place());
         self.roster.add(id, &name, frame.instance, rate, NewThread { thread, stack_size: image.stack_size });
@@ -62,8 +62,8 @@ impl TurnContext<'_> {
 
     /// Creates the thread of a new task. Its frame is built after the creator's frames, from which argument values are
     /// copied, and then moved to a separate stack.
-    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Argument]) -> Result<Thread> {
-        let (instance, number) = program;
+    pub(crate) fn new_thread(&mut self, program: ProgramId, arguments: &[Argument]) -> Result<Thread> {
+        let ProgramId { instance, number } = program;
         let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
         let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.storage));
@@ -89,10 +89,10 @@ impl TurnContext<'_> {
 
 impl TurnContext<'_> {
     /// Creates the thread of a new task whose program has `num` parameters by value, and passes `numbers` to them.
-    pub(crate) fn new_thread_with(&mut self, program: (InstanceId, u16), numbers: &[f64]) -> Result<Thread> {
-        let image = self.space.instance(program.0).map(|instance| Arc::clone(&instance.image));
+    pub(crate) fn new_thread_with(&mut self, program: ProgramId, numbers: &[f64]) -> Result<Thread> {
+        let image = self.space.instance(program.instance).map(|instance| Arc::clone(&instance.image));
         let image = image.ok_or(Fault::INTERPRETER)?;
-        let params = image.programs.get(usize::from(program.1)).map(|program| &program.params);
+        let params = image.programs.get(usize::from(program.number)).map(|program| &program.params);
         let lanes: Vec<u32> = params.into_iter().flatten().filter_map(number_lane).collect();
         if params.map(Vec::len) != Some(numbers.len()) || lanes.len() != numbers.len() {
             return Err(Fault::INVALID_PARAMETER);

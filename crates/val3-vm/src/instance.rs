@@ -42,11 +42,20 @@ impl Instance {
     }
 }
 
+/// A program of an application or library in memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ProgramId {
+    /// Application or library.
+    pub instance: InstanceId,
+    /// Number of the program in its image.
+    pub number: u16,
+}
+
 /// Imported item of a library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Imported {
     /// Data.
     Data(StoreId),
     /// Program.
-    Program(InstanceId, u16),
+    Program(ProgramId),
 }

@@ -5,7 +5,7 @@ use val3_lang::memory::{ContainerShape, KindBase, ValueType};
 use val3_lang::types::Container;
 
 use crate::instance::Imported;
-use crate::{Instance, InstanceId};
+use crate::{Instance, InstanceId, ProgramId};
 
 impl Instance {
     /// Returns this library's item for `import`, which `user` imports; `None` if the library has no such item, or if
@@ -43,7 +43,7 @@ impl Instance {
         if of_program {
             let number = self.image.program(name)?;
             let program = self.image.programs.get(usize::from(number)).filter(|program| program.public || private_too);
-            return program.map(|_| Imported::Program(id, number));
+            return program.map(|_| Imported::Program(ProgramId { instance: id, number }));
         }
         let number = usize::from(self.image.data(name)?);
         self.image.data.get(number).filter(|data| data.public || private_too)?;

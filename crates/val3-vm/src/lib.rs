@@ -36,7 +36,7 @@ pub use ends::{CycleEnd, TurnEnd};
 pub use evaluate::{FragmentContext, FragmentEnd};
 pub use guards::{GuardedOp, StopGuard};
 pub use host::{Host, LibraryOp, LibraryRequest, LoadedLibrary};
-pub use instance::{Imported, Instance, InstanceId};
+pub use instance::{Imported, Instance, InstanceId, ProgramId};
 pub use schedule::{CYCLE, CycleWatch, Schedule};
 pub use space::Space;
 pub use task::{Base, Frame, Rate, Task, TaskState, Thread};

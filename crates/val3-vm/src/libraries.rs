@@ -24,7 +24,7 @@ impl TurnContext<'_> {
         let code = match request {
             RuntimeRequest::Load { library, path, password } => {
                 let request = LibraryRequest { alias: &alias, path: path.as_str(), password: password.as_str() };
-                self.load(thread, (owner, library), request)
+                self.load(thread, LibraryIdentifier { owner, number: library }, request)
             }
             RuntimeRequest::Save { library, path } => {
                 self.save(owner, library, path.as_ref().map(|path| path.as_str()))
@@ -41,20 +41,20 @@ impl TurnContext<'_> {
     }
 
     /// Loads a library, and returns the result code. A library that is already in memory is used unchanged.
-    fn load(&mut self, thread: &Thread, identifier: (InstanceId, u16), request: LibraryRequest<'_>) -> u16 {
-        let (owner, library) = identifier;
+    fn load(&mut self, thread: &Thread, identifier: LibraryIdentifier, request: LibraryRequest<'_>) -> u16 {
+        let LibraryIdentifier { owner, number } = identifier;
         let from = self.space.instance(owner).map(|instance| instance.path.clone()).unwrap_or_default();
         let loaded = match self.ports.load(&from, request) {
             Ok(loaded) => loaded,
             Err(code) => return code,
         };
-        let there = self.space.in_memory(&loaded.path);
-        let leaving = self.space.unused(Some((identifier, there)));
+        let library = self.space.in_memory(&loaded.path);
+        let leaving = self.space.unused(Some(Denotation { identifier, library }));
         if let Some(refusal) = leaving.iter().find_map(|leaving| self.refusal(thread, *leaving)) {
             return refusal;
         }
         let Ok(new) = self.space.take_in(loaded, self.ports) else { return code::CANNOT_LOAD };
-        let complete = self.space.connect(owner, library, new, self.ports);
+        let complete = self.space.connect(owner, number, new, self.ports);
         self.space.drop_unused();
         if complete { code::DONE } else { code::INTERFACE_DIFFERS }
     }
@@ -77,6 +77,21 @@ impl TurnContext<'_> {
         let Some(id) = found else { return code::NO_LIBRARY };
         self.ports.save(self.space, owner, id, path)
     }
+}
+
+/// Library identifier of an application or library.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct LibraryIdentifier {
+    owner: InstanceId,
+    number: u16,
+}
+
+/// Library that an identifier is about to denote.
+#[derive(Clone, Copy)]
+struct Denotation {
+    identifier: LibraryIdentifier,
+    /// `None` if the library is not in memory yet.
+    library: Option<InstanceId>,
 }
 
 impl Space {
@@ -126,17 +141,17 @@ impl Space {
         }
     }
 
-    /// Returns the libraries that the application does not reach any more. `changed` is an identifier with the library
-    /// that it is about to denote; `None` stands for a library that is not in memory yet.
-    fn unused(&self, changed: Option<((InstanceId, u16), Option<InstanceId>)>) -> Vec<InstanceId> {
+    /// Returns the libraries that the application does not reach any more after a change of one identifier.
+    fn unused(&self, change: Option<Denotation>) -> Vec<InstanceId> {
         let mut used = vec![APPLICATION];
         let mut at = 0;
         while let Some(user) = used.get(at).copied() {
             at += 1;
             let libraries = self.instance(user).map(|instance| instance.libraries.as_slice()).unwrap_or_default();
-            for (alias, library) in (0u16..).zip(libraries) {
-                let library = match changed {
-                    Some((identifier, new)) if identifier == (user, alias) => new,
+            for (number, library) in (0u16..).zip(libraries) {
+                let identifier = LibraryIdentifier { owner: user, number };
+                let library = match change {
+                    Some(change) if change.identifier == identifier => change.library,
                     _ => *library,
                 };
                 used.extend(library.filter(|library| !used.contains(library)));

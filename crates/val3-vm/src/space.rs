@@ -3,14 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
+use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget, ProgramRef};
 use val3_lang::fault::Fault;
 use val3_lang::memory::{LinkPlace, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
 use crate::counts::LineCounts;
+use crate::instance::Imported;
 use crate::stops::Stops;
-use crate::{Host, Instance, InstanceId, StopGuard};
+use crate::{Host, Instance, InstanceId, ProgramId, StopGuard};
 
 /// Applications and libraries in memory.
 #[derive(Debug, Clone, Default)]
@@ -34,6 +35,19 @@ impl Space {
     #[must_use]
     pub fn instance(&self, id: InstanceId) -> Option<&Instance> {
         self.instances.get(usize::from(id.0))
+    }
+
+    /// Returns the program that a call site of `caller` calls; `None` while its library is not loaded or does not
+    /// contain it.
+    #[must_use]
+    pub fn called(&self, caller: InstanceId, program: ProgramRef) -> Option<ProgramId> {
+        match program {
+            ProgramRef::Own(number) => Some(ProgramId { instance: caller, number }),
+            ProgramRef::Import(number) => match self.instance(caller)?.imports.get(usize::from(number)) {
+                Some(Some(Imported::Program(program))) => Some(*program),
+                _ => None,
+            },
+        }
     }
 
     /// Returns the applications and libraries in memory.

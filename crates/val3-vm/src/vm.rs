@@ -12,7 +12,7 @@ use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Grant, Host, InstanceId, Rate, Space, StopGuard, Task, TaskState, TurnEnd, TurnReport};
+use crate::{Grant, Host, ProgramId, Rate, Space, StopGuard, Task, TaskState, TurnEnd, TurnReport};
 
 /// The virtual machine: applications and libraries in memory, and their tasks.
 #[derive(Debug, Clone, Default)]
@@ -40,7 +40,7 @@ impl Vm {
     pub fn start(
         &mut self,
         name: &str,
-        program: (InstanceId, u16),
+        program: ProgramId,
         priority: u32,
         host: &mut dyn Host,
     ) -> Result<TaskNumber, Fault> {
@@ -54,17 +54,17 @@ impl Vm {
     pub fn start_with(
         &mut self,
         name: &str,
-        (instance, program): (InstanceId, u16),
+        program: ProgramId,
         numbers: &[f64],
         priority: u32,
         host: &mut dyn Host,
     ) -> Result<TaskNumber, Fault> {
         let id = self.roster.new_id();
-        let stack_size = self.space.instance(instance).map_or(0, |instance| instance.image.stack_size);
+        let stack_size = self.space.instance(program.instance).map_or(0, |instance| instance.image.stack_size);
         let mut context = self.turn_context(id, Grant::once(0), 0, 0, stack_size, host);
-        let thread = context.new_thread_with((instance, program), numbers)?;
+        let thread = context.new_thread_with(program, numbers)?;
         host.task(id, name, TaskChange::Created, thread.place());
-        self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
+        self.roster.add(id, name, program.instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)
     }
 

@@ -229,7 +229,7 @@ fn check_units(
     checked.into_iter().flatten().sum()
 }
 
-/// Settings for the check of each unit.
+/// Context for checking units.
 struct UnitCheck<'a> {
     settings: &'a WorkspaceSettings,
     scope: &'a ReportFilter,

@@ -69,7 +69,7 @@ impl EvalState {
         Ok(true)
     }
 
-    /// Evaluates each text of the input as soon as it is complete.
+    /// Evaluates the input, each text as soon as it is complete.
     fn read_lines(&mut self, input: &InputArgs) -> Result<(), UserError> {
         let mut open = String::new();
         for line in standard_input::lines(input)? {
@@ -92,7 +92,7 @@ fn is_option(text: &str) -> bool {
     known.is_some_and(|mut known| known.any(|option| option.get_long() == Some(name)))
 }
 
-/// RunStatus of a text.
+/// Outcome of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum TextOutcome {
     /// The text was evaluated.
@@ -105,7 +105,7 @@ enum TextOutcome {
     Exit,
 }
 
-/// A word that is a command of the session and no text.
+/// A word that is a session command instead of a text to evaluate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum SessionCommand {
     Exit,
@@ -151,7 +151,7 @@ fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<TextO
 struct Display<'t> {
     text: &'t str,
     color: Color,
-    /// RunStatus so far, or a write error.
+    /// Outcome so far, or a write error.
     shown: Result<TextOutcome, UserError>,
 }
 

@@ -42,7 +42,7 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, UserError> {
     if args.install {
         return install::run(&current_folder()?).map(|()| ExitCode::SUCCESS);
     }
-    // The usual exit code of an error would be a conflict for git.
+    // git would interpret the usual exit code of an error as a conflict.
     merge_files(args).or_else(|error| {
         to_stderr(|out| writeln!(out, "{error}"));
         Ok(ExitCode::from(EXIT_FAILED))

@@ -55,7 +55,7 @@ impl ReportFilter {
     }
 }
 
-/// Whether the name is that of a program or data file.
+/// Whether the path has the extension of a program or data file.
 fn is_part(path: &Utf8Path) -> bool {
     is_program(path.as_str()) || is_data(path.as_str())
 }

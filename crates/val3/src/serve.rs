@@ -15,7 +15,7 @@ mod quota;
 mod shared;
 #[cfg(test)]
 mod tests {
-    //! Attacks on a server, and viewers that see the same.
+    //! Attacks on a server, and viewers that receive the same messages.
 
     mod attacks;
     mod client;

@@ -94,7 +94,7 @@ function openSocket(store: Store, address: URL): void {
     inbox.empty();
     const hasEnded = store.end.peek() !== undefined;
     store.lose(hasEnded ? "The run and its server have ended." : "The connection to the run is lost.");
-    // The next server on this address may have the same secret.
+    // A later server on this address may have the same secret, so the page tries to connect again.
     setTimeout(() => openSocket(store, address), AGAIN);
   });
 }

@@ -6,10 +6,10 @@ const HEADER = 8;
 /** Source of a sample without a line. */
 const NO_SOURCE = 65535;
 
-/** Units in a second, in a degree or mm, and in a mm/s. */
+/** Encoded units per second, per degree or mm, and per mm/s. */
 const [TIME_UNITS, JOINT_UNITS, SPEED_UNITS] = [1e9, 1e6, 100];
 
-/** Order of the differences in columns that change steadily, and in the columns of joints. */
+/** Order of differences: of columns that change steadily, and of the joint columns. */
 const [STEADY, ACCELERATED] = [2, 3];
 
 /** Smallest number of bytes of a sample without its joints: the differences of time and speed. */

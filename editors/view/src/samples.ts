@@ -13,7 +13,7 @@ export interface Sample {
   limit: number;
 }
 
-/** Time span in which the arm stands. The last one has no end yet. */
+/** Time span in which the arm is at rest. The last one has no end yet. */
 export interface Rest {
   start: number;
   end: number;
@@ -32,10 +32,10 @@ export class Samples {
   private readonly batches: Batch[] = [];
   private decoded: { batch: Batch; columns: SampleColumns } | undefined;
   count = 0;
-  /** Changes when samples are discarded. What was computed from them is then computed again. */
+  /** Changes when samples are discarded, so that results computed from them are computed again. */
   epoch = 0;
 
-  /** Adds a batch, and returns its last time. Other messages than samples are ignored. */
+  /** Adds a batch, and returns its last time. Messages without samples are ignored. */
   add(message: ArrayBuffer | Uint8Array): number | undefined {
     const batch = Batch.from(message instanceof ArrayBuffer ? new Uint8Array(message) : message);
     if (batch === undefined || batch.count === 0) {
@@ -169,7 +169,7 @@ class Batch {
   /** Rests between the samples, if they were computed. */
   rests: Rest[] | undefined;
 
-  /** `encodedCount` is the number of samples in the bytes, without which no column but the first can be found. */
+  /** `encodedCount` is the number of samples in the bytes, which decoding needs also after samples were discarded. */
   private constructor(private readonly bytes: Uint8Array, private readonly axes: number, private readonly encodedCount: number) {
     this.count = encodedCount;
     this.start = firstTime(bytes);

@@ -485,7 +485,7 @@ export interface RecordScenario {
 export interface Recorded {
   /** Path of the scenario. */
   file: string;
-  /** What the scenario does not repeat or expect. */
+  /** Parts of the run that the scenario does not repeat or expect. */
   remarks: readonly string[];
   /** Content of the scenario. */
   text: string;
@@ -663,7 +663,7 @@ export interface StateMessage {
 
 /** State of a task. */
 export interface TaskState {
-  /** What the task waits for, without the reason why the arm does not move. */
+  /** Awaited condition only. */
   awaits: string | null;
   /** Number of the run-time error that has stopped the task. */
   error: number | null;
@@ -683,7 +683,7 @@ export interface TaskState {
   program: string;
   /** State in a word. */
   state: string;
-  /** What the task waits for. */
+  /** Awaited condition, and the reason why the arm does not move. */
   waits: string | null;
 }
 
@@ -771,6 +771,6 @@ export interface UserPage {
 export interface WayPiece {
   /** Phase of motion. */
   phase: string;
-  /** Points of the tool centre point, in mm. */
+  /** Positions of the tool centre point, in mm. */
   points: readonly (readonly number[])[];
 }

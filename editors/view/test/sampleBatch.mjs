@@ -1,6 +1,6 @@
 // Encodes samples as a run sends them (docs/src/view.md), for tests.
 
-/** Units in a second, in a degree or mm, and in a mm/s. */
+/** Encoded units per second, per degree or mm, and per mm/s. */
 const [TIME, JOINT, SPEED] = [1e9, 1e6, 100];
 const NO_SOURCE = 65535;
 

@@ -25,10 +25,10 @@ const COMMANDS = [SHOW_REFERENCES, RENAME, SELECT];
 const EXECUTING = [RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
-/** Files of user pages: a rename changes them, and their unsaved text counts. */
+/** Files of user pages: a rename changes them, and the server uses their unsaved text. */
 const PAGES = { scheme: "file", pattern: "**/interface/*.{bindings.json,html}" };
 
-/** Things around the arm, with names of frames and tools. */
+/** File with the things around the arm, which contains names of frames and tools. */
 const CELL = { scheme: "file", pattern: "**/cell.toml" };
 
 /** Suppresses notifications before the server runs, because `Client` reports these errors itself. */
@@ -52,7 +52,7 @@ export class Client implements vscode.Disposable {
   private readonly states = new vscode.EventEmitter<State>();
   private readonly contents = new vscode.EventEmitter<void>();
   readonly onDidChangeState = this.states.event;
-  /** Fires when the server was notified of a change, in an editor or on the disk. */
+  /** Fires after the server was notified of a change in an editor or on the disk. */
   readonly onDidTellChange = this.contents.event;
   private running: LanguageClient | undefined;
   /** Current server process. */
@@ -157,7 +157,7 @@ export class Client implements vscode.Disposable {
     // Deferred until the client has handled the end of the connection.
     serverProcess.crash.catch(() => setTimeout(() => serverProcess.hasRun && this.reportCrash(serverProcess)));
     try {
-      // The client would wait forever if the server crashes during its start.
+      // If the server crashes during its start, the client would wait forever.
       await Promise.race([running.start(), serverProcess.crash]);
     } catch (fault) {
       if (serverProcess.hasRun && (serverProcess.hasCrashed || isGone(fault))) {

@@ -1,6 +1,6 @@
 // Counts recent crashes of the server. A server that crashes repeatedly is not restarted.
 
-/** Number of crashes within `PERIOD` milliseconds after which the server is not restarted. */
+/** Number of crashes within `PERIOD` milliseconds from which on the server is not restarted. */
 export const TOO_MANY = 4;
 export const PERIOD = 3 * 60 * 1000;
 

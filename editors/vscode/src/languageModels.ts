@@ -27,7 +27,7 @@ interface NewerEditor {
   McpStdioServerDefinition?: new (label: string, command: string, args: string[]) => Server;
 }
 
-/** Registers one server for each folder of the workspace. Its tools read only, and never leave their folder. */
+/** Registers one server for each folder of the workspace. Its tools only read, and only within their folder. */
 export function registerTools(client: Pick<Client, "command">): vscode.Disposable[] {
   const { version, lm, McpStdioServerDefinition: Definition } = vscode as unknown as NewerEditor;
   if (!isSupported(version) || lm?.registerMcpServerDefinitionProvider === undefined || Definition === undefined) {

@@ -20,7 +20,7 @@ export class CheckTasks implements vscode.TaskProvider {
     return this.task(definition, folder, name);
   }
 
-  /** Returns `undefined` without the path of a server, because Windows would search a mere name in the folder first. */
+  /** Returns `undefined` if the server was not found: Windows would look for a command without a path in the folder first. */
   private task(definition: Definition, scope: vscode.WorkspaceFolder | vscode.TaskScope.Workspace, name: string): vscode.Task | undefined {
     const { command } = this.client;
     if (command === undefined) {

@@ -18,7 +18,7 @@ let count = 0;
 
 type Answer = (version: number, check: boolean) => EditDataResult;
 
-/** Creates a document, and a server with this response. */
+/** Creates a document, and a server that returns this response. */
 async function made(answer: Answer): Promise<{ document: TextDocument; edits: Edits; uri: string }> {
   const path = join(folder, `${(count += 1)}.dtx`);
   writeFileSync(path, "a=1\n");

@@ -90,7 +90,7 @@ export class TextDocument {
   }
 
   /**
-   * As in VS Code, the new encoding counts immediately, and the text remains if it was edited while the file was read.
+   * As in VS Code, the new encoding is set immediately, and the text is kept if it was edited while the file was read.
    */
   async readAgain(encoding: string): Promise<void> {
     this.encoding = encoding;

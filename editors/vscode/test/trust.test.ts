@@ -24,7 +24,7 @@ const SERVER = ["val3.server.path", "val3.server.arguments"];
 
 afterEach(() => (workspace.isTrusted = true));
 
-/** A feature that counts its registrations. */
+/** Returns a feature that counts its registrations. */
 function counted(): { count: number; register: () => vscode.Disposable[] } {
   const feature = {
     count: 0,
@@ -69,7 +69,7 @@ test("the manifest restricts what executes programs", () => {
   }
 });
 
-/** All files in which the extension starts a process, and what protects against code in an untrusted folder. */
+/** All files in which the extension starts a process, each with the protection against code in an untrusted folder. */
 const STARTS: Record<string, string> = {
   "client.ts": "the server, which only reads",
   "debug/adapter.ts": "made by debug/register.ts in trusted folders",

@@ -12,7 +12,7 @@ const { join } = require("node:path");
 const NAMESPACE = "http://www.staubli.com/robotics/VAL3";
 const HEADER = `<?xml version="1.0" encoding="utf-8"?>`;
 const INSTANCE = `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"`;
-/** Types of data with other names in data files. */
+/** Data types whose names in data files differ. */
 const DATA_TYPES = { joint: "jointRx", point: "pointRx" };
 
 class Application {

@@ -174,7 +174,7 @@ test("after a change of the source and a restart, breakpoints are at their lines
     assert.equal(changed.breakpoint.verified, true);
     await session.stopped("breakpoint");
     assert.equal(await session.place(), `start:${line + 1}`);
-    // The client moves the breakpoint with its line.
+    // Clients move a breakpoint together with its line.
     const [moved] = await session.setBreakpoints(own.file("start"), own.line("start", "call add"));
     assert.equal(moved.line, line + 2);
     await session.run("continue", "breakpoint");
@@ -228,7 +228,7 @@ test("a file is found by other forms of its path", async () => {
     };
     await debug(app.folder(), { before }, (session) => session.stopped("breakpoint"));
   }
-  // The application is opened by the other path.
+  // The application is opened by its other path.
   const before = (session) => session.setBreakpoints(app.file("start"), line);
   await debug(link, { before }, (session) => session.stopped("breakpoint"));
 });

@@ -91,7 +91,7 @@ test("a change in the past begins a new future, which the user is told", async (
     await session.run("next", "step");
     await session.run("next", "step");
     assert.equal(await session.evaluate("nSum"), "1012");
-    // It replaces the previous continuation.
+    // The run is at its newest moment again, so this change discards no recorded events and causes no note.
     await session.evaluate("nSum=5", "repl");
     assert.deepEqual(session.arrived("output"), []);
   });

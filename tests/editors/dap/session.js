@@ -11,7 +11,7 @@ const specification = require(join(process.env.VAL3_ROOT, "crates/val3-dap/schem
 /** Longest wait for a response or an event, in ms. */
 const TIMEOUT = 60_000;
 
-/** Sessions of this file. A failed test leaves its adapter, for which `node --test` would wait. */
+/** Sessions of this file. After a failed test, `node --test` would wait for the test's adapter. */
 const started = [];
 after(() => started.forEach((session) => session.kill()));
 

@@ -23,7 +23,7 @@ function makeSchema() {
 function ownSchema() {
   const path = join(__dirname, "..", "..", "..", "editors", "schema", "server-requests.schema.json");
   const own = JSON.parse(readFileSync(path, "utf8"));
-  // Ajv knows the keywords, not this version of the specification.
+  // Ajv supports the keywords, but not the declared version of the specification.
   delete own.$schema;
   own.$defs.WorkspaceEdit = { $ref: "protocol#/definitions/WorkspaceEdit" };
   return own;

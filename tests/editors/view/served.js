@@ -10,7 +10,7 @@ const { chromium } = require("playwright-core");
 const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const TIMEOUT = 60_000;
 
-/** Presses of a button before it counts as one that cannot be held. */
+/** Number of attempts to hold a button before the test fails. */
 const PRESSES = 6;
 
 let browser;
@@ -59,7 +59,7 @@ class Served {
     return page;
   }
 
-  /** Ends the run like Ctrl-C. */
+  /** Ends the run as Ctrl-C does. */
   async end() {
     this.process.stderr.resume();
     this.hasEnded = true;
@@ -68,7 +68,7 @@ class Served {
     assert.deepEqual(this.faults, []);
   }
 
-  /** Removes everything of the run. A page that stays open would slow down the next test. */
+  /** Ends the process, closes the pages and removes the folder. An open page would slow down the next test. */
   async remove() {
     this.hasEnded = true;
     this.process.kill();
@@ -83,7 +83,7 @@ function setProgram(folder, code) {
   writeFileSync(file, readFileSync(file, "latin1").replace(/begin[^]*end(?=\s*\]\]>)/, `begin${code}\nend`), "latin1");
 }
 
-/** Replaces the program by one that moves without end. The palletiser rests when its boxes are done. */
+/** Replaces the program by an endless sequence of moves, because the palletiser is idle after its last box. */
 const moveForever = (folder) => setProgram(folder, `
   while true
     jHome.j1=60
@@ -128,7 +128,7 @@ async function hold(page, button, arrived, argument) {
   await page.mouse.up();
 }
 
-/** Describes what a held button and the arm do. */
+/** Describes the states of a held button and the arm. */
 async function handState(page, held) {
   const isHeld = await held.count() > 0;
   const notices = await page.locator(".notice").allInnerTexts();

@@ -1,4 +1,4 @@
-// A session with nothing but the page: a fault, its repair, points that are taught with two tools, and another start.
+// A session that only uses the page: a fault, its repair, points that are taught with two tools, and a second start.
 const assert = require("node:assert/strict");
 const { mkdirSync, readFileSync } = require("node:fs");
 const { join } = require("node:path");

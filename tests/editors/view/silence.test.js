@@ -1,4 +1,4 @@
-// The page says when its server does not answer, and continues with it.
+// The page shows that its server is silent, and continues when the server responds again.
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
 const { now, served, until } = require("./served.js");

@@ -47,7 +47,7 @@ test("a frame and a tool are taught, undone and saved", () => served([], async (
 
   await page.getByRole("button", { name: "Save to .dtx (1)" }).click();
   await page.getByText("Saved palletiser.dtx.").waitFor();
-  // All positions have the same centre of the wrist, 100 mm behind the flange.
+  // The wrist centre is the same in all positions. In the frame of the flange it is at z = -100 mm.
   const [saved] = await values("tools");
   assert.ok(Math.hypot(saved.local[0], saved.local[1], saved.local[2] + 100) < 1e-6, saved.local.join());
   assert.match(readFileSync(join(run.folder, POINTS), "latin1"), /name="tGripper"[^>]*>\s*<Value key="0" (?:[xy]="-?0(?:\.0+)?" )*z="-100"/);

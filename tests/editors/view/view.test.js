@@ -7,7 +7,7 @@ const { BOXES, moveForever, now, served, setProgram, until } = require("./served
 
 const pose = (page) => page.evaluate(() => window.val3View.pose());
 
-/** Until the arm is away from a pose by more than 5 mm or degrees. */
+/** Waits until the arm differs from a pose by more than 5 mm or degrees. */
 const hasMoved = (page, from) => page.waitForFunction(
   (from) => window.val3View.pose().some((part, axis) => Math.abs(part - from[axis]) > 5), from);
 

@@ -350,7 +350,7 @@ const STEPS = {
 async function acceptDefaults(user) {
   for (const question of ["The version of VAL 3 on the controller", "The arm"]) {
     await user.page.waitForSelector(`.quick-input-widget:visible input[placeholder=${JSON.stringify(question)}]`);
-    await user.page.waitForSelector('.quick-input-list .monaco-list-row.focused:has-text("That of the cell")');
+    await user.page.waitForSelector('.quick-input-list .monaco-list-row.focused:has-text("From the cell")');
     await user.keys("Enter");
   }
 }

@@ -143,7 +143,7 @@ const icon = (user, text) => user.page.locator(`${row(text)} .custom-view-tree-n
 const STEPS = {
   async "applications come first, what none uses comes last"(user) {
     await user.command("View: Show VAL 3");
-    // The tree gets the space of the other view.
+    // Closing the other view enlarges the tree.
     await user.page.click('.pane-header[aria-label^="Variables"]');
     await user.page.waitForSelector(row("palletiser, application"));
     assert.deepEqual(await labels(user, 1), ["old", "palletiser", "Not Used by an Application"]);

@@ -86,19 +86,19 @@ impl Protocol {
     fn definition(&mut self, name: &str, definition: &Value, schema: &Value) -> anyhow::Result<()> {
         match base(definition) {
             Some("Request") => {
-                let operation = self.operation(name, Kind::Arguments, part(definition)?, ("command", "arguments"))?;
+                let operation = self.operation(name, Kind::Arguments, part(definition)?)?;
                 self.requests.push(operation);
             }
             // The body of a failed request has no separate command.
             Some("Response") if name == "ErrorResponse" => {
-                self.operation(name, Kind::Response, part(definition)?, ("command", "body"))?;
+                self.operation(name, Kind::Response, part(definition)?)?;
             }
             Some("Response") => {
-                let operation = self.operation(name, Kind::Response, part(definition)?, ("command", "body"))?;
+                let operation = self.operation(name, Kind::Response, part(definition)?)?;
                 self.responses.push(operation);
             }
             Some("Event") => {
-                let operation = self.operation(name, Kind::Event, part(definition)?, ("event", "body"))?;
+                let operation = self.operation(name, Kind::Event, part(definition)?)?;
                 self.events.push(operation);
             }
             _ => self.type_definition(name, definition, schema)?,
@@ -106,18 +106,14 @@ impl Protocol {
         Ok(())
     }
 
-    /// Adds an operation. `keys` are the properties with its name and its content.
-    fn operation(
-        &mut self,
-        definition: &str,
-        kind: Kind,
-        part: &Value,
-        keys: (&str, &str),
-    ) -> anyhow::Result<Operation> {
+    /// Adds an operation, whose name and content are properties of `part`.
+    fn operation(&mut self, definition: &str, kind: Kind, part: &Value) -> anyhow::Result<Operation> {
+        let name_property = if kind == Kind::Event { "event" } else { "command" };
+        let content_property = if kind == Kind::Arguments { "arguments" } else { "body" };
         let property = |key| part.get("properties").and_then(|properties| properties.get(key));
-        let declared = property(keys.0).and_then(|name| name.get("enum")?.get(0)?.as_str()).map(str::to_owned);
+        let declared = property(name_property).and_then(|name| name.get("enum")?.get(0)?.as_str()).map(str::to_owned);
         let name = declared.unwrap_or_else(|| lower_first(definition.strip_suffix("Response").unwrap_or(definition)));
-        let content = match property(keys.1) {
+        let content = match property(content_property) {
             None => None,
             Some(content) if content.get("$ref").is_some() => Some(reference(content)?),
             Some(content) => {
@@ -249,7 +245,7 @@ fn reference(schema: &Value) -> anyhow::Result<String> {
     Ok(name.context("a reference to no definition")?.to_owned())
 }
 
-/// Returns the values of an enumeration, and whether it is open.
+/// Returns an enumeration's values, and whether other values are allowed.
 fn enumeration(schema: &Value) -> anyhow::Result<Option<(Vec<String>, bool)>> {
     let open = schema.get("_enum");
     let values = strings(open.or(schema.get("enum")))?;

@@ -14,7 +14,7 @@ pub(super) struct Editor {
     to: ChildStdin,
     from: BufReader<ChildStdout>,
     next: i64,
-    /// Time at which the last message was complete. Reading it is the client's work.
+    /// Time at which the last message was complete. Parsing it is not measured, because it is the client's work.
     arrived: Instant,
 }
 
@@ -104,7 +104,7 @@ impl Editor {
         self.ask("shutdown", &Value::Null)?;
         let started = Instant::now();
         self.notify("exit", &Value::Null)?;
-        // The input stays open, because a server has to end nevertheless.
+        // The input stays open, because the server has to end after `exit` even so.
         let status = self.server.wait()?;
         Ok((started.elapsed(), status.code()))
     }

@@ -12,7 +12,7 @@ use crate::project;
 pub const PROGRAMS: [&str; 9] =
     ["sieve", "loops", "arrays", "fibonacci", "functions", "texts", "transformations", "tasks", "waiting"];
 
-/// Number of runs. The fastest one counts, because the other ones were disturbed.
+/// Number of runs. Only the fastest run counts, because the slower runs were disturbed.
 const RUNS: usize = 3;
 
 /// Prints the seconds per program, from the start of the process to the end.

@@ -1,6 +1,6 @@
-//! Failed tests, repeated at the end of the whole run, where somebody looks who has only the end of a long log.
+//! Failed tests, repeated at the end of the output, because often only the end of a long log is read.
 
-/// Lines of a failed test that are repeated.
+/// Largest number of repeated lines per failed test.
 const LINES: usize = 40;
 
 /// The failed tests of all steps.
@@ -11,7 +11,7 @@ pub(super) struct Failures {
     is_output: bool,
 }
 
-/// What a failed Rust test has printed.
+/// Output of a failed Rust test.
 #[derive(Debug)]
 struct Output {
     title: String,
@@ -34,7 +34,7 @@ impl Failures {
         }
     }
 
-    /// Prints the tests and the beginning of what they have printed.
+    /// Prints the failed tests, each with the beginning of its output.
     pub(super) fn print(&self) {
         for output in &self.outputs {
             println!("{}", output.title);
@@ -48,7 +48,7 @@ impl Failures {
     }
 }
 
-/// Returns the name in `test NAME ... FAILED` of Rust, or what follows `FAILED ` in the tests of editors.
+/// Returns the name in Rust's `test NAME ... FAILED`, or the text after `FAILED ` in the editor tests.
 fn failed_test(line: &str) -> Option<&str> {
     let of_rust = line.strip_prefix("test ").and_then(|test| test.strip_suffix(" ... FAILED"));
     of_rust.or_else(|| line.strip_prefix("FAILED "))

@@ -19,7 +19,7 @@ pub(crate) fn edges(krate: &Crate) -> Edges {
         }
         let imports = module.imports.iter().filter(|import| !import.is_exported).map(|import| &import.path);
         let imports = imports.map(|path| (path, resolve(krate, id, path)));
-        // If an import is both a module and an item, its uses decide.
+        // If an import names both a module and an item, its uses determine which one is meant.
         let imports = imports.filter(|(_, targets)| !targets.iter().any(|target| matches!(target, Target::Module(_))));
         let paths = module.paths.iter().map(|path| (path, resolve(krate, id, path)));
         for (path, targets) in imports.chain(paths) {
@@ -122,7 +122,7 @@ fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<
 fn lookup_in_glob(krate: &Crate, id: ModuleId, glob: &Segments, name: &str, open: &mut Open) -> BTreeSet<Target> {
     let path: Segments = glob.iter().cloned().chain([name.to_owned()]).collect();
     let modules = resolve_path(krate, id, glob, open);
-    // The variants of an enum are not looked up, because the path of the glob names the enum.
+    // Enum variants are not looked up, because the path before the `*` already names the enum.
     if modules.iter().any(|target| matches!(target, Target::Module(_))) {
         resolve_path(krate, id, &path, open)
     } else {

@@ -90,7 +90,7 @@ impl Crate {
         if let Some(name) = defined_name(item) {
             self.modules[id].items.insert(name.clone());
             if attributes(item).iter().any(|attribute| attribute.path().is_ident("macro_export")) {
-                // The name belongs to the root, but its definition is here.
+                // The name is visible in the root, but defined in this module.
                 let path = self.path(id).into_iter().chain([name.clone()]).collect();
                 self.modules[0].imports.push(Import { name, path, is_exported: true });
             }

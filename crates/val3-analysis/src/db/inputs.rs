@@ -63,7 +63,7 @@ pub struct Project {
     /// `cell.toml` with the things around the arm of an application.
     #[returns(copy)]
     pub surroundings: Option<File>,
-    /// Meshes that `cell.toml` names, in the order of the file.
+    /// Meshes that `cell.toml` and `[run] shapes` of the `val3.toml` name.
     #[returns(ref)]
     pub meshes: Vec<MeshFile>,
     /// References in the project file to paths outside of the cell, as written. Their files are not read.
@@ -77,11 +77,9 @@ pub struct Project {
     pub is_below_tests: bool,
 }
 
-/// A mesh that a `cell.toml` names.
+/// A mesh of a thing or of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshFile {
-    /// Path in `cell.toml`, relative to its folder.
-    pub name: Utf8PathBuf,
     /// Full path.
     pub path: Utf8PathBuf,
     /// Triangles, or the reason why the file cannot be used.

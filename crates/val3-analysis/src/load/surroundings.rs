@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
 use val3_cell::Mesh;
 use val3_files::FileClass;
 
@@ -42,34 +42,44 @@ impl Loader<'_> {
         if is_readable { self.found_file(&path) } else { None }
     }
 
-    /// Reads the meshes that a `cell.toml` names. A mesh of an earlier load is read again only if it is stale.
-    pub(super) fn meshes(&mut self, file: File) -> Vec<MeshFile> {
+    /// Reads the meshes that a `cell.toml` names, and the meshes of links that `[run] shapes` names. A mesh of an
+    /// earlier load is read again only if it is stale.
+    pub(super) fn meshes(&mut self, file: File, configuration: Option<Configuration>) -> Vec<MeshFile> {
         let folder = file.path(&self.db).parent().unwrap_or(Utf8Path::new("")).to_owned();
         let names = mesh_names(file.text(&self.db));
-        names.into_iter().map(|name| self.mesh(&folder, name)).collect()
+        let mut meshes: Vec<MeshFile> = names.iter().map(|name| self.mesh(&folder, name, true)).collect();
+        let settings = configuration.map(|configuration| configuration.file(&self.db).clone());
+        for settings in settings.iter() {
+            let links = settings.config.run.shapes.values();
+            meshes.extend(links.map(|name| self.mesh(settings.folder(), name, false)));
+        }
+        meshes
     }
 
-    fn mesh(&mut self, folder: &Utf8Path, name: Utf8PathBuf) -> MeshFile {
-        let path = folder.join(&name);
+    /// Reads a mesh. `is_below` states whether it has to be in the folder or below.
+    fn mesh(&mut self, folder: &Utf8Path, name: &Utf8Path, is_below: bool) -> MeshFile {
+        let path = folder.join(name);
         let key = path_key(path.as_str());
         if let Some(known) = self.known.meshes.get(&key).filter(|_| !(self.is_stale)(&key)) {
-            return MeshFile { name, ..known.clone() };
+            return known.clone();
         }
-        let mesh = read_mesh(self.system, folder, &name).map(Arc::new);
-        let found = MeshFile { name, path, mesh };
+        let checked = if is_below { check_below(self.system, folder, name) } else { Ok(()) };
+        let mesh = checked.and_then(|()| read_mesh(self.system, &path, name)).map(Arc::new);
+        let found = MeshFile { path, mesh };
         self.known.meshes.insert(key, found.clone());
         found
     }
 }
 
-/// Reads a mesh in the folder of a `cell.toml` or below.
-fn read_mesh(system: &dyn System, folder: &Utf8Path, name: &Utf8Path) -> Result<Mesh, String> {
+/// Checks that a mesh is in the folder of a `cell.toml` or below.
+fn check_below(system: &dyn System, folder: &Utf8Path, name: &Utf8Path) -> Result<(), String> {
     let is_below = name.is_relative() && !name.components().any(|part| part.as_str() == "..");
-    let path = folder.join(name);
-    if !is_below || !system.target(&path).starts_with(system.target(folder)) {
-        return Err(format!("`{name}` is not in the folder of this file"));
-    }
-    let bytes = system.read(&path, FileClass::Shape).map_err(|reason| format!("cannot read `{name}`: {reason}"))?;
+    let is_inside = is_below && system.target(&folder.join(name)).starts_with(system.target(folder));
+    if is_inside { Ok(()) } else { Err(format!("`{name}` is not in the folder of this file")) }
+}
+
+fn read_mesh(system: &dyn System, path: &Utf8Path, name: &Utf8Path) -> Result<Mesh, String> {
+    let bytes = system.read(path, FileClass::Shape).map_err(|reason| format!("cannot read `{name}`: {reason}"))?;
     Mesh::read(&bytes).map_err(|error| format!("cannot use `{name}`: {error}"))
 }
 

@@ -3,12 +3,14 @@
 use val3_cell::{Cell, CellError, CellFile};
 use val3_config::{ConfigError, TableFile};
 
+use super::links::hulls;
 use super::loaded::{build, is_named};
 use crate::db::{Db, File, FileStatus, Project, Sources};
 
-/// Returns the faults of a `cell.toml` in its applications, each message once. A frame, tool or signal that only some
-/// applications have is no fault, unless `[run] cell` names the file. `are_all_loaded` states whether the database
-/// contains all applications of the file: otherwise a name that none of them has may belong to another application.
+/// Returns the faults of a `cell.toml` and of the links' meshes in its applications, each message once. A frame, tool
+/// or signal that only some applications have is no fault, unless `[run] cell` names the file. `are_all_loaded` states
+/// whether the database contains all applications of the file: otherwise a name that none of them has may belong to
+/// another application.
 pub fn cell_faults(db: &dyn Db, file: File, are_all_loaded: bool) -> Vec<ConfigError> {
     if let FileStatus::Unreadable(reason) = file.status(db) {
         let message = format!("the file cannot be read: {reason}");
@@ -31,7 +33,14 @@ pub fn cell_faults(db: &dyn Db, file: File, are_all_loaded: bool) -> Vec<ConfigE
     if errors.is_empty() && are_all_loaded && lacks_everywhere(&built) {
         errors.extend(projects.first().and_then(|project| build(db, *project, &table, true).err()));
     }
-    errors.into_iter().map(|error| table.fault(&error.key, error.message, error.help)).collect()
+    let own = errors.into_iter().map(|error| table.fault(&error.key, error.message, error.help));
+    let mut faults: Vec<ConfigError> = own.collect();
+    for fault in projects.iter().filter_map(|project| hulls(db, *project).err()) {
+        if !faults.contains(&fault) {
+            faults.push(fault);
+        }
+    }
+    faults
 }
 
 /// Applications whose `cell.toml` is this file, sorted by path.

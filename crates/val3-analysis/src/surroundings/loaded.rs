@@ -61,7 +61,9 @@ impl LoadedApplication<'_> {
 
 impl Surroundings for LoadedApplication<'_> {
     fn mesh(&mut self, path: &Utf8Path) -> Result<Mesh, String> {
-        let mesh = self.project.meshes(self.db).iter().find(|mesh| mesh.name == path);
+        let folder = self.project.surroundings(self.db).and_then(|file| file.path(self.db).parent());
+        let full = folder.unwrap_or(Utf8Path::new("")).join(path);
+        let mesh = self.project.meshes(self.db).iter().find(|mesh| mesh.path == full);
         match mesh.map(|mesh| &mesh.mesh) {
             Some(mesh) => mesh.as_ref().map(|mesh| Mesh::clone(mesh)).map_err(String::clone),
             None => Err(format!("`{path}` has not been read")),

@@ -39,6 +39,11 @@ const PLATE: &str = "solid plate\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n
     endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 100 100 0\nvertex 0 100 0\nvertex 100 0 0\nendloop\n\
     endfacet\nendsolid plate\n";
 
+/// A tetrahedron with edges of 50 mm, as an STL file.
+const CORNER: &str = "solid corner\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 50 0 0\nvertex 0 50 0\n\
+    endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 50\nvertex 50 0 0\nvertex 0 50 0\nendloop\n\
+    endfacet\nendsolid corner\n";
+
 fn system(listing: &str, files: &[(&str, &str)]) -> Memory {
     let fixture = Fixture::parse(listing);
     let listed = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
@@ -178,6 +183,28 @@ fn a_mesh_is_read_once_and_again_when_it_is_stale() {
     assert!(mesh(&workspace).is_ok(), "it is known");
     workspace.refresh(&second, &paths, &|key| key.ends_with("plate.stl"));
     assert_eq!(mesh(&workspace).unwrap_err(), "cannot read `plate.stl`: it does not exist");
+}
+
+#[test]
+fn meshes_of_links_are_read_from_the_settings() {
+    let cell = "[[object]]\nname = \"plate\"\nbox = [1, 2, 3]\n";
+    let faults = |shapes: &str| {
+        let listing = format!("{APPLICATION}[run]\nshapes = {{ {shapes} }}\n");
+        let workspace =
+            loaded(&system(&listing, &[("cell.toml", cell), ("plate.stl", PLATE), ("arm/corner.stl", CORNER)]));
+        let found = cell_faults(&workspace.db, cell_file(&workspace), true);
+        let project = workspace.projects.iter().find(|project| project.surroundings(&workspace.db).is_some()).unwrap();
+        assert_eq!(scene(&workspace.db, *project).is_some(), found.is_empty());
+        let shown = found.into_iter().map(|fault| format!("{}: {} ({})\n", fault.path, fault.message, fault.help));
+        shown.collect::<String>()
+    };
+    assert_eq!(faults("link6 = \"arm/corner.stl\""), "");
+    let found = [faults("link7 = \"plate.stl\""), faults("link6 = \"plate.stl\""), faults("base = \"other.stl\"")];
+    expect![[r#"
+        /cell/usr/val3.toml: the arm has no `link7` (its parts are `base` and `link1` to `link6`)
+        /cell/usr/val3.toml: `plate.stl` is no shape: the points are in one plane and enclose nothing (name a mesh of the link, or remove the setting: the capsules of the arm are then compared)
+        /cell/usr/val3.toml: cannot read `other.stl`: it does not exist (name a mesh of the link, or remove the setting: the capsules of the arm are then compared)
+    "#]].assert_eq(&found.concat());
 }
 
 #[test]

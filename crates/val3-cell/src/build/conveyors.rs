@@ -1,4 +1,4 @@
-//! Conveyors of a cell's file.
+//! Conveyors of a cell file.
 
 use val3_geometry::{IsometryMatrix3, Trsf, Vector3, set_frame};
 
@@ -11,13 +11,13 @@ use crate::part::Part;
 use crate::poses::{check_colour, distance, pose, triple};
 use crate::solids::{Solid, SolidMaker, solid};
 
-/// Greatest accepted time from one part to the next, in seconds.
+/// Longest accepted time between two parts, in seconds.
 const LONGEST_PAUSE: f64 = 3600.0;
 
-/// Smallest accepted time from one part to the next, in seconds.
+/// Shortest accepted time between two parts, in seconds.
 const SHORTEST_PAUSE: f64 = 0.1;
 
-/// Greatest accepted speed, in mm/s.
+/// Largest accepted speed, in mm/s.
 const FASTEST: f64 = 10_000.0;
 
 /// Length in mm of the vectors that define a direction.
@@ -26,17 +26,18 @@ const UNIT: f64 = 100.0;
 /// A conveyor, and its belt as a thing.
 pub(super) type Built = (Conveyor, Thing);
 
-/// Parts of a cell, to which feeds refer.
+/// The cell's parts, to which feeds refer.
 #[derive(Clone, Copy)]
 pub(super) struct FedParts<'p> {
     pub(super) entries: &'p [PartEntry],
     pub(super) parts: &'p [Part],
 }
 
-/// Names of the part entries that a feed adds to the cell.
+/// Names of the part entries that feeds add to the cell.
 ///
 /// # Errors
-/// A feed names no part, or the part of another feed, or a part with a place.
+///
+/// A feed names an unknown part, the part of another feed, or a part with its own `in`, `at` or `step`.
 pub(super) fn fed_parts(file: &CellFile) -> Result<Vec<&str>, CellError> {
     let mut names: Vec<&str> = Vec::new();
     let feeds = file.conveyors.iter().enumerate().filter_map(|(index, entry)| Some((index, entry.feed.as_ref()?)));
@@ -78,7 +79,7 @@ impl CellMaker<'_> {
         Ok(conveyors)
     }
 
-    /// Builds a conveyor; `None` if the application does not have its frame or a signal.
+    /// Builds a conveyor; `None` if the application does not have its frame or one of its signals.
     fn conveyor(&mut self, entry: &ConveyorEntry, key: &str, parts: FedParts<'_>) -> Result<Option<Built>, CellError> {
         let ConveyorEntry { name, carrier, at, when, end, clearance, colour, .. } = entry;
         let belt = self.belt(entry, key)?;
@@ -128,7 +129,7 @@ impl CellMaker<'_> {
     }
 }
 
-/// Speed in mm/s, and the rotation of the track: its x axis is the direction of the parts.
+/// Speed in mm/s, and the rotation of the track, whose x axis is the transport direction.
 fn direction(entry: &ConveyorEntry, key: &str) -> Result<(f64, IsometryMatrix3<f64>), CellError> {
     let key = format!("{key}.speed");
     let speed = Vector3::from(triple(&entry.speed, &key)?);
@@ -145,7 +146,7 @@ fn direction(entry: &ConveyorEntry, key: &str) -> Result<(f64, IsometryMatrix3<f
     Ok((amount, frame.isometry()))
 }
 
-/// Builds the feed of a conveyor that is at this pose in its carrier.
+/// Builds the feed of a conveyor that has this pose in its carrier.
 fn feed(
     keys: &FeedKeys,
     key: &str,

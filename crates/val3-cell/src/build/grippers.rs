@@ -1,4 +1,4 @@
-//! Grippers of a cell's file.
+//! Grippers of a cell file.
 
 use crate::build::{CellMaker, Thing};
 use crate::carriers::{Carried, CarriedKeys, Carrier};
@@ -29,7 +29,7 @@ impl CellMaker<'_> {
         Ok(grippers)
     }
 
-    /// Builds a gripper; `None` if the application does not have its tool or a signal.
+    /// Builds a gripper; `None` if the application does not have its tool or one of its signals.
     fn gripper(
         &mut self,
         entry: &GripperEntry,
@@ -53,7 +53,7 @@ impl CellMaker<'_> {
         Ok(Some(Gripper { name, control, carrier, pose, within, holding, empty, pieces }))
     }
 
-    /// Returns the output that controls a gripper; `None` if the application does not have it.
+    /// Returns the output that controls a gripper; `None` if the application does not have the output.
     fn control(&self, entry: &GripperEntry, key: &str) -> Result<Option<GripperControl>, CellError> {
         let GripperEntry { tool, holds, when, carrier, at, .. } = entry;
         match (tool, when) {
@@ -86,7 +86,7 @@ impl CellMaker<'_> {
         }
     }
 
-    /// Carrier and pose of a gripper's point; `None` if the application does not have the tool.
+    /// Carrier and pose of a gripper's grip point; `None` if the application does not have the tool.
     fn point(&self, entry: &GripperEntry, key: &str) -> Result<Option<Carried>, CellError> {
         let wrong = |name: &str, key: String| {
             let message = format!("`{name}` is no tool, and the arm has to carry a gripper");
@@ -108,7 +108,7 @@ impl CellMaker<'_> {
     }
 }
 
-/// Numbers of the things that belong to a gripper.
+/// Indexes of the things that belong to a gripper.
 fn pieces(
     entry: &GripperEntry,
     carrier: &Carrier,

@@ -1,4 +1,4 @@
-//! Parts of a cell's file.
+//! Parts of a cell file.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use crate::part::Part;
 use crate::poses::{check_colour, distance, triple};
 use crate::solids::{ShapedEntry, SolidMaker, solids};
 
-/// Greatest accepted number of copies.
+/// Maximum number of copies.
 const MOST_COPIES: u32 = 1000;
 
-/// An entry's part names.
+/// Part names of an entry: its name, or one name for each copy.
 pub(super) fn names(entry: &PartEntry) -> Vec<String> {
     match entry.copies {
         None => vec![entry.name.clone()],
@@ -22,7 +22,7 @@ pub(super) fn names(entry: &PartEntry) -> Vec<String> {
 }
 
 impl CellMaker<'_> {
-    /// Builds the parts. Parts with the names `fed` are outside of the cell at the start.
+    /// Builds the parts. The parts named in `fed` are outside of the cell at the start.
     pub(super) fn parts(&mut self, entries: &[PartEntry], fed: &[&str]) -> Result<Vec<Part>, CellError> {
         let parts = entries.iter().enumerate().map(|(index, entry)| {
             let mut parts = self.copies(entry, &format!("part[{index}]"))?;
@@ -33,7 +33,7 @@ impl CellMaker<'_> {
         Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
     }
 
-    /// Builds a part and its copies; none if the application does not have its frame.
+    /// Builds a part and its copies; empty if the application does not have its frame.
     fn copies(&mut self, entry: &PartEntry, key: &str) -> Result<Vec<Part>, CellError> {
         let PartEntry { name, carrier, at, copies, step, touch, shapes, clearance, colour, shape } = entry;
         if copies.is_some_and(|count| count == 0 || count > MOST_COPIES) {
@@ -80,7 +80,7 @@ impl CellMaker<'_> {
     }
 }
 
-/// Shifts a pose of a file some times by a step.
+/// Shifts a pose of the file by `times` steps.
 fn shifted(at: &[f64], step: &[f64; 3], times: f64) -> Vec<f64> {
     let mut at = if at.is_empty() { vec![0.0; 3] } else { at.to_vec() };
     at.iter_mut().zip(step).for_each(|(coordinate, length)| *coordinate += length * times);

@@ -1,4 +1,4 @@
-//! Sensors of a cell's file.
+//! Sensors of a cell file.
 
 use val3_collision::Shape;
 use val3_geometry::{IsometryMatrix3, Vector3};
@@ -13,13 +13,13 @@ use crate::sensor::{Detects, Sensor, SensorForm};
 use crate::solids::{Solid, SolidMaker, solid, without_shape};
 use crate::surroundings::SignalClass;
 
-/// Radius in mm of a beam.
+/// Radius of a beam, in mm.
 const BEAM: f64 = 0.5;
 
-/// Greatest accepted delay in seconds.
+/// Longest accepted delay, in seconds.
 const LONGEST_DELAY: f64 = 3600.0;
 
-/// Shape of a sensor, its pose, and its description.
+/// Shape of a sensor, its pose, and its form for drawings.
 type SensorShape = (Shape, IsometryMatrix3<f64>, SensorForm);
 
 impl CellMaker<'_> {
@@ -41,7 +41,7 @@ impl CellMaker<'_> {
         Ok(sensors)
     }
 
-    /// Builds a sensor; `None` if the application does not have its frame or input.
+    /// Builds a sensor; `None` if the application does not have its frame or its input.
     fn sensor(&mut self, entry: &SensorEntry, key: &str, names: &AllNames) -> Result<Option<Sensor>, CellError> {
         let SensorEntry { name, carrier, io, not, sees: patterns, delay, .. } = entry;
         if !(0.0..=LONGEST_DELAY).contains(delay) {

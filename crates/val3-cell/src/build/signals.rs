@@ -1,4 +1,4 @@
-//! Signals of a cell's file.
+//! Signals of a cell file.
 
 use crate::build::CellMaker;
 use crate::error::CellError;
@@ -7,13 +7,13 @@ use crate::gripper::SignalWrite;
 use crate::surroundings::{KnownSignal, SignalClass};
 
 impl CellMaker<'_> {
-    /// Checks values of signals that the cell compares; `None` if the application does not have a signal, and the file
-    /// may be about another one.
+    /// Checks signal values that the cell compares. Returns `None` if the application does not have one of the signals
+    /// and the file may belong to another application.
     pub(super) fn compared(&self, values: &SignalValues, key: &str) -> Result<Option<Vec<SignalWrite>>, CellError> {
         values_of(values, key, |path, key| Ok(self.signal(path, key)?.map(|signal| signal.class)))
     }
 
-    /// Checks values of inputs that the cell sets; `None` as for [`Self::compared`].
+    /// Checks input values that the cell sets; `None` as for [`Self::compared`].
     pub(super) fn inputs(&self, values: &SignalValues, key: &str) -> Result<Option<Vec<SignalWrite>>, CellError> {
         values_of(values, key, |path, key| self.input(path, key))
     }
@@ -42,7 +42,7 @@ impl CellMaker<'_> {
     }
 }
 
-/// Checks that values suit the kinds of their signals, which `class` returns for a path and a key.
+/// Checks that each value suits the class of its signal. `class` returns the class for a path and a key.
 fn values_of(
     values: &SignalValues,
     key: &str,

@@ -5,32 +5,33 @@ use serde::Deserialize;
 
 use super::signals::{SignalValues, WhenKey};
 
-/// A gripper: it carries the nearest part while an output has a value.
+/// A gripper: it carries the nearest part while an output has its value for holding.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct GripperEntry {
-    /// The tool of the application whose output controls the gripper, with its times `ioOpen` and `ioClose`.
+    /// The tool of the application whose output controls the gripper, with the delays `ioOpen` and `ioClose`.
     #[schemars(with = "String")]
     pub tool: Option<String>,
-    /// The instruction after which the gripper of a tool holds a part: `close` by default.
+    /// The instruction with which a tool's gripper holds a part: `close` by default.
     #[schemars(with = "HoldingState")]
     pub holds: Option<HoldingState>,
-    /// Values of signals while which a gripper without a tool holds a part.
+    /// Signal values at which a gripper without a tool holds a part.
     #[schemars(with = "WhenKey")]
     pub when: Option<WhenKey>,
     /// The carrier of a gripper without a tool: `flange` (default), or a tool of the application.
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The point of a gripper without a tool in that frame, as the pose of an object.
+    /// The grip point of a gripper without a tool in the carrier's frame, like the pose of an object.
     pub at: Vec<f64>,
-    /// The greatest distance in mm of a part from the tool centre point. 5 by default.
+    /// The largest distance in mm between a gripped part and the grip point. 5 by default.
     pub within: f64,
-    /// Values of inputs while the gripper holds a part.
+    /// Input values while the gripper holds a part.
     pub holding: SignalValues,
-    /// Values of inputs while the gripper holds no part.
+    /// Input values while the gripper holds no part.
     pub empty: SignalValues,
-    /// The objects of the gripper, which may touch parts; by default, all objects in the flange and in the tool.
+    /// The objects that belong to the gripper and may touch parts; by default, all objects on the flange and on the
+    /// tool.
     #[schemars(with = "Vec<String>")]
     pub objects: Option<Vec<String>>,
 }
@@ -51,7 +52,7 @@ impl Default for GripperEntry {
     }
 }
 
-/// An instruction after which a gripper holds a part.
+/// The instruction with which a gripper holds a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum HoldingState {

@@ -5,34 +5,34 @@ use serde::Deserialize;
 
 use super::shapes::{ShapeEntry, ShapeKeys};
 
-/// A thing that a gripper can carry, once or several times.
+/// A thing that a gripper can carry, in one or more copies.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PartEntry {
     /// The name in messages: letters, digits, `_` and blanks. Copies have an index: `carton[0]`.
     pub name: String,
-    /// The place at the start: `world` (default), `base`, a frame of the application, or an object that stands.
+    /// The carrier at the start: `world` (default), `base`, a frame of the application, or a stationary object.
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The pose of the shapes in that frame, as the pose of an object.
+    /// The pose of the shapes in the carrier's frame, like the pose of an object.
     pub at: Vec<f64>,
     /// The number of parts.
     #[schemars(with = "u32")]
     pub copies: Option<u32>,
     /// The shift in mm from one copy to the next.
     pub step: Vec<f64>,
-    /// The depth in mm of an overlap that is no contact: parts touch what they stand on. 1 by default.
+    /// The overlap depth in mm up to which nothing is a contact, because parts touch their supports. 1 by default.
     pub touch: f64,
-    /// The shapes of a part that has several.
+    /// The shapes of a part with several shapes.
     pub shapes: Vec<ShapeEntry>,
-    /// The distance below which something is too near to this part. Without it, only the own distances of objects count.
+    /// The distance in mm below which something is too near to this part. Without it, only clearances of objects apply.
     #[schemars(with = "f64")]
     pub clearance: Option<f64>,
-    /// The colour in pictures: `#b5651d`.
+    /// The colour in pictures, for example `#b5651d`.
     #[schemars(with = "String")]
     pub colour: Option<String>,
-    /// The shape of a part that has one.
+    /// The shape of a part with one shape.
     #[serde(flatten)]
     pub shape: ShapeKeys,
 }

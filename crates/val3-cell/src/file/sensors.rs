@@ -11,14 +11,14 @@ use super::shapes::ShapeEntry;
 pub struct SensorEntry {
     /// The name in messages and conditions: letters, digits, `_` and blanks.
     pub name: String,
-    /// The carrier of the sensor, as the carrier of an object.
+    /// The carrier of the sensor, like the carrier of an object.
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The line that something interrupts.
+    /// The line of a light barrier, which detects what interrupts it.
     #[schemars(with = "BeamKeys")]
     pub beam: Option<BeamKeys>,
-    /// The shape that something enters.
+    /// The shape in which the sensor detects things.
     #[schemars(with = "ShapeEntry")]
     pub zone: Option<ShapeEntry>,
     /// The input, which is true while the sensor detects something.
@@ -26,11 +26,11 @@ pub struct SensorEntry {
     pub io: Option<String>,
     /// Whether the input is false while the sensor detects something.
     pub not: bool,
-    /// Names of the parts, objects and links that the sensor detects, in which `*` stands for any letters; `arm` means
-    /// all links. By default, all parts.
+    /// Names of the parts, objects and links that the sensor detects. `*` matches any characters; `arm` means all
+    /// links. By default, all parts.
     #[schemars(with = "Vec<String>")]
     pub sees: Option<Vec<String>>,
-    /// The delay in seconds after which the input changes.
+    /// The delay in seconds between the detection and the change of the input.
     pub delay: f64,
 }
 

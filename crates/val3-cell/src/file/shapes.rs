@@ -6,18 +6,18 @@ use camino::{Utf8Path, Utf8PathBuf};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-/// One of several shapes.
+/// One shape of a thing with several shapes.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ShapeEntry {
-    /// The pose in the frame of the thing, as the pose of a thing.
+    /// The pose of the shape in the frame of the thing, like the pose of an object.
     pub at: Vec<f64>,
     /// The shape.
     #[serde(flatten)]
     pub shape: ShapeKeys,
 }
 
-/// The keys for a shape, of which one is used.
+/// The keys for a shape. Exactly one form is used.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ShapeKeys {
@@ -34,14 +34,15 @@ pub struct ShapeKeys {
     /// The points within a radius of a line: a cylinder with round ends.
     #[schemars(with = "CapsuleKey")]
     pub capsule: Option<CapsuleKey>,
-    /// An STL file (mm, z up) or a GLB file (m, y up), relative to the folder of this file. A thing that stands keeps its
-    /// surface, so that something can be inside of it; of a thing that the arm carries, the convex hull is used.
+    /// An STL file (mm, z up) or a GLB file (m, y up), relative to the folder of this file. A stationary thing is
+    /// compared by the mesh surface, so that other things can be inside of it. A thing on the arm is compared by the
+    /// convex hull.
     #[schemars(with = "String")]
     pub mesh: Option<Utf8PathBuf>,
-    /// The unit of lengths in the mesh: `mm` by default, `m` for a GLB file.
+    /// The length unit of the mesh: `mm` by default, `m` for a GLB file.
     #[schemars(with = "MeshUnit")]
     pub unit: Option<MeshUnit>,
-    /// Whether the convex hull of the mesh is used (`true`), or its surface (`false`).
+    /// Whether to use the convex hull of the mesh (`true`) or the mesh surface (`false`).
     #[schemars(with = "bool")]
     pub hull: Option<bool>,
 }
@@ -112,7 +113,7 @@ pub struct CapsuleKey {
     pub radius: f64,
 }
 
-/// A unit of lengths in a mesh.
+/// Length unit of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MeshUnit {
@@ -123,13 +124,13 @@ pub enum MeshUnit {
 }
 
 impl MeshUnit {
-    /// Returns the usual unit of a mesh file.
+    /// Returns the default unit for a mesh file, by its extension.
     pub(crate) fn of(path: &Utf8Path) -> Self {
         let is_glb = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("glb"));
         if is_glb { Self::M } else { Self::Mm }
     }
 
-    /// Returns the unit in mm.
+    /// Returns the length of the unit in mm.
     pub(crate) const fn length(self) -> f64 {
         match self {
             Self::Mm => 1.0,

@@ -1,4 +1,4 @@
-//! Keys for values of signals.
+//! Keys for signal values.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -6,14 +6,14 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-/// Values of signals, by the paths or names of the signals.
+/// Signal values, by signal path or name.
 pub type SignalValues = BTreeMap<String, SignalLevel>;
 
-/// A condition: all signals have their values.
+/// A condition that holds while all signals have their values.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct WhenKey {
-    /// Values of signals, by the paths or names of the signals.
+    /// Signal values, by signal path or name.
     pub io: SignalValues,
 }
 

@@ -9,14 +9,14 @@ use crate::scene::BodyCarrier;
 const HANGS: f64 = 50.0;
 
 impl Handling {
-    /// Height of a part in mm above all stationary bodies below it, by the boxes around both, if it hangs in the air;
-    /// `None` if nothing is below it.
+    /// Height of a part in mm above all stationary bodies below it, computed with bounding boxes, if the part hangs in
+    /// the air; `None` if nothing is below it.
     pub(super) fn height_above(&self, part: usize, view: &HandlingView<'_>) -> Option<f64> {
         let bounds = self.bounds_of(view.scene.part_body(part), view)?;
         let others = (0..view.scene.bodies.len()).filter(|body| *body != view.scene.part_body(part));
         let standing = others.filter(|body| self.stands(*body, view)).filter_map(|body| self.bounds_of(body, view));
         let below = standing.filter(|other| shares_plan(&bounds, other) && other.min.z < bounds.min.z);
-        // Parts have the boxes of their cores.
+        // The bounding box of a part encloses its core, which is smaller by `touch` on each side.
         let touch = view.scene.cell().parts.get(part)?.touch;
         let height = below.map(|other| bounds.min.z - touch - other.max.z).reduce(f64::min)?;
         (height > HANGS).then_some(height)
@@ -31,7 +31,7 @@ impl Handling {
         })
     }
 
-    /// A box around a body; `None` without a place.
+    /// Bounding box of a body; `None` if it has no pose.
     pub(super) fn bounds_of(&self, body: usize, view: &HandlingView<'_>) -> Option<Bounds> {
         let body = view.scene.bodies.get(body)?;
         let pose = view.body(body.carrier, &self.parts)?;
@@ -40,7 +40,7 @@ impl Handling {
     }
 }
 
-/// Whether two boxes overlap in a view from above.
+/// Whether two boxes overlap in the top view.
 fn shares_plan(first: &Bounds, second: &Bounds) -> bool {
     let overlaps = |low: f64, high: f64, from: f64, to: f64| low < to && from < high;
     overlaps(first.min.x, first.max.x, second.min.x, second.max.x)

@@ -1,4 +1,4 @@
-//! Conveyors: the parts that they shift, and the parts that they receive.
+//! Conveyors: moving the parts on them, and receiving new parts.
 
 use std::sync::Arc;
 
@@ -12,21 +12,21 @@ use crate::file::ConveyorEnd;
 use crate::part::{PartHolder, PartPlace};
 use crate::scene::{BodyCarrier, Places};
 
-/// Gap in mm at which a part stops before another part.
+/// Gap in mm that a part keeps to the part ahead.
 const GAP: f64 = 1.0;
 
-/// Height in mm above the belt up to which a conveyor shifts a part.
+/// Height in mm above the belt up to which a conveyor moves a part.
 const ABOVE: f64 = 50.0;
 
-/// A part that stands, in the frame of a track.
+/// A standing part, in the track's frame.
 struct TrackPart {
     number: usize,
     bounds: Bounds,
 }
 
 impl Handling {
-    /// Shifts the parts on a conveyor for a cycle of this duration in seconds, and receives new parts. `runs` is the
-    /// state of its signals; `None` if one of them does not exist.
+    /// Moves the parts on a conveyor for a cycle of this duration in seconds, and receives new parts. `runs` is the
+    /// conveyor's state according to its signals; `None` if one of the signals does not exist.
     pub(super) fn convey(
         &mut self,
         number: usize,
@@ -40,7 +40,7 @@ impl Handling {
         let track = place * conveyor.track;
         let mut events = Vec::new();
         let runs = runs.unwrap_or_default();
-        // It ran during the cycle if it did at the beginning; a change of its signals takes effect at the end.
+        // The state at the beginning of the cycle counts. A signal change takes effect at the end of the cycle.
         let shift = if state.runs == Some(true) { conveyor.speed * cycle } else { 0.0 };
         let has_moved = self.shift(conveyor, &track, shift, &mut events, view);
         if state.runs != Some(runs) {
@@ -49,7 +49,7 @@ impl Handling {
         }
         state.is_moving = runs && (has_moved || shift == 0.0 && self.on_belt(conveyor, &track, view).next().is_some());
         if runs && state.next.is_due(view.sight.time) {
-            events.extend(self.feed(conveyor, &mut state, (&place, &track), view));
+            events.extend(self.feed(conveyor, &mut state, &place, view));
         }
         if let Some(known) = self.conveyors.get_mut(number) {
             *known = state;
@@ -57,7 +57,7 @@ impl Handling {
         events
     }
 
-    /// Shifts the parts on a belt, the foremost first. Returns whether one of them has moved.
+    /// Moves the parts on a belt, the foremost first. Returns whether at least one part has moved.
     fn shift(
         &mut self,
         conveyor: &Conveyor,
@@ -87,7 +87,7 @@ impl Handling {
         has_moved
     }
 
-    /// Way in mm that a part can move before it reaches the end of the belt or the part ahead.
+    /// Distance in mm that a part can move before it reaches the end of the belt or the part ahead.
     fn free_way(
         &self,
         conveyor: &Conveyor,
@@ -114,17 +114,17 @@ impl Handling {
         }
     }
 
-    /// Adds the next part to a belt, if its place is free.
+    /// Adds the next part to the belt of a conveyor at `place` in `world`, if there is room for it.
     fn feed(
         &mut self,
         conveyor: &Conveyor,
         state: &mut ConveyorState,
-        (place, track): (&IsometryMatrix3<f64>, &IsometryMatrix3<f64>),
+        place: &IsometryMatrix3<f64>,
         view: &HandlingView<'_>,
     ) -> Option<HandlingEvent> {
         let waits = |part: &usize| self.parts.get(*part).is_some_and(|place| place.holder == PartHolder::Gone);
         let next = conveyor.feed.as_ref().and_then(|feed| {
-            // A script may have placed a part before its arrival.
+            // Skips parts that a script has placed before their arrival.
             let skipped = feed.parts.iter().skip(state.fed).position(waits)?;
             state.fed += skipped;
             Some((feed, *feed.parts.get(state.fed)?))
@@ -134,13 +134,14 @@ impl Handling {
             return None;
         };
         let pose = place * feed.pose;
-        let bounds = part_bounds(part, &pose, track, view)?;
-        if self.track_parts(track, view).any(|other| overlap(&bounds, &other.bounds)) {
+        let track = place * conveyor.track;
+        let bounds = part_bounds(part, &pose, &track, view)?;
+        if self.track_parts(&track, view).any(|other| overlap(&bounds, &other.bounds)) {
             state.next = NextPart::Blocked;
             return None;
         }
         *Arc::make_mut(&mut self.parts).get_mut(part)? = PartPlace { holder: PartHolder::World, pose };
-        // A part that has waited for its place delays the next one.
+        // If a part had to wait for a free pose, the next part is delayed as well.
         let time = if let NextPart::At(due) = state.next { due } else { view.sight.time };
         state.next = NextPart::At(time + feed.every);
         state.fed += 1;
@@ -149,7 +150,7 @@ impl Handling {
         Some(HandlingEvent::Part { part: name, is_gone: false })
     }
 
-    /// Standing parts that a conveyor shifts.
+    /// Standing parts that a conveyor moves.
     fn on_belt<'h>(
         &'h self,
         conveyor: &'h Conveyor,
@@ -164,7 +165,7 @@ impl Handling {
         })
     }
 
-    /// All standing parts, in the frame of a track.
+    /// All standing parts, in the track's frame.
     fn track_parts<'h>(
         &'h self,
         track: &'h IsometryMatrix3<f64>,
@@ -183,7 +184,7 @@ impl Handling {
     }
 }
 
-/// Box around a part at a pose in `world`, in the frame of a track.
+/// Bounding box of a part with a pose in `world`, in the track's frame.
 fn part_bounds(
     part: usize,
     pose: &IsometryMatrix3<f64>,
@@ -196,12 +197,12 @@ fn part_bounds(
     boxes.reduce(|all, next| Bounds { min: all.min.inf(&next.min), max: all.max.sup(&next.max) })
 }
 
-/// Centre of a box in a view from above.
+/// Centre of a box in the top view.
 fn centre(bounds: &Bounds) -> [f64; 2] {
     [(bounds.min.x + bounds.max.x) / 2.0, (bounds.min.y + bounds.max.y) / 2.0]
 }
 
-/// Whether a box is in the way of another one that moves along the x axis.
+/// Whether `other` blocks the way of `moving` along the x axis.
 fn is_ahead(moving: &Bounds, other: &Bounds) -> bool {
     let in_way = |from: f64, to: f64, low: f64, high: f64| from < high && low < to;
     centre(moving)[0] < centre(other)[0]
@@ -209,7 +210,7 @@ fn is_ahead(moving: &Bounds, other: &Bounds) -> bool {
         && in_way(moving.min.z, moving.max.z, other.min.z, other.max.z)
 }
 
-/// Whether two boxes overlap or are nearer than the gap between parts, along the track.
+/// Whether two boxes overlap, or their distance along the track is less than the gap between parts.
 fn overlap(one: &Bounds, other: &Bounds) -> bool {
     let touches = |from: f64, to: f64, low: f64, high: f64| from < high && low < to;
     touches(one.min.x - GAP, one.max.x + GAP, other.min.x, other.max.x)

@@ -1,14 +1,14 @@
 //! State of a conveyor between two cycles.
 
-/// Times in seconds that differ by less are equal.
+/// Tolerance in seconds within which two times are equal.
 pub(super) const SAME_TIME: f64 = 1e-9;
 
 /// State of a conveyor.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct ConveyorState {
-    /// Whether it ran at the end of the last cycle; `None` before the first.
+    /// Whether the conveyor ran at the end of the last cycle; `None` before the first cycle.
     pub(super) runs: Option<bool>,
-    /// Whether it shifted a part in the last cycle.
+    /// Whether the conveyor moved a part in the last cycle.
     pub(super) is_moving: bool,
     /// Arrival of the next part.
     pub(super) next: NextPart,
@@ -19,11 +19,11 @@ pub(super) struct ConveyorState {
 /// Arrival of the next part on a conveyor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NextPart {
-    /// After this running time in seconds; the conveyor stands.
+    /// After this running time in seconds; the conveyor is stopped.
     In(f64),
     /// At this time in seconds, if the conveyor keeps running.
     At(f64),
-    /// As soon as its place is free.
+    /// As soon as the arrival pose is free.
     Blocked,
     /// All parts have arrived.
     Never,
@@ -36,7 +36,7 @@ impl Default for NextPart {
 }
 
 impl NextPart {
-    /// Returns the arrival after the conveyor has started or stopped.
+    /// Returns the arrival after the conveyor has started or stopped at `time`.
     pub(super) fn switched(self, runs: bool, time: f64) -> Self {
         match (self, runs) {
             (Self::In(seconds), true) => Self::At(time + seconds),
@@ -55,7 +55,7 @@ impl NextPart {
 }
 
 impl ConveyorState {
-    /// Whether the conveyor changes nothing until its signals change: it moves no part, and no part is due.
+    /// Whether the conveyor changes nothing until its signals change: it moves no part, and no arrival is due.
     pub(super) fn is_idle(&self, runs: Option<bool>, time: f64) -> bool {
         self.runs == Some(runs.unwrap_or_default()) && !self.is_moving && !self.is_due(time)
     }

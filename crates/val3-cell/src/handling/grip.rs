@@ -1,4 +1,4 @@
-//! Grippers: which part they hold.
+//! Grippers: selection of the part that they hold.
 
 use std::sync::Arc;
 
@@ -10,13 +10,13 @@ use crate::gripper::{Gripper, GripperCommand, SignalWrite};
 use crate::part::{PartHolder, PartPlace};
 use crate::scene::{BodyCarrier, Scene};
 
-/// Radius in mm of the sphere at the gripping point, and exactness of distances to it.
+/// Radius in mm of the sphere that represents the grip point, and rounding unit of the distances to it.
 const POINT: f64 = 1e-6;
 
-/// A part, and its distance from the point of a gripper.
+/// A part, and its distance from a grip point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NearPart {
-    /// Name.
+    /// Part name.
     pub name: String,
     /// Distance in mm.
     pub distance: f64,
@@ -25,27 +25,27 @@ pub struct NearPart {
 /// State of a gripper.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct GripperState {
-    /// Whether the output had the value for holding in the last cycle; `None` before the first.
+    /// Whether the output had its value for holding in the last cycle; `None` before the first cycle.
     commanded: Option<bool>,
     /// Time in seconds at which the output's last change becomes effective.
     pub(super) due: Option<f64>,
-    /// Number of the part that it holds.
+    /// Index of the held part.
     holds: Option<usize>,
-    /// Whether the inputs were last written for a held part.
+    /// Whether the gripper held a part when its inputs were last written.
     written: Option<bool>,
-    /// Whether an output controls it.
+    /// Whether an output controls the gripper.
     pub(super) is_controlled: bool,
 }
 
 impl GripperState {
-    /// Whether the output is as before, and its last change has taken effect.
+    /// Whether the command is unchanged and already effective.
     pub(super) fn follows(&self, command: GripperCommand) -> bool {
         self.commanded == Some(command.holds) && self.due.is_none()
     }
 }
 
 impl Handling {
-    /// Follows the output of a gripper.
+    /// Processes the command of a gripper's output.
     pub(super) fn command(
         &mut self,
         number: usize,
@@ -57,14 +57,14 @@ impl Handling {
         state.is_controlled = true;
         let before = state.commanded.replace(command.holds);
         if before != Some(command.holds) {
-            // At the start, the output had its value for a long time.
+            // A value at the start counts as set long ago.
             let delay = if before.is_none() { 0.0 } else { command.delay };
             state.due = Some(view.sight.time + delay);
         }
         let event = match state.due.take_if(|due| *due <= view.sight.time + SAME_TIME) {
             Some(_) if command.holds && state.holds.is_none() => {
                 self.grip(number, gripper, view).filter(|event| {
-                    // A gripper that is closed at the start has not missed anything.
+                    // At the start, a closed gripper without a part is no event.
                     before.is_some() || matches!(event, HandlingEvent::Grip { part: Some(_), .. })
                 })
             }
@@ -96,7 +96,7 @@ impl Handling {
         })
     }
 
-    /// Number and distance of the nearest part that no gripper holds.
+    /// Index and distance of the nearest part that no gripper holds.
     fn nearest_part(&self, point: &IsometryMatrix3<f64>, view: &HandlingView<'_>) -> Option<(usize, f64)> {
         let ball = Shape::sphere(POINT).ok()?;
         let mut found: Option<(usize, f64)> = None;
@@ -121,7 +121,7 @@ impl Handling {
         found
     }
 
-    /// Releases the held part, which stays where it is.
+    /// Releases the held part, which keeps its pose.
     fn release(&mut self, number: usize, gripper: &Gripper, view: &HandlingView<'_>) -> Option<HandlingEvent> {
         let part = self.grippers.get_mut(number)?.holds.take()?;
         let pose = view.body(BodyCarrier::Part(part), &self.parts)?;
@@ -134,7 +134,7 @@ impl Handling {
         })
     }
 
-    /// A gripper has lost its part to a script.
+    /// Clears the held part of a gripper, because a script has placed it elsewhere.
     pub(super) fn lose(&mut self, gripper: usize, scene: &Scene) {
         if let Some(state) = self.grippers.get_mut(gripper) {
             state.holds = None;
@@ -144,7 +144,7 @@ impl Handling {
         }
     }
 
-    /// Requests the values of the gripper's inputs, if it holds a part and did not before, or the reverse.
+    /// Requests the values of the gripper's inputs if the gripper has begun or ceased to hold a part.
     fn write_inputs(&mut self, number: usize, gripper: &Gripper) {
         let Some(state) = self.grippers.get_mut(number) else { return };
         let holds = state.holds.is_some();

@@ -15,7 +15,7 @@ use crate::sensor::{Detects, Sensor};
 pub(super) struct SensorState {
     /// Whether it detects something; `None` before the first cycle.
     detects: Option<bool>,
-    /// Changes of the input, with their times in seconds.
+    /// Pending input changes, with their times in seconds.
     pending: VecDeque<(f64, bool)>,
 }
 
@@ -38,7 +38,7 @@ impl Handling {
         let before = state.detects.replace(detected.is_some());
         let has_changed = before != Some(detected.is_some());
         if has_changed {
-            // At the start, the input has its value.
+            // At the start, the input changes without a delay.
             let delay = if before.is_none() { 0.0 } else { sensor.delay };
             state.pending.push_back((view.sight.time + delay, detected.is_some()));
         }
@@ -52,7 +52,7 @@ impl Handling {
         is_event.then(|| HandlingEvent::Sensor { sensor: sensor.name.clone(), detects: detected })
     }
 
-    /// Name of the first body that a sensor detects.
+    /// Name of the first detected body.
     fn detected(&self, sensor: &Sensor, view: &HandlingView<'_>) -> Option<String> {
         let place = view.place(&sensor.carrier)? * sensor.pose;
         let bodies = view.scene.bodies.iter();

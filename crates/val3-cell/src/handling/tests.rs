@@ -25,7 +25,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// `at` is the place of the first part, relative to the flange when the arm points down.
+    /// `at` in `text` is the pose of the first part relative to the flange of the arm that points down.
     fn new(text: &str) -> Self {
         let arm = arm("tx2-60l");
         let scene = scene(text, &arm);
@@ -62,7 +62,7 @@ impl Bench {
     }
 }
 
-/// The same command for all grippers, and conveyors that run.
+/// The same command for all grippers, and running conveyors.
 fn outputs(scene: &Scene, holds: bool, delay: f64) -> CellOutputs {
     let grippers = vec![Some(GripperCommand { holds, delay }); scene.cell().grippers.len()];
     CellOutputs { grippers, conveyors: vec![Some(true); scene.cell().conveyors.len()] }
@@ -265,7 +265,7 @@ fn errors_of_sensors_name_their_keys() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Two copies of the state with the same input have the same future, for all pasts.
+    /// Two copies of the state with the same input behave equally, whatever has happened before the copy.
     #[test]
     fn a_restored_state_repeats_its_future(outputs in prop::collection::vec(any::<bool>(), 2..40), split in 0usize..40) {
         let mut first = bench(2.0);
@@ -280,7 +280,7 @@ proptest! {
         prop_assert_eq!(first.handling.take_writes(), second.handling.take_writes());
     }
 
-    /// While a part is held, it keeps its pose in the flange at any posture, and afterwards its pose in world.
+    /// A held part keeps its pose in the flange in any posture. After the release it keeps its pose in `world`.
     #[test]
     fn a_held_part_moves_with_the_flange(joints in prop::array::uniform6(-60.0..60.0f64)) {
         let mut bench = bench(1.0);

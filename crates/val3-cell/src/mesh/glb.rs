@@ -1,7 +1,7 @@
-//! Reading of GLB files (glTF 2.0, binary): positions and indices of triangles, and the transformations of nodes.
+//! GLB reader (glTF 2.0, binary): positions and indices of triangles, and the transformations of nodes.
 //!
-//! Compressed and sparse data, external buffers, strips and fans are rejected. The crate `gltf` is not used, because its
-//! iterators panic on damaged files: on a list with 0 entries, on a stride that is too small.
+//! Compressed and sparse data, external buffers, strips and fans are rejected. The crate `gltf` is not used, because
+//! its iterators panic on damaged files, for example on a list with 0 entries or a stride that is too small.
 
 mod document;
 mod placement;
@@ -12,10 +12,10 @@ use self::document::{BufferView, Document, Primitive};
 use self::placement::Placement;
 use super::{MOST_TRIANGLES, Mesh, MeshError};
 
-/// First bytes of a file.
+/// First bytes of a GLB file.
 pub(super) const MAGIC: &[u8; 4] = b"glTF";
 
-/// Bytes of the file's head, and of a chunk's head.
+/// Header size of the file, in bytes, and of a chunk.
 const HEAD: usize = 12;
 const CHUNK_HEAD: usize = 8;
 
@@ -31,17 +31,17 @@ const FLOAT: u32 = 5126;
 /// Primitive mode of separate triangles.
 const TRIANGLES: u32 = 4;
 
-/// Nesting limit and maximum number of placed nodes.
+/// Nesting limit of nodes, and maximum number of placed nodes.
 const DEEPEST: usize = 64;
 const MOST_NODES: usize = 100_000;
 
-/// A file in memory.
+/// A parsed GLB file.
 struct Glb<'b> {
     document: Document,
     binary: &'b [u8],
 }
 
-/// Returns the triangles of a file with z up, in the file's unit: metres.
+/// Returns the triangles of a file in metres, with z up.
 pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let glb = Glb::parse(bytes)?;
     let mut mesh = Mesh::default();
@@ -89,7 +89,7 @@ impl<'b> Glb<'b> {
         Ok(Self { document, binary })
     }
 
-    /// Nodes of the scene; without scenes, all nodes that are no children.
+    /// Root nodes of the scene; in a file without scenes, all nodes that are no children.
     fn roots(&self) -> Vec<usize> {
         let Document { scene, scenes, nodes, .. } = &self.document;
         match scenes.get(scene.unwrap_or_default()) {
@@ -101,7 +101,7 @@ impl<'b> Glb<'b> {
         }
     }
 
-    /// Adds the triangles of a mesh at a placement.
+    /// Adds the triangles of a mesh with a placement.
     fn add(&self, number: usize, placement: &Placement, mesh: &mut Mesh) -> Result<(), MeshError> {
         let of_node = self.document.meshes.get(number).ok_or(MeshError::Glb("a mesh does not exist"))?;
         for Primitive { attributes, indices, mode } in &of_node.primitives {
@@ -118,7 +118,7 @@ impl<'b> Glb<'b> {
             if numbers.iter().any(|number| usize::try_from(*number).is_ok_and(|number| number >= points.len())) {
                 return Err(MeshError::Glb("a triangle has a corner that does not exist"));
             }
-            // From y up to z up.
+            // Converts y up to z up.
             let up = |point: Vector3<f64>| Vector3::new(point.x, -point.z, point.y);
             mesh.points.extend(points.iter().map(|point| up(placement.point(point))));
             let triangles = numbers.as_chunks::<3>().0;
@@ -148,7 +148,7 @@ impl<'b> Glb<'b> {
             .collect())
     }
 
-    /// The bytes of an accessor, by entry.
+    /// Bytes of an accessor, by entry.
     fn entries(&self, accessor: usize, form: &str, types: &[u32]) -> Result<Vec<&'b [u8]>, MeshError> {
         let Document { accessors, buffer_views, .. } = &self.document;
         let accessor = accessors.get(accessor).ok_or(MeshError::Glb("a list of numbers does not exist"))?;
@@ -181,7 +181,7 @@ const fn size_of_component(component: u32) -> usize {
     }
 }
 
-/// Whole number from one, two or four bytes.
+/// Reads a whole number of one, two or four bytes.
 fn number(bytes: &[u8]) -> Option<usize> {
     let value = match *bytes {
         [a] => u32::from(a),
@@ -198,7 +198,7 @@ mod tests {
 
     use super::*;
 
-    /// A file with this description and these bytes.
+    /// File with this JSON description and these bytes.
     fn glb(description: &str, binary: &[u8]) -> Vec<u8> {
         let chunk = |kind: &[u8; 4], content: &[u8]| {
             let length = u32::try_from(content.len()).unwrap().to_le_bytes();

@@ -18,7 +18,7 @@ fn at(x: f64, y: f64, z: f64) -> IsometryMatrix3<f64> {
     Trsf::new([x, y, z], [0.0; 3]).isometry()
 }
 
-/// Encounters while the arm moves through joint positions and the part is at a place.
+/// Encounters while the arm moves through joint positions and the part has this place.
 fn encounters(text: &str, path: &[Joints], place: PartPlace) -> Vec<Encounter<()>> {
     let arm = arm("tx2-60l");
     let mut watch = Watch::new(scene(&format!("{GRIPPER}{text}"), &arm));
@@ -37,7 +37,7 @@ fn words(encounters: &[Encounter<()>]) -> Vec<String> {
     encounters.iter().map(word).collect()
 }
 
-/// Between the flange and the part are 150 mm.
+/// Place of a held part with a gap of 150 mm to the flange.
 fn held() -> PartPlace {
     PartPlace { holder: PartHolder::Gripper(0), pose: at(0.0, 0.0, 200.0) }
 }
@@ -62,13 +62,13 @@ fn a_thin_wall_between_two_cycles_touches_a_held_part() {
 
 #[test]
 fn a_part_that_rests_on_something_is_no_contact() {
-    // The table is 0.5 mm higher than the bottom of the part, then 2.5 mm.
+    // The table is 0.5 mm, then 2.5 mm higher than the bottom of the part.
     let table =
         |top: f64| format!("[[object]]\nname = \"table\"\nbox = [400, 400, 20]\nat = [1120, 0, {}]", top - 10.0);
     let path = [STRETCHED, [0.001, 90.0, 0.0, 0.0, 0.0, 0.0]];
     assert_eq!(words(&encounters(&table(-49.5), &path, held())), Vec::<String>::new());
     assert_eq!(words(&encounters(&table(-47.5), &path, held())), ["contact carton table -2.5"]);
-    // The clearance of the thing is also about parts.
+    // An object's own clearance also applies to parts.
     let own = format!("{}\nclearance = 40", table(-80.0));
     assert_eq!(words(&encounters(&own, &path, held())), ["near link4 table 36.5", "near carton table 30.0"]);
 }
@@ -96,7 +96,7 @@ fn a_part_on_a_standing_thing_is_not_compared_with_it() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// A held part has the encounters of an object with the same core in the flange.
+    /// A held part has the same encounters as an object on the flange with the part's core as its shape.
     #[test]
     fn a_held_part_is_as_a_carried_object(turn in 5.0..60.0f64, x in 950.0..1250.0f64, z in -80.0..80.0f64) {
         let post = format!("[[object]]\nname = \"post\"\nbox = [40, 40, 60]\nat = [{x}, 200, {z}]\n");

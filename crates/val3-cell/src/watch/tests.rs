@@ -6,10 +6,10 @@ use super::*;
 use crate::step::Past;
 use crate::testing::{arm, build, scene, sight};
 
-/// Seconds of a cycle.
+/// Duration of a cycle, in seconds.
 const CYCLE: f64 = 0.004;
 
-/// Encounters while the arm moves through joint positions, one a cycle.
+/// Encounters while the arm moves through joint positions, one position each cycle.
 fn encounters(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<Encounter<()>> {
     let mut watch = Watch::new(scene(text, arm));
     see_all(&mut watch, arm, path, 0)
@@ -109,7 +109,7 @@ fn a_thing_without_a_place_is_known() {
         watch.unplaced().map(str::to_owned).collect::<Vec<_>>()
     };
     let place = Some(Trsf::new([2000.0, 0.0, 0.0], [0.0; 3]).isometry());
-    // The place is missing while the arm rests, and known while it moves.
+    // The pose is missing while the arm rests, and exists while it moves.
     assert_eq!(see([0.0; 6], None, 0.0), [""; 0]);
     assert_eq!(see([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], place, 0.004), [""; 0]);
     assert_eq!(see([2.0, 0.0, 0.0, 0.0, 0.0, 0.0], None, 0.008), ["cup"]);
@@ -146,7 +146,7 @@ fn parts_of_the_arm_come_near_each_other() {
     assert!(found.iter().any(|one| one.state == EncounterState::Near), "{:?}", words(&found));
 }
 
-/// Things around the arm, at random places.
+/// Objects around the arm.
 const CELL: &str = "[[object]]\nname = \"table\"\nbox = [900, 900, 50]\nat = [500, 0, -300]\n\
     [[object]]\nname = \"post\"\ncylinder = { radius = 60, length = 1200 }\nat = [300, 500, 200]\n\
     [[object]]\nname = \"gripper\"\nin = \"flange\"\nbox = [60, 140, 120]\nat = [0, 0, 60]\n\
@@ -164,7 +164,7 @@ fn path() -> impl Strategy<Value = Vec<Joints>> {
         .prop_map(|corners| corners.windows(2).flat_map(|ends| line(ends[0], ends[1], 100)).collect())
 }
 
-/// Measures the smallest distance of each pair on a path at four positions in each cycle, without bounds.
+/// Measures the smallest distance of each pair on a path at four positions in each cycle, without lower bounds.
 fn sampled(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<f64> {
     let scene = scene(text, arm);
     let least = |pair: &Pair| {

@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_lang::instructions::{IS_KEY_PRESSED, READ_KEYS};
-use val3_lang::keys::{CollectionKey, KEYS};
+use val3_lang::keys::{KEYS, PendantKey};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
@@ -71,12 +71,12 @@ fn reads_key(program: &ProgramView<'_>, id: ExprId) -> bool {
     matches!(program.body.expr(*callee), Expr::Name(name) if READ_KEYS.contains(&name.as_str()))
 }
 
-fn key(program: &ProgramView<'_>, id: ExprId) -> Option<&'static CollectionKey> {
+fn key(program: &ProgramView<'_>, id: ExprId) -> Option<&'static PendantKey> {
     let number = program.body.number(id)?;
     KEYS.iter().find(|key| f64::from(key.code) == number)
 }
 
-fn word(key: &CollectionKey) -> Wording {
+fn word(key: &PendantKey) -> Wording {
     Wording::new(
         format!("{} is the key {} of the pendant", key.code, key.name),
         format!("the key {}", key.name),

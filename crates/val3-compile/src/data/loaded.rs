@@ -12,7 +12,7 @@ pub(crate) struct Loaded {
 /// Link in a container's value, or in a value nested in it.
 #[derive(Debug, Clone)]
 pub(crate) struct LoadedLink {
-    /// Path from the outermost container: number of the value, then of its field.
+    /// Path from the outermost container: for each level, the value number and the field number.
     pub(crate) path: Vec<(u32, u32)>,
     /// Number of the value in the innermost container.
     pub(crate) value: u32,

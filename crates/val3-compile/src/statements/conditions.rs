@@ -85,7 +85,7 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// Compiles a comparison and its jump as one operation. Comparisons with NaN are false, so the contrary of `a < b`
+    /// Compiles a comparison and its jump as one operation. Comparisons with NaN are false, so the negation of `a < b`
     /// is not `b <= a`.
     fn branch_order(&mut self, op: BinaryOp, left: ExprId, right: ExprId, when: bool, label: Label) -> Result<()> {
         let ((left, right), to) = (self.values.nums(left, right)?, label.0);

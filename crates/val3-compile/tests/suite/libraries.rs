@@ -227,7 +227,7 @@ fn the_whole_interface_is_compared() {
     }
 }
 
-/// Output of an application that loads another library than the library of its interface.
+/// Output of an application that declares the library `part` and loads this library in its place.
 fn run_with_loaded(loaded: &str) -> String {
     let listing = format!(
         "library part \"Disk://part/part.pjx\" autoload=false\nprogram start()\nbegin\n  \

@@ -116,7 +116,7 @@ return
     )
 }
 
-/// Checks that every further value costs the same work.
+/// Checks that each additional value costs the same work.
 #[track_caller]
 fn check_proportion(what: &str, counts: [u32; 3], listing: impl Fn(u32) -> String) {
     let [few, some, many] = counts.map(|count| visits_to_compile(&listing(count)));

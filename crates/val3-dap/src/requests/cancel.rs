@@ -1,4 +1,5 @@
-//! `cancel`: a request that is still in progress when `cancel` is handled does not exist.
+//! `cancel`: has no effect of its own. Requests in progress find a pending `cancel` in the queue of messages, so when
+//! it is handled in its turn, no request is in progress.
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;

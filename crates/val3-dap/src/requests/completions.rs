@@ -23,7 +23,7 @@ impl DebugRequest for Completions {
         arguments: CompletionsArguments,
     ) -> Result<CompletionsResponse, RequestFailure> {
         let context = session.context(arguments.frame_id, run)?;
-        // The console may have several lines; the column belongs to this one.
+        // The console may contain several lines; the column refers to this line.
         let number = arguments.line.map_or(0, |line| session.conventions.row(line).saturating_sub(1)) as usize;
         let text = arguments.text.lines().nth(number).unwrap_or_default();
         let at = byte_offset(text, session.conventions.offset(arguments.column));
@@ -33,8 +33,8 @@ impl DebugRequest for Completions {
     }
 }
 
-/// Converts a completion in this line of the console. `start` counts from 0 for every client: VS Code has columns that
-/// start at 1, and expects it nevertheless.
+/// Converts a completion in this line of the console. `start` counts from 0 for every client, because VS Code expects
+/// this although it announces columns that start at 1.
 fn item(completion: FrameCompletion, text: &str) -> CompletionItem {
     let characters = |byte: usize| text.get(..byte).map_or(0, |before| before.encode_utf16().count());
     let (start, end) = (characters(completion.range.start), characters(completion.range.end));

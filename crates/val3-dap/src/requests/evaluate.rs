@@ -56,7 +56,7 @@ impl DebugRequest for Evaluate {
     }
 }
 
-/// Notes that breakpoints have no effect in the debug console.
+/// Formats the note that breakpoints have no effect in the debug console.
 fn passed(stops: u32) -> String {
     let times = if stops == 1 { "a breakpoint".to_owned() } else { format!("breakpoints {stops} times") };
     format!("the code has passed {times} in called programs, which do not stop in the debug console")

@@ -53,7 +53,7 @@ fn failed_assertion(message: String) -> ExceptionInfoResponse {
     }
 }
 
-/// `cause`: what the error is about, with a colon before it, or empty.
+/// Describes a run-time error. `cause` is the variable that caused the error, preceded by a colon, or empty.
 fn run_time_error(number: u16, cause: &str) -> ExceptionInfoResponse {
     let error = runtime_errors::find(number);
     let (short, long) = error.map_or(("unknown run-time error", ""), |error| (error.short, error.long));
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn a_missing_signal_is_named_with_its_variable() {
-        let gone = "`diIn` has the link `Io\\start`, which leads to no signal of this controller";
+        let gone = "`diIn` has the link `Io\\start`, but this controller has no such signal";
         for (code, cause) in [
             ("wait(diFree)", "`diFree` has no link"),
             ("doList[1]=diIn", "`doList[1]` has no link"),

@@ -23,7 +23,7 @@ impl DebugRequest for RestartFrame {
         let frame = session.handles.frame(arguments.frame_id).ok_or(RequestFailure::Stale)?;
         let stop = run.debugger.restart_frame(frame.task, frame.depth).map_err(RequestFailure::rejected)?;
         let event = stop_event::stopped(&stop, &mut run.debugger.controller);
-        // The specification names the reason only in the text about the request.
+        // The specification mentions this reason only in the description of the request.
         let reason = StoppedEventReason::Other("restart".to_owned());
         session.stopped_elsewhere(StoppedEvent { reason, ..event });
         Ok(())

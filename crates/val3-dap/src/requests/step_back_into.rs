@@ -1,4 +1,4 @@
-//! `val3/stepBackInto`: returns to the line before, also inside of a program that has been called.
+//! `val3/stepBackInto`: returns to the previous line, which may be in a called program.
 
 use val3_debug::StepKind;
 

@@ -1,4 +1,4 @@
-//! `terminateThreads`: kills tasks; none of them if one does not exist.
+//! `terminateThreads`: kills tasks. If one of them does not exist, none is killed.
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;

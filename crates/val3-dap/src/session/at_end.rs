@@ -1,4 +1,4 @@
-//! Ends of a run before which it stops, so that the user can inspect it, change what its tasks wait for, or go back.
+//! Stops before the end of a run, so that the user can inspect it, end the waits of its tasks, or go back.
 
 use val3_debug::Stop;
 use val3_machine::controller::RunStatus;
@@ -10,8 +10,8 @@ use crate::stop_event;
 impl DebugSession {
     /// Stops a run that would end with this status. Returns `false` if the run ends.
     ///
-    /// Tasks that wait can continue after a change from outside, so a run in which no task can continue stops each
-    /// time.
+    /// A run in which no task can continue stops each time it gets stuck, because a change from outside can end the
+    /// waits.
     pub fn stop_at_end(&mut self, status: RunStatus, run: &mut DebuggedRun<'_>) -> bool {
         if self.start.is_plain_run || !self.client.is_connected() {
             return false;
@@ -38,7 +38,7 @@ impl DebugSession {
     }
 
     /// Stops a run that has reached the end of the recording that it repeats. Returns `false` if the run ends, because
-    /// the client has continued it from there, or wants no stop at the end.
+    /// the client has continued it from there, or has requested no stop at the end.
     pub fn stop_at_recorded_end(&mut self, run: &mut DebuggedRun<'_>) -> bool {
         let settings = &self.start.settings;
         let is_wanted = settings.stops_on_exit || settings.starts_at_end;
@@ -58,14 +58,14 @@ impl DebugSession {
         self.runs_to_end && !self.start.is_plain_run && self.phase == SessionState::Running
     }
 
-    /// Whether the run does not stop here, because it goes to its end.
+    /// Whether the stop is ignored, because the run goes to its end.
     pub(super) fn passes(&self, stop: &Stop, run: &DebuggedRun<'_>) -> bool {
         let is_end = |task| run.debugger.controller.vm.is_at_end(task);
         let is_at_end = matches!(stop, Stop::Exit { .. } | Stop::Pause { .. }) || stop.task_alone().is_some_and(is_end);
         self.is_running_to_end() && !is_at_end
     }
 
-    /// The run stops: from now on it stops everywhere else too.
+    /// Ends the run to the end (`startAtEnd`) at its first stop. From now on, the other stops apply too.
     pub(super) fn end_run_to_end(&mut self, run: &mut DebuggedRun<'_>) {
         if std::mem::take(&mut self.runs_to_end) {
             self.start.settings.apply_modes(run.debugger);

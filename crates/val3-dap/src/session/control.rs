@@ -24,7 +24,7 @@ impl DebugSession {
         known.ok_or(RequestFailure::NoSuchTask)
     }
 
-    /// Begins a step of a task. `is_single`: all other tasks are paused.
+    /// Begins a step of a task. If `is_single` is true, all other tasks are paused.
     ///
     /// # Errors
     /// The task does not exist or is not stopped.
@@ -59,7 +59,8 @@ impl DebugSession {
     pub(crate) fn run_changed(&mut self, run: &mut DebuggedRun<'_>) {
         self.report_new_future(run);
         if self.phase == SessionState::Stopped {
-            // Programs and watches have a forced input at once. In a running application its next cycle reads it.
+            // Expressions that are evaluated now read a forced input immediately, as do the next lines of programs. A
+            // running application reads it in its next cycle.
             run.debugger.controller.devices.state.io.show_inputs();
         }
         run.debugger.begin_new_future();
@@ -85,7 +86,7 @@ impl DebugSession {
         if is_alone { Ok(true) } else { self.check_stopped().map(|()| false) }
     }
 
-    /// Resumes all tasks, or one. Returns whether it is one.
+    /// Resumes all tasks, or only one. Returns whether only one was resumed.
     ///
     /// # Errors
     /// The tasks are not stopped.
@@ -130,7 +131,7 @@ impl DebugSession {
         }
     }
 
-    /// Reports before a change that it discards recorded events, if the run has gone back.
+    /// Reports that the next change discards later recorded events, if the run has gone back.
     pub(crate) fn report_new_future(&mut self, run: &DebuggedRun<'_>) {
         if run.debugger.is_in_past() {
             self.note("the run continues from here with a change: a new future begins");
@@ -151,7 +152,7 @@ impl DebugSession {
         self.phase = SessionState::Running;
     }
 
-    /// Reports that the run is at another moment or line without having run there. There is no `invalidated`, because
+    /// Reports that the run is at another moment or line without having run there. Sends no `invalidated`, because
     /// clients request all values after a stop, and VS Code would also request values of the previous stop.
     pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
         self.is_at_recorded_end = false;

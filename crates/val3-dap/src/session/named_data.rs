@@ -8,20 +8,20 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::inspection::InspectedItem;
 
-/// Name of data: of a value inside another one, or an expression in a stack frame.
+/// Data that a client names: a value nested in another value, or an expression in a stack frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NamedData<'a> {
     /// Name of the value, expression, or path of a signal.
     pub(crate) name: &'a str,
-    /// Handle of the value that contains it.
+    /// Handle of the enclosing value.
     pub(crate) variables_reference: Option<i32>,
     /// Handle of the stack frame.
     pub(crate) frame: Option<i32>,
 }
 
 impl DebugSession {
-    /// Returns the data with a name: a variable, element, field or signal. The indexes of an expression have their
-    /// present values. The inner error is the reason why there are no such data, for users.
+    /// Returns the named variable, element, field or signal. Indexes in an expression are evaluated now. The inner
+    /// error is the reason why there are no such data, for users.
     ///
     /// # Errors
     /// A handle is stale, or no application is loaded.

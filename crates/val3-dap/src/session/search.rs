@@ -11,15 +11,15 @@ use crate::failure::RequestFailure;
 use crate::protocol::{ProgressEndEvent, ProgressStartEvent, ProgressUpdateEvent, StandardEvent};
 use crate::stop_event;
 
-/// Replayed cycles before progress is reported: some tenths of a second.
+/// Number of replayed cycles before progress is reported: some tenths of a second.
 const LONG: u32 = 2_000;
 
-/// Replayed cycles between two checks for a cancellation.
+/// Number of replayed cycles between two checks for a cancellation.
 const LOOK: u32 = 50;
 
 impl DebugSession {
-    /// Searches the history backwards, and restores the moment that it finds. The client has the response already,
-    /// because a search may take longer than clients wait.
+    /// Searches the history backwards, and restores the found moment. The response was already sent, because a search
+    /// may take longer than the timeout of clients.
     pub(crate) fn go_back(&mut self, goal: Goal, run: &mut DebuggedRun<'_>) {
         let mut search = ReverseSearch::new("Going back in the run", self);
         let client = &mut self.client;
@@ -53,7 +53,7 @@ impl DebugSession {
     }
 }
 
-/// A search for a client.
+/// A search in the history that a client has requested.
 struct ReverseSearch {
     /// Title of the progress.
     title: &'static str,
@@ -72,7 +72,8 @@ impl ReverseSearch {
         Self { title, request, id: format!("search {request}"), shows_progress, cycles: 0, seen: None }
     }
 
-    /// A cycle was replayed.
+    /// Counts a replayed cycle, reports progress, and breaks if the client has cancelled. `part` is the searched part
+    /// of the history, from 0 to 1.
     fn pass(&mut self, part: f64, client: &mut Client) -> ControlFlow<()> {
         self.cycles += 1;
         if self.cycles.is_multiple_of(LOOK) && client.has_cancelled(self.request, &self.id) {

@@ -141,7 +141,7 @@ fn simple_instance(schema: &Value) -> BoxedStrategy<Value> {
     }
 }
 
-/// The content after decoding and encoding.
+/// Returns the content after decoding and encoding.
 fn converted(content: MessageContent) -> MessageContent {
     match content {
         MessageContent::Request { command, arguments } => {
@@ -157,7 +157,7 @@ fn converted(content: MessageContent) -> MessageContent {
     .unwrap()
 }
 
-/// Missing arguments are the same as those without properties.
+/// Replaces missing content by an empty object, because both are decoded alike.
 fn with_content(mut content: MessageContent) -> MessageContent {
     let (MessageContent::Request { arguments: value, .. }
     | MessageContent::Response { body: value, .. }

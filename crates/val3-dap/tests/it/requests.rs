@@ -1,4 +1,4 @@
-//! Requests of clients: tolerated, and answered with an error.
+//! Unusual requests of clients: accepted, or rejected with an error.
 
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -8,7 +8,7 @@ use val3_dap::{MessageContent, MessageError, ProtocolMessage, StandardRequest};
 
 use crate::frames::json_value;
 
-/// The failed response to a request that is not understood.
+/// Returns the failed response to a request that cannot be decoded.
 fn refusal(command: &str, arguments: Value) -> Value {
     let error = StandardRequest::parse(command, Some(arguments)).unwrap_err();
     let message = ProtocolMessage { seq: 1, content: error.response(7).unwrap() };

@@ -16,7 +16,7 @@ use super::names::AccessNames;
 use super::text::{DisplayFormat, index, key, radians, shown, sizes, type_name};
 use super::{DebugValue, Inside, ValueNode, ValuePath, positions};
 
-/// Values of a page, as the memory has them.
+/// Values of a page, by their location in memory.
 pub(super) enum ItemRange {
     /// Variables of a stack frame.
     Variables(Frame, Vec<FrameVariable>),
@@ -207,7 +207,7 @@ pub(super) fn gone(name: String) -> DebugValue {
     DebugValue { name, type_name: String::new(), shown, path: None, refers_to: None, inside: None }
 }
 
-/// Returns a value that the program of the stack frame cannot name.
+/// Removes the paths from a value, because the program of the stack frame cannot name it.
 fn unseen(value: DebugValue) -> DebugValue {
     let hide = |inside: Inside| Inside { path: ValuePath { prefix: None, ..inside.path }, ..inside };
     DebugValue { path: None, inside: value.inside.map(hide), ..value }

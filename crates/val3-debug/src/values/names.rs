@@ -16,7 +16,7 @@ const SEARCHED: usize = 10_000;
 /// Names by which a program accesses data and its task's variables.
 #[derive(Debug, Default)]
 pub(crate) struct AccessNames {
-    /// Applications and libraries, with the prefix of their data names.
+    /// Applications and libraries, each with the prefix for names of its data.
     data: Vec<(String, Arc<Image>, Arc<[StoreId]>)>,
     /// Stack frames of the task, the innermost first.
     frames: Vec<(Frame, Arc<Image>)>,
@@ -107,8 +107,8 @@ impl AccessNames {
     }
 }
 
-/// Returns the prefix with which `own` names data of an application or library: none for its own data, else the
-/// identifier of the library, or its name if `own` does not use it.
+/// Returns the prefix with which `own` names data of an application or library: none for its own data, otherwise the
+/// library identifier, or the library name if `own` does not use the library.
 fn prefix(vm: &Vm, own: Option<InstanceId>, id: InstanceId, instance: &Instance) -> String {
     if own == Some(id) {
         return String::new();

@@ -18,7 +18,7 @@ pub struct DisplayFormat {
     pub radians: bool,
     /// Whether numbers have all digits that distinguish them: `0.3333333333333333`.
     pub exact: bool,
-    /// Whether values are without notes, such as the link of an input.
+    /// Whether additional information is omitted, for example the link of an input.
     pub bare: bool,
 }
 

@@ -200,7 +200,7 @@ fn a_frame_restarts_where_its_program_was_called() {
     "#]]
     .assert_eq(&(seen.join("\n") + "\n"));
     assert_eq!(debugger.restart_frame(task, 1), Err(RestartFault::NoFrame));
-    // The run repeats the same course.
+    // The continued run repeats the same lines.
     set(&mut debugger, "add", &[(2, None)]);
     let again = run(&mut debugger);
     assert_eq!(shown(&debugger, again), "[0] main~: add:2 < start:2");

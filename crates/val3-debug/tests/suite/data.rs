@@ -312,7 +312,7 @@ fn link_all(Controller { vm, devices, .. }: &mut Controller, array: &str, paths:
     vm.space.memory.store_mut(store).unwrap().links = links.collect();
 }
 
-/// An input changes from outside, before the first line of a cycle.
+/// Inputs change from outside, before the first line of a cycle.
 #[test]
 fn signals_are_watched() {
     let listing = "program start()\nbegin\n  while true\n    delay(0)\n  endWhile\nend\n";

@@ -358,7 +358,7 @@ fn steps_back_pass_the_lines_of_the_steps_forward() {
         back.reverse();
         forward.pop();
         assert_eq!(back, forward[1..], "{kind:?}");
-        // The run repeats the same course.
+        // The continued run repeats the same lines.
         let again = run(&mut debugger);
         assert_eq!(shown(&debugger, again), "[0] main~: start:1");
     }

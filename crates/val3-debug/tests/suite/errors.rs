@@ -92,7 +92,7 @@ fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
     }
 }
 
-/// Going back stops there as well, by breakpoints and by lines, and the run can continue from there.
+/// Going back, by breakpoints and by lines, also stops before the path, and the run can continue from there.
 #[test]
 fn going_back_stops_before_an_impossible_path() {
     let mut debugger = debugger(&CUT_CORNER.replace("delay(5)", "delay(5)\n  delay(1)"));

@@ -445,7 +445,7 @@ fn steps_back_pass_the_motions_of_the_steps_forward() {
     }
     back.reverse();
     assert_eq!(back, forward[1..]);
-    // The run repeats the same course.
+    // The continued run repeats the same motion.
     run(&mut debugger).unwrap();
     for expected in &forward[1..] {
         debugger.step(task, StepKind::Over);

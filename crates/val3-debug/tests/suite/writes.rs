@@ -59,7 +59,7 @@ fn writes_are_listed_backwards() {
     }
 }
 
-/// The writes are those at which a data breakpoint stops, however few snapshots the history has.
+/// The recorded writes are the stops of a data breakpoint, for any number of snapshots in the history.
 #[test]
 fn the_writes_are_those_of_a_data_breakpoint() {
     for (listing, path, snapshots) in [(DATA, "nCount", 100), (WAITS, "bSeen", 100), (WAITS, "bGo", 3)] {
@@ -106,7 +106,7 @@ fn a_search_of_writes_does_not_change_the_run() {
     assert!(debugger.is_in_past(), "the recorded future remains");
 }
 
-/// An earlier call has another variable in the same place.
+/// A variable of an earlier call was in the same place.
 #[test]
 fn the_writes_of_a_local_are_those_of_its_call() {
     let mut debugger = debugger(

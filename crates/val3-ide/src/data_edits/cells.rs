@@ -68,7 +68,7 @@ impl<'f> EditedVariable<'f> {
         let found = walk::variable(self.file, &mut self.data);
         let base = found.base;
         let value = walk::value(self.file, found, &key, at)?;
-        nested(self.file, (base, type_name), value, cell)?;
+        nested(self.file, base, type_name, value, cell)?;
         let at = at.unwrap_or(self.data.values.len().saturating_sub(1));
         self.places.entry(key).or_insert(at);
         self.touched.push(at);
@@ -110,7 +110,8 @@ fn known_key(shape: &SavedContainer, key: &str) -> String {
 /// Sets a cell in a value with this type, or in a field inside it.
 fn nested(
     file: &DataFile<'_>,
-    (mut base, mut type_name): (Base, SmolStr),
+    mut base: Base,
+    mut type_name: SmolStr,
     value: &mut SavedValue,
     cell: &CellEdit,
 ) -> Result<(), DataProblem> {

@@ -129,7 +129,7 @@ fn words_of_the_language_show_their_page() {
         num sqrt(num nValue)
         ```
 
-        Gives the square root of a number.
+        Returns the square root of a number.
 
         - `nValue`: 0 or more.
         - Result: the root.

@@ -64,7 +64,8 @@ pub fn dimensions(container: Container) -> Option<&'static ArgumentRange> {
     }
 }
 
-/// Numbers that can be raised to a power like `base` to `exponent`, which is `None` if unknown.
+/// Range of the bases that `power` can raise to `exponent`; `None` if `base` is valid without a range, or if `exponent`
+/// is `None` (unknown).
 ///
 /// Up to s7, the base must be positive. From s8 on, a negative base is valid with a whole exponent, and 0 with a
 /// positive exponent.

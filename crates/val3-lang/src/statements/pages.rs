@@ -19,8 +19,8 @@ macro_rules! statements {
 statements! {
     /// Encloses the instructions of a program.
     ///
-    /// Code starts with `begin` and ends with `end`, each on a line of its own. `end` returns to the caller; of the
-    /// first program of a task it ends the task.
+    /// Code starts with `begin` and ends with `end`, each on a line of its own. `end` returns to the caller; in the
+    /// first program of a task, it ends the task.
     ///
     /// ## Example
     /// ```val3
@@ -33,7 +33,7 @@ statements! {
     "begin" ["begin", "end"] "2.2";
     /// Marks a line that is not executed.
     ///
-    /// `//` has to be the first thing on its line; it cannot follow an instruction. Within a string it is text.
+    /// `//` must be the first text on its line; it cannot follow an instruction. Within a string it is text.
     ///
     /// ## Example
     /// ```val3
@@ -43,10 +43,10 @@ statements! {
     "//" [] "2.2.5";
     /// Executes a program and continues when it has ended.
     ///
-    /// The parentheses are always written. Arguments are computed first, in their order, and have to match the
-    /// program's parameters in number, type and container. A parameter by reference (`&`) takes a variable and no
-    /// computed value; an array parameter takes a whole array, or a one-dimensional one from an index on. A program
-    /// of a library is called `call library:p()`. Programs return no value.
+    /// The parentheses are required. Arguments are evaluated first, in their order, and must match the program's
+    /// parameters in number, type and container. A parameter by reference (`&`) accepts a variable, but no computed
+    /// value; an array parameter accepts a whole array, or a one-dimensional array from an index on. A program of a
+    /// library is called `call library:p()`. Programs return no value.
     ///
     /// ## Example
     /// ```val3
@@ -61,10 +61,10 @@ statements! {
     ///   endFor
     /// ```
     "call" ["call"] "2.2.5";
-    /// Ends the program at once.
+    /// Ends the program immediately.
     ///
-    /// It does what `end` does, anywhere in the code, and has no value. A program is easier to read if it ends at its
-    /// end.
+    /// It has the effect of `end`, anywhere in the code, and returns no value. A program is easier to read if its last
+    /// line is the only exit.
     ///
     /// ## Example
     /// ```val3
@@ -77,8 +77,8 @@ statements! {
     "return" ["return"] "2.2.5";
     /// Executes lines if a condition holds.
     ///
-    /// The conditions are evaluated one after the other until one holds. Its lines are executed, or those after `else`
-    /// if none holds. There is no `then`. To compare one value with many, `switch` is shorter.
+    /// The conditions are evaluated one after the other until one holds. The lines of this condition are executed, or
+    /// the lines after `else` if none holds. There is no `then`. To compare one value with many, `switch` is shorter.
     ///
     /// ## Example
     /// ```val3
@@ -121,9 +121,9 @@ statements! {
     "do" ["do", "until"] "2.2.5";
     /// Repeats lines while a counter runs from one number to another.
     ///
-    /// The counter is a `num` variable or an element of an array. It gets the first number and grows by the step after
-    /// each pass; without `step` by 1. The loop ends when the counter is above the last number, with a negative step
-    /// when it is below. There may be no pass at all.
+    /// The counter is a `num` variable or an element of an array. It starts at the first number and increases by the
+    /// step after each pass; without `step` by 1. The loop ends when the counter is above the last number, or below it
+    /// for a negative step. The lines may be skipped completely.
     ///
     /// ## Example
     /// ```val3
@@ -159,12 +159,12 @@ statements! {
     ///   endSwitch
     /// ```
     "switch" ["switch", "case", "break", "default", "endSwitch"] "2.2.5";
-    /// Gives a variable a value.
+    /// Assigns a value to a variable.
     ///
-    /// Value and variable have the same type; in addition, a digital output takes a `bool` and a `bool` takes a digital
-    /// input, and a serial line takes and gives a `string` or one byte as a `num`. Of a structured type every field is
-    /// copied, with the reference of a frame, tool or point. `a=b=0` gives both variables the value. Within any other
-    /// expression `=` is not allowed: equality is tested with `==`.
+    /// Value and variable have the same type; in addition, a `bool` can be assigned to a digital output and a digital
+    /// input to a `bool`, and a `string` or one byte as a `num` can be assigned to and from a serial line. For a
+    /// structured type, every field is copied, including the reference of a frame, tool or point. `a=b=0` assigns the
+    /// value to both variables. Within any other expression `=` is not allowed: equality is tested with `==`.
     ///
     /// ## Example
     /// ```val3
@@ -187,10 +187,10 @@ statements! {
     ///   ? nCount+1
     /// ```
     "?" [] "";
-    /// Combine truth values: `and`, `or`, `xor`, and `!` for the contrary.
+    /// Combine truth values: `and`, `or`, `xor`, and `!` for negation.
     ///
-    /// `!` binds tightest, then `xor`, then `and`, then `or`. `and` does not compute its right side if the left is
-    /// `false`, `or` not if the left is `true`. Parentheses make a line with both of them readable.
+    /// `!` binds tightest, then `xor`, then `and`, then `or`. `and` does not evaluate its right side if the left is
+    /// `false`, and `or` does not if the left is `true`. Parentheses make a line with both of them readable.
     ///
     /// ## Example
     /// ```val3

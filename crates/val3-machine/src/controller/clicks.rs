@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use val3_lang::ports::Ports as _;
+use val3_vm::ProgramId;
 
 use super::{Controller, RunPhase};
 use crate::screen::HtmlCallback;
@@ -38,7 +39,8 @@ impl Controller {
         let number = image.as_ref().and_then(|image| image.program(program));
         let number = number.ok_or_else(|| format!("the application has no program `{program}`"))?;
         self.devices.origin(self.outside());
-        let started = self.vm.start(&task, (self.application, number), *priority, &mut self.devices);
+        let program = ProgramId { instance: self.application, number };
+        let started = self.vm.start(&task, program, *priority, &mut self.devices);
         started.map(drop).map_err(|fault| format!("the task `{task}` cannot start: error {}", fault.0))
     }
 }

@@ -69,7 +69,7 @@ fn headline(summary: &Value) -> String {
     format!("{counts} in {}, {}\n", counted(applications, "project"), counted(programs, "program"))
 }
 
-/// Findings beyond the requested number, by code.
+/// Findings beyond the requested number, counted by code.
 fn omitted(summary: &Value) -> String {
     let omitted = summary.get("omitted").and_then(Value::as_object).into_iter().flatten();
     let omitted: Vec<(&String, u64)> =

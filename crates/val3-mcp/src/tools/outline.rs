@@ -1,4 +1,4 @@
-//! `outline`: the content of a cell, of a project, or a program without XML.
+//! `outline`: the content of a cell or a project, or a program without XML.
 
 mod program;
 mod project;
@@ -54,7 +54,7 @@ impl Definition for Outline {
     }
 }
 
-/// One line for each project.
+/// List of projects, one per line.
 fn list(call: &Call<'_>, workspace: &Workspace) -> String {
     let db = &workspace.db;
     let mut text =

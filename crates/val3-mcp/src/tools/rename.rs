@@ -1,4 +1,4 @@
-//! `rename`: a name at all its uses.
+//! `rename`: renames a symbol and all its uses.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -23,7 +23,7 @@ pub(super) struct Rename;
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Arguments {
-    /// Folder of the project that declares the name; for a field, that of the user type
+    /// Folder of the project that declares the name; for a field, the folder of the user type
     path: String,
     /// Program, global data, field, library identifier or user type; with `program` a parameter or local
     name: String,
@@ -47,7 +47,7 @@ impl Definition for Rename {
 
     fn call(call: &Call<'_>, arguments: Arguments) -> Result<Answer, Refusal> {
         let path = call.roots.resolve(&arguments.path)?;
-        // Other projects of the root may use the name.
+        // All projects of the root are read, because they may use the name.
         let root = call.roots.first();
         let workspace = projects::read(&Disk, call.roots, if path.starts_with(root) { root } else { &path })?;
         let project = projects::only(&workspace, call.roots, &path)?;

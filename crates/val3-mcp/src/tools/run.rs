@@ -1,4 +1,4 @@
-//! `run`: an application in virtual time.
+//! `run`: executes an application in virtual time.
 
 use std::collections::BTreeMap;
 
@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     /// Events outside of the application: TOML text such as `[[at]]\nt = 1\nio = { diPart = true }`, or the path of a
     /// .toml file
     script: Option<String>,
-    /// Arm, such as tx2-60l, instead of that of the cell
+    /// Arm, such as tx2-60l, instead of the cell's arm
     arm: Option<String>,
     /// Whether the operator has switched the arm's power on
     #[serde(default)]
@@ -42,10 +42,10 @@ pub(super) struct Arguments {
     set: BTreeMap<String, Value>,
 }
 
-/// Longest run in seconds of the controller's clock.
+/// Maximum length of a run, in seconds of the controller's clock.
 const LONGEST: f64 = 600.0;
 
-/// Length of a run without `until`.
+/// Default length of a run, in seconds of the controller's clock.
 const USUAL: f64 = 30.0;
 
 impl Definition for Run {
@@ -87,19 +87,19 @@ impl Definition for Run {
     }
 }
 
-/// Replaces options in the advice of the command by the arguments of this tool.
+/// Replaces option names in a message of the command by the arguments of this tool.
 fn with_arguments(text: &str) -> String {
     let options = [("(--script)", "(`script`)"), ("--until-ok", "`until_ok`"), ("--until", "`until`")];
     options.iter().fold(text.to_owned(), |text, (option, argument)| text.replace(option, argument))
 }
 
-/// Name of an arm, or the path of its file inside of the roots.
+/// Name of an arm, or the path of its file, which must be inside of the roots.
 fn known_arm(call: &Call<'_>, arm: &str) -> Result<String, Refusal> {
     let is_path = arm.contains(['/', '\\', '.', ':']) || arm.starts_with('-');
     if is_path { call.roots.resolve(arm).map(Into::into) } else { Ok(arm.to_owned()) }
 }
 
-/// Text of a script, which is given or in a file inside of the roots.
+/// Text of a script: the argument itself, or the content of a file inside of the roots.
 fn script_text(call: &Call<'_>, script: &str) -> Result<String, Refusal> {
     if script.contains(['\n', '=', '[']) {
         return Ok(script.to_owned());
@@ -112,7 +112,7 @@ fn script_text(call: &Call<'_>, script: &str) -> Result<String, Refusal> {
     })
 }
 
-/// Value as `--set` reads it.
+/// Formats a value in the syntax of `--set`.
 fn literal(value: &Value) -> Result<String, Refusal> {
     match value {
         Value::String(text) => Ok(Value::from(text.as_str()).to_string()),

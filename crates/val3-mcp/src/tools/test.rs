@@ -75,7 +75,7 @@ fn summary(document: &Value) -> String {
     text
 }
 
-/// Number of prints and of events that a failure shows.
+/// Number of prints, and of events, that a failure shows.
 const LAST: usize = 10;
 
 fn failure(call: &Call<'_>, test: &Value) -> String {
@@ -93,7 +93,7 @@ fn failure(call: &Call<'_>, test: &Value) -> String {
     out
 }
 
-/// Lines that have led to a failure.
+/// Appends the lines that led to a failure.
 fn places(call: &Call<'_>, failure: &Value, out: &mut String) {
     for place in items(failure, "places") {
         let file = call.roots.shown(text(place, "file").into());

@@ -120,7 +120,7 @@ fn datum(db: &Database, project: Project, arguments: &Arguments) -> Result<NewDa
     Ok(NewDatum { name, type_name, public, container, sizes, after: None })
 }
 
-/// Type name as data files spell it: positions include the kind of arm.
+/// Type name in the spelling of data files, in which positions include the kind of arm.
 fn file_type(db: &Database, project: Project, type_name: &str) -> String {
     let arm = items(db, project).arm.unwrap_or(Arm::SixAxis);
     match BaseType::from_name(type_name) {
@@ -133,7 +133,7 @@ fn variable(name: &str) -> DataPlace {
     DataPlace { name: name.to_owned(), key: None, within: Vec::new() }
 }
 
-/// Cells of the value with a key. The key of a field continues after a dot: `0.pPlace[0]`.
+/// Cells of the value with a key. In the key of a field, the field follows a dot: `0.pPlace[0]`.
 fn cells(name: &str, key: &str, value: &Value) -> Result<Vec<CellEdit>, Refusal> {
     let mut steps = key.split('.');
     let first = steps.next().unwrap_or_default();
@@ -151,7 +151,7 @@ fn cells(name: &str, key: &str, value: &Value) -> Result<Vec<CellEdit>, Refusal>
     }
 }
 
-/// Text of a cell; `None` for its default.
+/// Text of a cell; `None` for the cell's default.
 fn cell_text(value: &Value) -> Result<Option<String>, Refusal> {
     match value {
         Value::Null => Ok(None),

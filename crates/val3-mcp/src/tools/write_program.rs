@@ -1,4 +1,4 @@
-//! `write_program`: a program from text, with its XML and its entry in the project file.
+//! `write_program`: creates or replaces a program from text, with its XML and its entry in the project file.
 
 use camino::Utf8Path;
 use schemars::JsonSchema;
@@ -60,7 +60,7 @@ impl Definition for WriteProgram {
     }
 }
 
-/// Creates an application with `val3 new`. Returns what was written.
+/// Creates an application with `val3 new`. Returns a description of the written files.
 fn create(call: &Call<'_>, path: &Utf8Path) -> Result<String, Refusal> {
     let (Some(name), Some(parent)) = (path.file_name(), path.parent().filter(|parent| parent.is_dir())) else {
         return Err(Refusal(format!("the folder around `{}` does not exist", call.roots.shown(path))));

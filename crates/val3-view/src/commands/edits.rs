@@ -1,4 +1,4 @@
-//! Changes by operators: which values were not saved, and the values before.
+//! Changes by operators: the unsaved values, and the values before each change.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ use super::store::write;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, PointName, UnsavedMessage};
 
-/// Largest number of changes that can be undone.
+/// Maximum number of changes that can be undone.
 const MOST_EDITS: usize = 1000;
 
 /// Changes of points, joint positions, frames and tools.
@@ -17,7 +17,7 @@ const MOST_EDITS: usize = 1000;
 pub(super) struct Edits {
     /// Values that differ from their files.
     unsaved: BTreeSet<PointName>,
-    /// Changes in their order.
+    /// Changes, oldest first.
     done: Vec<Edit>,
 }
 
@@ -27,7 +27,7 @@ struct Edit {
     name: PointName,
     /// Numbers before the change.
     before: Vec<f64>,
-    /// Whether the value before the change is in no file.
+    /// Whether the value before the change is not in its file.
     was_unsaved: bool,
 }
 
@@ -57,7 +57,8 @@ impl Edits {
     /// Restores the value before the last change.
     ///
     /// # Errors
-    /// There is no change, or the program has removed the value.
+    ///
+    /// There is no change to undo, or the program has removed the value.
     pub(super) fn undo(&mut self, controller: &mut Controller) -> Result<(), CommandError> {
         let Some(Edit { name, before, was_unsaved }) = self.done.pop() else {
             return Err("nothing was changed".into());
@@ -77,7 +78,7 @@ impl Edits {
         self.unsaved.iter().any(|name| is_named(datum, name))
     }
 
-    /// Records that the files contain all values. The values before the changes are then in no file.
+    /// Marks all values as saved. Undoing an earlier change makes its value unsaved again.
     pub(super) fn mark_saved(&mut self) {
         self.unsaved.clear();
         for edit in &mut self.done {
@@ -85,8 +86,8 @@ impl Edits {
         }
     }
 
-    /// Copies the unsaved values to a controller that has loaded the application again. Values that no longer exist are
-    /// no longer unsaved, and changes of them cannot be undone; their names are returned.
+    /// Copies the unsaved values to a controller that has reloaded the application. Values that no longer exist are
+    /// discarded, together with their changes, and their names are returned.
     pub(super) fn carry(&mut self, from: &Controller, to: &mut Controller) -> Vec<PointName> {
         let loaded = positions::data(to);
         let mut kept = BTreeSet::new();
@@ -109,13 +110,13 @@ impl Edits {
     }
 }
 
-/// Whether a value is the position with this name.
+/// Whether a value has this name and key.
 fn is_named(datum: &GlobalValue, name: &PointName) -> bool {
     let is_position = matches!(datum.base, BaseType::Point | BaseType::Joint | BaseType::Frame | BaseType::Tool);
     is_position && datum.name == name.name && datum.key == name.key
 }
 
-/// Copies all numbers of a value, with its configuration; `None` if their counts differ.
+/// Copies all numbers of a value, including its configuration; `None` if the counts differ.
 fn copy_numbers(old: &GlobalValue, from: &Controller, new: &GlobalValue, to: &mut Controller) -> Option<()> {
     let (from, to) = (&from.vm.space.memory, &mut to.vm.space.memory);
     let count = from.store(old.place.store).ok()?.kind.size.num;

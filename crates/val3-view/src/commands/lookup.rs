@@ -1,4 +1,4 @@
-//! Data that commands name.
+//! Lookup of the data that commands name.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_lang::call::ToolRef;
@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, ElementKey, ToolName};
 
-/// Name of the tool that every application has.
+/// Name of the tool that exists in every application.
 const FLANGE: &str = "flange";
 
 /// Finds the point or joint position that a command names.
@@ -36,7 +36,7 @@ pub(super) fn tool_named(
     named("tool", BaseType::Tool, name, key, controller)
 }
 
-/// Finds the value of a type. `kind` is the word for the type in the error.
+/// Finds a value by name. `kind` is the word for its type in the error.
 fn named(
     kind: &str,
     base: BaseType,
@@ -47,7 +47,7 @@ fn named(
     find(name, key, &[base], controller).map_err(|key| no_datum(kind, name, key.as_deref()))
 }
 
-/// Error for a name without a value.
+/// Error for a name without a matching value.
 pub(super) fn no_datum(kind: &str, name: &str, key: Option<&str>) -> CommandError {
     CommandError(match key {
         Some(key) => format!("there is no {kind} `{name}[{key}]`"),
@@ -55,7 +55,7 @@ pub(super) fn no_datum(kind: &str, name: &str, key: Option<&str>) -> CommandErro
     })
 }
 
-/// Pose of the tool centre point on the flange, in mm. Without a tool, it is the tool of the last move.
+/// Pose of the tool centre point on the flange, in mm. Without an argument, the tool of the last move is used.
 pub(super) fn tool_pose(tool: Option<ToolName>, controller: &Controller) -> Result<IsometryMatrix3<f64>, CommandError> {
     let Some(ToolName { name, key }) = tool else {
         let sample = controller.arm().sample();
@@ -70,7 +70,7 @@ pub(super) fn tool_pose(tool: Option<ToolName>, controller: &Controller) -> Resu
     Ok(Trsf::isometry(&pose))
 }
 
-/// Finds a value of these types. The error is the key as text.
+/// Finds a value of one of these types. The error is the key as text.
 fn find(
     name: &str,
     key: Option<ElementKey>,

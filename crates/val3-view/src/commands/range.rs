@@ -1,11 +1,11 @@
-//! Range of coordinates that operators enter.
+//! Range check of coordinates that operators enter.
 
 use crate::wire::CommandError;
 
-/// Largest coordinate, in mm: far beyond the reach of an arm on any axis, and less than most mistyped numbers.
+/// Largest accepted coordinate, in mm: far beyond the reach of any arm, but below most mistyped numbers.
 const LONGEST: f64 = 100_000.0;
 
-/// Largest angle, in degrees.
+/// Largest accepted angle, in degrees.
 const WIDEST: f64 = 360.0;
 
 const NAMES: [(&str, f64, &str); 6] = [
@@ -17,7 +17,7 @@ const NAMES: [(&str, f64, &str); 6] = [
     ("rz", WIDEST, "degrees"),
 ];
 
-/// Checks that changed coordinates are within the range. An unchanged coordinate may be outside.
+/// Checks that changed coordinates are within the range. Unchanged coordinates may be outside.
 pub(super) fn check_range(local: &[f64; 6], present: &[f64]) -> Result<(), CommandError> {
     for (index, (number, (name, most, unit))) in local.iter().zip(NAMES).enumerate() {
         let is_changed = present.get(index) != Some(number);

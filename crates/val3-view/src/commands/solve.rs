@@ -13,10 +13,10 @@ use crate::configuration;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{ArmSolution, CommandError, Reached, Solved, ToolName, UnreachableValue};
 
-/// Difference up to which two joint positions are equal, in degrees or mm.
+/// Tolerance within which two joint positions are equal, in degrees or mm.
 const SAME_JOINTS: f64 = 1e-6;
 
-/// Reason for a value that the program has removed meanwhile.
+/// Reason for a value that the program has removed since the page received it.
 const NO_VALUE: &str = "it has no value any more";
 
 /// Computes the joints in each configuration, or the reason why the arm cannot reach the value.
@@ -40,8 +40,8 @@ pub(super) fn solve(
     Ok(Solved { solutions: of_pose(&flange, &config, controller) })
 }
 
-/// Lists the points and joint positions to which `movej` cannot move the arm, with the reasons: out of reach, without a
-/// frame, for another kind of arm.
+/// Lists the points and joint positions that `movej` cannot reach, with the reasons: out of reach, no frame, or for
+/// another kind of arm.
 pub(super) fn unreachable(tool: Option<ToolName>, controller: &Controller) -> Result<Reached, CommandError> {
     let tool = tool_pose(tool, controller)?.inverse();
     let mut poses = Poses::new(&controller.vm.space.memory);
@@ -52,7 +52,7 @@ pub(super) fn unreachable(tool: Option<ToolName>, controller: &Controller) -> Re
     Ok(Reached { unreachable: unreachable.collect() })
 }
 
-/// Reason why `movej` cannot move the arm to a value with a tool, whose inverse pose is given.
+/// Reason why `movej` cannot move the arm to a value; `None` if it can. `tool` is the inverse pose of the tool.
 fn obstacle(
     datum: &GlobalValue,
     tool: &IsometryMatrix3<f64>,
@@ -107,7 +107,7 @@ fn of_pose(flange: &IsometryMatrix3<f64>, config: &ConfigValue, controller: &Con
     let solutions = model.branches().iter().map(|branch| {
         let words = ConfigValue::of(*branch, model.is_scara());
         let joints = model.inverse_isometry_on(*branch, flange, &near);
-        // At a singular position, several branches have the same joints.
+        // At a singular position, several branches have the same joints. Only the first one is marked.
         let is_chosen = is_open && joints.is_ok_and(|joints| chosen.is_some_and(|chosen| is_same(&joints, &chosen)));
         is_open &= !is_chosen;
         ArmSolution {

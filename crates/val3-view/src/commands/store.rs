@@ -1,11 +1,11 @@
-//! Writes values of operators into memory.
+//! Writes values that operators have changed into memory.
 
 use val3_machine::controller::Controller;
 
 use crate::positions::GlobalValue;
 use crate::wire::CommandError;
 
-/// Writes numbers of a value by lane.
+/// Writes the numbers of a value, by lane.
 pub(super) fn write(
     datum: &GlobalValue,
     numbers: impl IntoIterator<Item = (u32, f64)>,

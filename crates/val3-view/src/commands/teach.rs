@@ -1,4 +1,4 @@
-//! Teaching: data get the current position of the arm (`here` and `herej`, 9.6.3 and 9.2.3).
+//! Teaching: sets data to the current position of the arm (`here` and `herej`, 9.6.3 and 9.2.3).
 
 use val3_geometry::Trsf;
 use val3_kinematics::Joints;
@@ -14,8 +14,8 @@ use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, ToolName};
 use crate::{configuration, coordinates};
 
-/// Sets a point to the pose of a tool's centre point with the configuration of the arm, or a joint position to the
-/// joints of the arm. `movej` to the value then leaves the joints unchanged.
+/// Sets a point to the pose of a tool centre point with the configuration of the arm, or a joint position to the joints
+/// of the arm. A `movej` to the new value does not change the joints.
 pub(super) fn teach(
     datum: &GlobalValue,
     tool: Option<ToolName>,
@@ -55,7 +55,7 @@ fn teach_point(
     write(point, (0..).zip(local).chain(config), controller)
 }
 
-/// Joints of a command, within the limits of the axes.
+/// Joints from a command, which must be within the limits of the axes.
 pub(super) fn joints_of(numbers: &[f64], controller: &Controller) -> Result<Joints, CommandError> {
     let model = controller.arm().model();
     if numbers.len() != model.axes() {

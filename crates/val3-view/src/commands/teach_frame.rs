@@ -1,4 +1,4 @@
-//! Teaching a frame by three positions of the arm (`setFrame`, 9.4.4).
+//! Teaching a frame with three positions of the arm (`setFrame`, 9.4.4).
 
 use val3_geometry::{FrameError, Trsf, set_frame};
 use val3_lang::call::FrameRef;
@@ -12,11 +12,11 @@ use crate::numbers;
 use crate::positions::GlobalValue;
 use crate::wire::{CommandError, ToolName};
 
-/// Smallest distance of taught positions, in mm: an error of 0.1 mm then turns the frame by less than 1 degree.
+/// Minimum distance of taught positions, in mm. An error of 0.1 mm then rotates the frame by less than 1 degree.
 const SMALLEST_DISTANCE: f64 = 10.0;
 
-/// Computes a frame from the joints of the arm at its origin, on the positive x axis, and in the xy plane at positive
-/// y. The centre point of the tool counts.
+/// Computes a frame from three joint positions, in which the tool centre point is at the origin, on the positive x
+/// axis, and in the xy plane at positive y.
 pub(super) fn teach_frame(
     frame: &GlobalValue,
     tool: Option<ToolName>,
@@ -45,7 +45,7 @@ fn too_close(error: FrameError) -> String {
     format!("{error}; at least {SMALLEST_DISTANCE} mm are necessary")
 }
 
-/// Checks the distance of the second position from the origin, and of the third position from the x axis.
+/// Checks that the second position is far enough from the origin, and the third from the x axis.
 fn check_distances(origin: &Trsf, on_x: &Trsf, on_plane: &Trsf) -> Result<(), FrameError> {
     let along = on_x.translation() - origin.translation();
     let x = along.try_normalize(SMALLEST_DISTANCE).ok_or(FrameError::AxisPoint)?;

@@ -1,4 +1,4 @@
-//! Teaching the centre point of a tool by positions in which its tip touches the same place.
+//! Teaching the centre point of a tool with positions in which its tip touches the same point.
 
 use val3_geometry::{IsometryMatrix3, Trsf, tool_centre};
 use val3_lang::call::ToolRef;
@@ -10,7 +10,7 @@ use super::teach::joints_of;
 use crate::positions::GlobalValue;
 use crate::wire::{CommandError, TaughtTool};
 
-/// Sets x, y and z of a tool. Its orientation is unchanged, because the touched place does not determine it.
+/// Sets x, y and z of a tool. Its orientation is unchanged, because the touched point does not determine it.
 pub(super) fn teach_tool(
     tool: &GlobalValue,
     joints: &[Vec<f64>],

@@ -39,7 +39,7 @@ begin
 end
 "#;
 
-/// All messages of a run for 1 s.
+/// All messages of the first second of a run.
 fn run(listing: &str) -> Vec<ViewerMessage> {
     let mut controller = Running::start(listing).controller;
     let mut feed = Feed::new(&controller, Role::Operator);

@@ -276,7 +276,7 @@ pub struct Recorded {
     pub file: String,
     /// Content of the scenario.
     pub text: String,
-    /// What the scenario does not repeat or expect.
+    /// Parts of the run that the scenario does not repeat or expect.
     pub remarks: Vec<String>,
 }
 

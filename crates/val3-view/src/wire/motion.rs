@@ -52,7 +52,7 @@ pub struct QueueEntry {
 pub struct WayPiece {
     /// Phase of motion.
     pub phase: String,
-    /// Points of the tool centre point, in mm.
+    /// Positions of the tool centre point, in mm.
     pub points: Vec<[f64; 3]>,
 }
 

@@ -48,9 +48,9 @@ pub struct TaskState {
     pub period: Option<f64>,
     /// Number of overruns of a synchronous task.
     pub overruns: u32,
-    /// What the task waits for.
+    /// Awaited condition, and the reason why the arm does not move.
     pub waits: Option<String>,
-    /// What the task waits for, without the reason why the arm does not move.
+    /// Awaited condition only.
     pub awaits: Option<String>,
     /// Number of the run-time error that has stopped the task.
     pub error: Option<u16>,

@@ -9,7 +9,7 @@ fn validator() -> Validator {
     jsonschema::validator_for(&schema()).unwrap()
 }
 
-/// Schema with another root.
+/// Validator for messages of the type `name`.
 fn validator_of(name: &str) -> Validator {
     let mut schema = schema();
     let keys = schema.as_object_mut().unwrap();

@@ -9,7 +9,7 @@ use val3_lang::library_errors::NO_LIBRARY;
 use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::types::BaseType;
-use val3_vm::{CycleEnd, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Schedule, Space, Vm};
+use val3_vm::{CycleEnd, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, ProgramId, Schedule, Space, Vm};
 
 /// Duration of a line, in ns. A cycle has 2,000 lines.
 pub(crate) const LINE: Time = 2_000;
@@ -121,7 +121,7 @@ impl Bench {
         let program = image.program("start").unwrap();
         let application = vm.space.load(image, String::new(), &mut host).unwrap();
         vm.space.load_with(application, &mut host);
-        let start = vm.start("start", (application, program), 10, &mut host).unwrap();
+        let start = vm.start("start", ProgramId { instance: application, number: program }, 10, &mut host).unwrap();
         Self { vm, schedule: Schedule::new(LINE), host, start }
     }
 

@@ -147,7 +147,7 @@ mod tests {
 
     use super::*;
 
-    /// Pose of the flange in `world`, computed from the joints of the document alone.
+    /// Pose of the flange in `world`, computed only from the joints of the document.
     fn flange(arm: &Arm, positions: &Joints) -> IsometryMatrix3<f64> {
         let mut pose = IsometryMatrix3::identity();
         for (axis, joint) in joints(arm).iter().skip(1).enumerate() {

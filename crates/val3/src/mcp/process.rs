@@ -17,7 +17,7 @@ use crate::user_error::UserError;
 /// Name of the file with the script of a run.
 const SCRIPT: &str = "script.toml";
 
-/// Time between two looks at a process.
+/// Polling interval for the state of a process.
 const PAUSE: Duration = Duration::from_millis(2);
 
 /// Starts this program with the arguments of commands.
@@ -37,8 +37,8 @@ impl Processes {
         Ok(Self { executable, folder, settings: temporary().map_err(|error| UserError::new(error.to_string()))? })
     }
 
-    /// Command without the permissions of the user's folders and environment: whoever writes the files of a cell must
-    /// not reach devices, other machines or folders outside through it.
+    /// Command without the permissions in the user's settings and environment, so that the files of an untrusted cell
+    /// cannot reach devices, other machines or outside folders.
     fn command(&self) -> Command {
         let mut command = Command::new(&self.executable);
         command.current_dir(&self.folder).env("NO_COLOR", "1").env("CI", "1").env_remove("VAL3_TRUST");
@@ -121,21 +121,21 @@ fn wait(
             thread::sleep(PAUSE);
             continue;
         };
-        // It may have ended by itself in the meantime.
+        // The process may have ended by itself in the meantime.
         let _ = child.kill();
         let _ = child.wait();
         return Err(end);
     }
 }
 
-/// Last lines of the messages of a process that has ended unexpectedly.
+/// Last lines of a process's messages, for a process that has ended unexpectedly.
 fn last_lines(messages: &str) -> String {
     let lines: Vec<&str> = messages.lines().filter(|line| !line.trim().is_empty()).collect();
     let skipped = lines.len().saturating_sub(5);
     lines.iter().skip(skipped).copied().collect::<Vec<_>>().join("\n")
 }
 
-/// Limits the memory of a process, on systems where another process can.
+/// Limits the memory of a process, on systems where another process can set this limit.
 #[cfg(target_os = "linux")]
 fn limit_memory(child: &Child, limits: CommandLimits) {
     use rustix::process::{Pid, Resource, Rlimit, prlimit};

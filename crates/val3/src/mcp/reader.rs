@@ -16,14 +16,14 @@ pub(super) struct OutputReader {
 }
 
 impl OutputReader {
-    /// Starts to read.
+    /// Starts a thread that reads the output.
     pub(super) fn of(output: Option<impl Read + Send + 'static>) -> Self {
         let is_full = Arc::new(AtomicBool::new(false));
         let full = Arc::clone(&is_full);
         let thread = thread::spawn(move || {
             let mut bytes = Vec::new();
             if let Some(output) = output {
-                // What was read before an error is the output.
+                // After a read error, the bytes read so far are the output.
                 let _ = output.take(LIMIT as u64).read_to_end(&mut bytes);
             }
             full.store(bytes.len() >= LIMIT, Relaxed);
@@ -32,12 +32,12 @@ impl OutputReader {
         Self { thread, is_full }
     }
 
-    /// Whether the output has reached the limit, so that its process may wait for ever.
+    /// Whether the output has reached the limit, so that its process may block on further output forever.
     pub(super) fn is_full(&self) -> bool {
         self.is_full.load(Relaxed)
     }
 
-    /// Text until the end of the output.
+    /// Waits for the end of the output, and returns its text.
     pub(super) fn text(self) -> String {
         let bytes = self.thread.join().unwrap_or_default();
         String::from_utf8_lossy(&bytes).into_owned()

@@ -1,10 +1,10 @@
-//! The things around the arm of a new cell.
+//! Things around the arm of a new cell.
 
 use val3_kinematics::Arm;
 
 use super::positions::NewPositions;
 
-/// Name of the file, beside `val3.toml`.
+/// Name of the file, which is next to `val3.toml`.
 pub(super) const FILE_NAME: &str = "cell.toml";
 
 /// Distance of the table's top below the point, in mm.

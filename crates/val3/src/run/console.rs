@@ -79,12 +79,12 @@ impl Console {
         &self.failures
     }
 
-    /// What has touched something else or come too near to it.
+    /// Contacts and near misses.
     pub(super) fn encounters(&self) -> &Encounters {
         &self.encounters
     }
 
-    /// Whether something has touched something else.
+    /// Whether there was a contact.
     pub(crate) fn has_contacts(&self) -> bool {
         self.encounters.has_contacts()
     }
@@ -132,7 +132,7 @@ impl Console {
         }
     }
 
-    /// Shows what has touched something else, and the nearest of the near misses.
+    /// Shows the contacts, and the nearest near miss.
     pub(crate) fn show_encounters(&self) {
         if self.is_silent {
             return;
@@ -174,7 +174,7 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
-    /// Writes that the arm cannot follow a recorded path, with the line of its move.
+    /// Writes that the arm cannot follow a recorded path, with the move's line.
     fn impossible_path(&self, ImpossiblePath { instruction, file, line, reason, .. }: &ImpossiblePath) {
         let message = format!("the arm cannot follow the path of this `{instruction}`");
         let path = self.paths.to_open(file.as_str().into());
@@ -183,7 +183,7 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
-    /// Writes what has touched something else, with the line of the move.
+    /// Writes a contact with the line of its move.
     fn contact(&self, contact: &Encounter) {
         let (message, help) = (contact.sentence(), contact.help());
         let Some(of) = &contact.of else {

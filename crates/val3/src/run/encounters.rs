@@ -1,14 +1,14 @@
-//! Tracks what has touched or come too near to something else, for the end of a run.
+//! Contacts and near misses of a run, collected from its events and reported at its end.
 
 use std::collections::BTreeSet;
 
 use val3_cell::TOUCHING;
 use val3_machine::event::{ClearanceMove, Event, EventKind};
 
-/// Smallest depth of an overlap in mm that is shown as a number.
+/// Smallest overlap depth that is shown as a number, in mm.
 const DEPTH: f64 = 0.05;
 
-/// The encounters of a run, from their events.
+/// Encounters of a run: contacts, and near misses without a contact.
 #[derive(Debug, Default)]
 pub(super) struct Encounters {
     /// Pairs that touch at present.
@@ -17,18 +17,18 @@ pub(super) struct Encounters {
     near: Vec<Encounter>,
 }
 
-/// An encounter at its smallest distance.
+/// An encounter of two things, at its smallest distance.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Encounter {
     names: [String; 2],
-    /// Distance in mm; the depth of an overlap as a negative number.
+    /// Smallest distance in mm; negative if the things overlap.
     distance: f64,
-    /// Time of the distance, in seconds.
+    /// Time of the smallest distance, in seconds.
     at: f64,
-    /// Whether the things were so near when the run began.
+    /// Whether the things were already too near when the run began.
     at_start: bool,
     pub(super) of: Option<ClearanceMove>,
-    /// Number of encounters of this pair at this line.
+    /// Number of times that this pair has met at this line.
     count: usize,
 }
 
@@ -48,12 +48,12 @@ impl Encounters {
         }
     }
 
-    /// Whether anything has touched something else.
+    /// Whether there was a contact.
     pub(super) fn has_contacts(&self) -> bool {
         !self.touching.is_empty() || !self.contacts.is_empty()
     }
 
-    /// The contacts, one for each pair and line, at their greatest depth.
+    /// Finished contacts: one for each pair and line, at its greatest depth.
     pub(super) fn contacts(&self) -> &[Encounter] {
         &self.contacts
     }
@@ -67,7 +67,7 @@ impl Encounters {
     }
 }
 
-/// Adds an encounter to those of the same pair and line.
+/// Adds an encounter, or counts it if the pair has already met at this line.
 fn add(list: &mut Vec<Encounter>, new: Encounter) {
     let is_same = |known: &&mut Encounter| known.names == new.names && known.line() == new.line();
     match list.iter_mut().find(is_same) {
@@ -87,7 +87,7 @@ impl Encounter {
         self.of.as_ref().map(|of| (of.file.as_str(), of.line))
     }
 
-    /// Describes the encounter in a sentence without its place in the code.
+    /// Describes the encounter in a sentence.
     pub(super) fn sentence(&self) -> String {
         let Self { names: [a, b], distance, at, at_start, of, count } = self;
         let how = match *distance {
@@ -103,7 +103,7 @@ impl Encounter {
         format!("{how}{when}{}{often}", what.unwrap_or_default())
     }
 
-    /// The remedy.
+    /// Remedy for the user.
     pub(super) fn help(&self) -> String {
         let [a, b] = &self.names;
         format!("move one of them, or allow the pair in cell.toml: allow = [[\"{a}\", \"{b}\", \"the reason\"]]")

@@ -128,7 +128,7 @@ impl Observers {
         self.console.has_unhandled_errors()
     }
 
-    /// Whether something has touched something else.
+    /// Whether there was a contact.
     pub(super) fn has_contacts(&self) -> bool {
         self.console.has_contacts()
     }

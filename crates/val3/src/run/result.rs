@@ -1,4 +1,4 @@
-//! The result of a run in one document: why it ended, and what has happened in it (`--summary`, `--result`).
+//! Result of a run in one document: the reason of its end, and its events in summary (`--summary`, `--result`).
 
 mod document;
 mod listed;

@@ -54,7 +54,7 @@ pub(super) async fn accept(listener: StdListener, shared: Arc<Shared>) -> io::Re
     }
     let all = u32::try_from(shared.limits.viewers).unwrap_or(u32::MAX);
     // Viewers that do not read are disconnected.
-    let _ = timeout(shared.limits.action_after_disconnect, shared.places.acquire_many(all)).await;
+    let _ = timeout(shared.limits.farewell_time, shared.places.acquire_many(all)).await;
     Ok(())
 }
 

@@ -20,7 +20,7 @@ pub(super) struct ServerLimits {
     /// Time without any frame after which a viewer is disconnected.
     pub(super) silence: Duration,
     /// Time in which viewers can read the last messages when the server ends.
-    pub(super) action_after_disconnect: Duration,
+    pub(super) farewell_time: Duration,
     /// Maximum size of a viewer's message, in bytes.
     pub(super) message_bytes: usize,
     /// Sustained number of commands per second from a viewer.
@@ -43,7 +43,7 @@ impl Default for ServerLimits {
             send_time: Duration::from_secs(5),
             ping_time: Duration::from_secs(5),
             silence: Duration::from_secs(15),
-            action_after_disconnect: Duration::from_secs(1),
+            farewell_time: Duration::from_secs(1),
             message_bytes: 64 << 10,
             commands_per_second: 100,
             commands_at_once: 200,

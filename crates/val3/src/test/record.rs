@@ -49,7 +49,7 @@ struct NewScenario<'r> {
 #[derive(Debug)]
 struct WrittenScenario {
     text: String,
-    /// Differences from the run: input that the scenario does not repeat, and output that it does not expect.
+    /// Differences from the run: input that is not repeated, and output that is not expected.
     remarks: Vec<String>,
 }
 

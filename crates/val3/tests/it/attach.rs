@@ -285,7 +285,7 @@ fn the_environment_may_contain_the_secret() {
     .assert_eq(&String::from_utf8(output.stderr).unwrap());
 }
 
-/// The adapter behind a port receives `noDebug`, which the protocol specification defines.
+/// `noDebug`, which the protocol specification defines, is passed on to the adapter process of a port.
 #[test]
 fn a_port_runs_without_debugging() {
     let server = Listener::new(&["dap", "--port", "0"]);

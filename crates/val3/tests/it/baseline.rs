@@ -1,4 +1,4 @@
-//! Baselines: the known findings are exactly those at the time of writing.
+//! Baselines: the known findings are exactly the findings at the time of writing.
 
 use std::fs;
 use std::path::Path;

@@ -101,7 +101,7 @@ fn arm_file(name: &str, shapes: &str) -> String {
     format!("{head}[shapes]\n{shapes}")
 }
 
-/// Pairs of parts of the arm that overlap, as far as they are compared.
+/// Overlapping pairs of arm parts, without pairs that are never compared.
 fn overlaps(case: &Value, axes: usize) -> BTreeSet<(String, String)> {
     let number = |name: &str| match name {
         "base" => 0,

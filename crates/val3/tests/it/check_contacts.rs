@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::support::Folder;
 
-/// Moves to three points, straight and by the joints, with a stop at each.
+/// Moves to three points, along straight lines and joint by joint, with a stop at each point.
 const CODE: &str = r#"
 version s7.11
 wait(isPowered())

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::support::Folder;
 
-/// Answers to calls of tools, each with whether it is an error.
+/// Responses to tool calls: for each, whether it is an error, and its text.
 fn answers(folder: &Folder, options: &[&str], calls: &[(&str, Value)]) -> Vec<(bool, String)> {
     let mut command = folder.command(&[&["mcp"], options].concat());
     let mut server = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();

@@ -46,7 +46,7 @@ fn all_faults_are_listed() {
                     assert!(val3_compile::compile(&workspace.db, *project).is_ok(), "{}", rule.code);
                 }
             } else if rule.code != "V0104" {
-                // Most repositories lack the add-on tables, and their absence is no fault.
+                // Most repositories do not contain the add-on tables, and their absence is no fault.
                 assert!(refused.contains(&rule.code), "{} with `{settings}`: {refused:?}", rule.code);
             }
         }

@@ -82,6 +82,29 @@ fn a_contact_is_shown_with_its_line_and_fails() {
     assert_eq!(run.code, 1);
 }
 
+/// A tetrahedron with edges of 10 mm at the origin, as an STL file.
+const CORNER: &str = "solid corner\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 10 0\n\
+    endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 10\nvertex 10 0 0\nvertex 0 10 0\nendloop\n\
+    endfacet\nendsolid corner\n";
+
+#[test]
+fn the_mesh_of_a_link_is_compared_in_place_of_its_capsule() {
+    let folder = folder_with_wall(150.0);
+    folder.write("link5.stl", CORNER);
+    folder.write("val3.toml", "[run]\npower = true\nshapes = { link5 = \"link5.stl\" }\n");
+    let run = folder.val3(&["run"]);
+    assert!(!run.stderr.contains("`link5` overlaps"), "{}", run.stderr);
+    folder.write("link5.stl", "solid nothing\nendsolid nothing\n");
+    expect![[r#"
+        error: cannot use `link5.stl`: it has no triangle
+         --> val3.toml:3
+          |
+        3 | shapes = { link5 = "link5.stl" }
+          |            ^^^^^
+          help: name a mesh of the link, or remove the setting: the capsules of the arm are then compared
+    "#]].assert_eq(&folder.val3(&["run"]).stderr);
+}
+
 #[test]
 fn a_near_miss_is_a_note() {
     let folder = folder_with_wall(200.0);
@@ -114,7 +137,7 @@ fn unknown_distances_are_noted() {
     let run = folder.val3(&["run"]);
     expect![[r#"
         note: without `tray` of cell.toml: this application does not have their frames, tools or signals
-        note: the links of the arm `bare` have no [shapes]: their distances are unknown
+        note: links of the arm `bare` have no shapes: their distances are unknown
     "#]]
     .assert_eq(&run.stderr);
 }

@@ -1,4 +1,4 @@
-//! `val3 run` with a conveyor: parts arrive, queue up at the end, and a gripper takes them.
+//! `val3 run` with a conveyor: parts arrive, queue up at the end, and are picked by a gripper.
 
 use serde_json::Value;
 

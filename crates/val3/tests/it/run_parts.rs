@@ -41,7 +41,7 @@ begin
 end
 ";
 
-/// A part below the flange, the table on which it stands, a gripper, and a sensor where the part arrives.
+/// A part below the flange, the table under the part, a gripper, and a sensor at the part's destination.
 const CELL: &str = "\
 [[object]]
 name = \"table\"
@@ -72,7 +72,7 @@ pub(crate) fn folder(gap: f64) -> Folder {
     folder
 }
 
-/// The events of parts and sensors, one a line.
+/// Events about parts and sensors, one per line.
 fn handling(folder: &Folder, args: &[&str]) -> String {
     let run = folder.val3(&[&["run", "--events", "events.jsonl"], args].concat());
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{}", run.stdout);

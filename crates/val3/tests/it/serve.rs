@@ -63,7 +63,7 @@ impl ServedRun {
 
 impl Drop for ServedRun {
     fn drop(&mut self) {
-        // It has ended unless the test has failed.
+        // The process has already ended, unless the test has failed.
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
@@ -225,7 +225,7 @@ fn unsaved_points_survive_the_end_and_a_new_start() {
     assert_eq!(run.folder.read("usrapp/main/main.dtx.unsaved"), saved.replace(r#"x="7.25""#, r#"x="8.5""#));
 }
 
-/// A signal while the application runs loses no points either.
+/// A signal while the application is running loses no points either.
 #[test]
 fn an_interrupted_run_rescues_unsaved_points() {
     let mut run = ServedRun::of("point pA\ndelay(3600)\n", &[]);
@@ -317,13 +317,13 @@ fn a_viewer_that_never_reads_delays_nothing() {
         time = viewer.next_print().0;
     }
     let (passed, real) = (time - begin, start.elapsed().as_secs_f64());
-    // The first print may have been on its way for a while.
+    // The first printed text may have been received late.
     assert!(real < passed + 0.2, "{passed} s of the controller took {real} s");
     run.signal(Signal::INT);
     assert_eq!(run.ending().0, 130);
 }
 
-/// Nothing happens by itself in this program: an operator may still act.
+/// No task of the program can continue by itself, but an operator may still act.
 #[test]
 fn a_run_waits_for_its_operator() {
     for options in [&[][..], &["--time", "virtual"]] {

@@ -31,7 +31,7 @@ fn a_running_application_becomes_a_scenario_that_passes() {
     }
     let tested = run.folder.val3(&["test", "usrapp/tests/oneKey.toml"]);
     assert_eq!(tested.code, 0, "{tested:?}");
-    // The run was not disturbed, and an existing scenario stays.
+    // The run was not disturbed, and an existing scenario is not replaced.
     let again = viewer.command(record(3, "oneKey"));
     assert!(again["error"].as_str().unwrap().contains("it exists, and is not replaced"), "{again}");
     for (name, expected) in [("../oneKey", "is not the name of a scenario"), ("", "is not the name of a scenario")] {
@@ -60,7 +60,7 @@ fn an_ended_run_becomes_a_scenario() {
     assert_eq!(run.ending().0, 0);
 }
 
-/// The time up to now belongs to the scenario, although nothing has happened in it.
+/// The scenario lasts up to the present time, although the run has had no events.
 #[test]
 fn a_quiet_run_is_recorded_up_to_now() {
     let mut run = ServedRun::of("delay(3600)\n", &[]);

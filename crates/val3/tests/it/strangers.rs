@@ -209,7 +209,7 @@ fn no_report_has_control_characters() {
     }
 }
 
-/// Whether the output is that of a program or a patch, which are exact unless written to a terminal.
+/// Whether the output contains the texts of a program or a patch, which are exact unless written to a terminal.
 fn is_exact(args: &[String]) -> bool {
     args[0] == "run" || args[0] == "eval" || args.iter().any(|arg| arg == "--diff")
 }

@@ -360,7 +360,7 @@ fn reports_are_written_to_files() {
     }
 }
 
-/// With a subset of the tests, the coverage would differ from run to run.
+/// The coverage of a subset of the tests would differ from run to run.
 #[test]
 fn coverage_needs_all_tests() {
     for option in ["--coverage", "--coverage-output=json=c.json", "--fail-under=1"] {

@@ -1,4 +1,4 @@
-//! `val3 test --mutate`: mistakes in tested programs, and those that no test finds.
+//! `val3 test --mutate`: mistakes in tested programs, and the mistakes that no test finds.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::support::{CommandOutput, Folder};
 
-/// Nothing asserts what `pal` leaves in `nState` and `sShown`.
+/// No test asserts the values that `pal` stores in `nState` and `sShown`.
 const CELL: &str = r#"
 --- palTest
 library pal "Disk://pal/pal.pjx"
@@ -44,7 +44,7 @@ begin
 end
 "#;
 
-/// All that `pal` does is asserted.
+/// The test asserts every effect of `pal`.
 const GOOD: &str = r#"
 --- palTest
 library pal "Disk://pal/pal.pjx"
@@ -191,7 +191,7 @@ fn a_seed_and_a_number_choose_mistakes() {
     assert_ne!(some, chosen(&["--mutations", "13", "--seed", "2"]));
 }
 
-/// Line, text and replacement of each mistake in the report.
+/// Lines, texts and replacements of the mistakes in the report.
 fn mistakes(report: &Value) -> BTreeSet<String> {
     let mutants = report["mutants"].as_array().unwrap().iter();
     mutants.map(|mutant| format!("{}{}{}", mutant["line"], mutant["found"], mutant["replacement"])).collect()
@@ -251,7 +251,7 @@ fn tests_that_execute_no_tested_line_prove_nothing() {
     assert!(run.code == 2 && run.stderr.contains("the tests execute no line of a tested program"), "{run:?}");
 }
 
-/// The point is in a frame, and `nUnused` is named by nobody.
+/// The point is in a frame, and no program uses `nUnused`.
 const DATA: &str = r#"
 --- palTest
 library pal "Disk://pal/pal.pjx"

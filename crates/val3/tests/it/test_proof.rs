@@ -186,14 +186,14 @@ fn a_folder_above_the_cell_says_nothing_about_tests() {
     cell.write("tests/job/cycle/day.toml", "application = \"../app\"\n");
     cell.write("tests/job/checks/day.toml", "application = \"../app\"\n[expect]\nprint = [\"on\"]\n");
     let list = || cell.val3(&["test", "tests/job", "--list"]).stdout;
-    // The cell is `tests/job`: it is a repository, or, without one, the folder above its applications.
+    // The cell is `tests/job`: as a repository, or without a repository as the folder above its applications.
     for mark in ["tests/job/.git/HEAD", "tests/job/val3.toml"] {
         cell.write(mark, "");
         assert_eq!(list(), "", "{mark}");
         std::fs::remove_file(cell.path().join(mark)).unwrap();
         let _ = std::fs::remove_dir(cell.path().join("tests/job/.git"));
     }
-    // In a repository that contains `tests`, this folder counts.
+    // If the folder that contains `tests` is a repository, that folder is the cell.
     cell.write(".git/HEAD", "");
     assert_eq!(list(), "app:testGrip\napp:tests/job/checks/day\napp:tests/job/cycle/day\n");
     let covered = cell.val3(&["test", "tests/job", "--filter", "app:day", "--coverage"]);

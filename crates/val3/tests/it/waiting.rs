@@ -1,4 +1,4 @@
-//! Waits for a command under test. Each has a limit, and its failure states what was awaited and what was there.
+//! Waits for a command under test. Each wait has a limit, and its failure lists the awaited and the received items.
 
 use std::io::{BufRead as _, BufReader, Read};
 use std::process::{Child, ExitStatus};
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 /// Limit of a wait, far above the duration on any machine.
 pub(crate) const LIMIT: Duration = Duration::from_secs(60);
 
-/// Wait with a limit for something among other things, such as a message of a kind.
+/// Wait with a limit, for one item among others, such as a message of a certain kind.
 pub(crate) struct Wait {
     awaited: String,
     begun: Instant,
@@ -20,7 +20,7 @@ impl Wait {
         Self { awaited: awaited.into(), begun: Instant::now(), seen: Vec::new() }
     }
 
-    /// Adds something else that was there.
+    /// Records a received item that is not the awaited one.
     #[track_caller]
     pub(crate) fn saw(&mut self, other: impl Into<String>) {
         self.seen.push(other.into());
@@ -68,7 +68,7 @@ impl OutputLines {
         }
     }
 
-    /// Returns the remaining lines of an output that is closed.
+    /// Waits until the output is closed, and returns its remaining lines.
     #[track_caller]
     pub(crate) fn rest(&self) -> String {
         let mut wait = Wait::new("end of the output");

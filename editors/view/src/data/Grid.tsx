@@ -13,7 +13,7 @@ import { pressed } from "./keys";
 import type { DataModel } from "./model";
 import { widthsOf } from "./widths";
 
-/** In pixels. */
+/** Row height in pixels. */
 const ROW_HEIGHT = 24;
 const HEAD_HEIGHT = 26;
 

@@ -7,7 +7,7 @@ import type { DataModel } from "./model";
 import type { DataEdit } from "./protocol";
 import { keyOf, type Row } from "./rows";
 
-/** Begins to edit the active cell, or does what Enter does on a cell without editable text. */
+/** Begins to edit the active cell. On a cell without editable text, switches the value or access, or expands the row. */
 export function enter(model: DataModel, text?: string): void {
   const [row, column] = [model.activeRow(), model.activeColumn()];
   if (row === undefined || column === undefined || refusedAll(model)) {

@@ -1,4 +1,4 @@
-// Keys of the table.
+// Keyboard control of the table.
 
 import { clear, enter } from "./actions";
 import { contentOf, isTyped } from "./cells";

@@ -11,7 +11,7 @@ export type Value = server.TableElement;
 /** Row content: a variable, or a field of a value, which has no access. */
 export type Datum = server.FieldContent & Partial<Pick<server.Datum, "access">>;
 
-/** The editor reads the identifiers of results and the ranges, which the page ignores. */
+/** Tables without result ids and ranges, which only the editor reads. */
 export type DataTables = Omit<server.DataTables, "resultId" | "data"> & { data: readonly Datum[] };
 
 /** Replacement of items in a list. */

@@ -38,7 +38,7 @@ export class Camera {
     return this.controls.object === this.parallel ? this.parallel : this.perspective;
   }
 
-  /** Sets the width of the picture by its height. */
+  /** Sets the aspect ratio of the picture, its width divided by its height. */
   resize(aspect: number): void {
     this.aspect = aspect;
     this.perspective.aspect = aspect;
@@ -104,7 +104,7 @@ export class Camera {
     this.controls.dispose();
   }
 
-  /** Gives the parallel picture its height and its width. */
+  /** Sets the height and width of the parallel picture. */
   private shape(): void {
     const { half, aspect } = this;
     Object.assign(this.parallel, { left: -half * aspect, right: half * aspect, bottom: -half, top: half });

@@ -1,4 +1,4 @@
-// Things around the arm and parts, at the places of their carriers.
+// Things around the arm, and parts. Each is drawn relative to the frame, tool or link that carries it.
 
 import { Box3, Group, Mesh, MeshStandardMaterial } from "three";
 import type { ArmFrames } from "../kinematics";
@@ -20,7 +20,7 @@ export interface CarrierFrames {
   tools: readonly CellPoint[];
 }
 
-/** Drawn thing. A part has no carrier of its own, because it changes. */
+/** Drawn thing or part. A part has no fixed carrier, because programs grip and release it. */
 interface Drawn {
   carrier: ObjectCarrier | undefined;
   name: string;
@@ -50,7 +50,7 @@ export class CellObjects {
     this.drawn.forEach(({ body }) => this.group.add(body));
   }
 
-  /** Places the things and the parts. What has no place is hidden. */
+  /** Places the things and the parts. A thing or part whose frame is unknown is hidden. */
   place(frames: CarrierFrames, places: readonly PartPlace[], nearness: ReadonlyMap<string, Nearness>): void {
     const parts = new Map(places.map((place) => [place.name, place]));
     for (const { carrier, name, body, material } of this.drawn) {
@@ -63,7 +63,7 @@ export class CellObjects {
     }
   }
 
-  /** Returns the height of the lowest point of standing things; `Infinity` without one. */
+  /** Returns the height of the lowest point of all visible things in world or in a frame; `Infinity` if there are none. */
   lowest(): number {
     this.group.updateMatrixWorld(true);
     const standing = this.drawn.filter(({ carrier, body }) => body.visible && (carrier?.kind === "world" || carrier?.kind === "frame"));
@@ -79,7 +79,7 @@ export class CellObjects {
   }
 }
 
-/** Returns the frame of a part in world; `undefined` if it was removed, or its carrier has no place. */
+/** Returns the frame of a part in world; `undefined` if the part was removed or its carrier's frame is unknown. */
 export function partFrame(place: PartPlace | undefined, frames: CarrierFrames): Frame | undefined {
   if (place === undefined || place.carrier === null) {
     return undefined;
@@ -88,7 +88,7 @@ export function partFrame(place: PartPlace | undefined, frames: CarrierFrames): 
   return frame && composed(frame, frameOf(place.pose));
 }
 
-/** Returns the frame of a carrier in world; `undefined` without such a frame, tool or link. */
+/** Returns the frame of a carrier in world; `undefined` if there is no such frame, tool or link. */
 export function carrierFrame(carrier: ObjectCarrier, { base, arm, frames, tools }: CarrierFrames): Frame | undefined {
   switch (carrier.kind) {
     case "world": return IDENTITY;

@@ -1,4 +1,4 @@
-// Vertical lines from positions to the floor, which show where they are above it.
+// Vertical lines from positions to the floor, which show the point of the floor that each position is above.
 
 import { Color } from "three";
 import type { Look } from "./palette";

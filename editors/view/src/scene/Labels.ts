@@ -14,13 +14,13 @@ type Box = readonly [left: number, top: number, right: number, bottom: number];
 const ORDER = ["measure", "failed", "contact", "near", "selected", "tool", "frame", "point"];
 const HEIGHT = 18;
 
-/** Distance of names of points from the axis of a link, in px. */
+/** Half size of the areas along the arm that names of points do not cover, in px. */
 const AROUND = 12;
 
 export class Labels {
   private readonly pool: HTMLElement[] = [];
 
-  /** The other children of the parent's parent are above the drawing. */
+  /** `parent` receives the labels. All siblings of `parent` except the drawing count as elements over the drawing. */
   constructor(private readonly parent: HTMLElement) {}
 
   /** Draws the labels. Names of points do not cover the arm at `obstacles`. */

@@ -46,7 +46,7 @@ export class MotionMarks {
   }
 }
 
-/** Returns the spheres in which the arm leaves and reaches the segments between points; one for two of the same size. */
+/** Returns the spheres in which the arm leaves and reaches the segments between points; if both have the same size, one sphere. */
 export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number; kind: keyof typeof CORNERS }[] {
   return queue.flatMap(({ target, leaveDistance, reachDistance }) => {
     const radii = leaveDistance === reachDistance ? ([["both", leaveDistance]] as const) : ([["leave", leaveDistance], ["reach", reachDistance]] as const);

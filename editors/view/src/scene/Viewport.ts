@@ -61,7 +61,7 @@ export class Viewport {
   private isWaiting = false;
   /** Whether the picture shows everything, because the user has not changed its view. */
   private isFirst = false;
-  /** Growth of the path for which everything is shown. */
+  /** Growth count of the path when everything was last shown. */
   private fitted = -1;
   private length = 1000;
   private floor = 0;
@@ -155,7 +155,7 @@ export class Viewport {
     this.request();
   }
 
-  /** Places the things around the arm, and marks what is too near to something at the shown time. */
+  /** Places the things around the arm, and marks the things that are too near to others at the shown time. */
   private placeObjects(frames: CarrierFrames): void {
     const [{ list }, t] = [this.store.panels.cell.history.encounters, this.store.time.value];
     const nearness = nearnessAt(list, t);

@@ -1,4 +1,4 @@
-// Place of a camera that shows positions within a free area of the picture.
+// Computes where a camera has to be to show all given positions within a free area of the picture.
 
 type Position = readonly [number, number, number];
 
@@ -12,7 +12,7 @@ export interface Axes {
 export interface Lens {
   /** Tangent of half the vertical angle of view. */
   slope: number;
-  /** Width of the picture by its height. */
+  /** Aspect ratio: width of the picture divided by its height. */
   aspect: number;
   isParallel: boolean;
 }
@@ -27,14 +27,14 @@ export interface Area {
 
 export interface Place {
   target: Position;
-  /** Distance of the camera from the target, in mm. A parallel picture is `distance * slope` high above its centre. */
+  /** Distance of the camera from the target, in mm. A parallel picture extends `distance * slope` above its centre. */
   distance: number;
 }
 
-/** Steps in which the distance and the target converge to far less than a pixel. */
+/** Number of iterations after which the distance and the target have converged to far less than a pixel. */
 const STEPS = 20;
 
-/** Smallest distance, for positions that are all the same, in mm. */
+/** Smallest distance in mm, for example for a single position. */
 const NEAREST = 200;
 
 export function fitted(positions: readonly Position[], axes: Axes, { slope, aspect, isParallel }: Lens, area: Area): Place {

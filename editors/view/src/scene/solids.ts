@@ -13,10 +13,10 @@ export interface Capsule {
   radius: number;
 }
 
-/** Corners of a circle, and of a quarter of it from the equator to a pole. */
+/** Number of corners of a circle, and of the quarter circle from a sphere's equator to its pole. */
 const [AROUND, QUARTER] = [40, 12];
 
-/** Half width of the band around a capsule, as a share of its line and at most of its radius. */
+/** Half width of the band around a capsule, as a fraction of its line, and its limit as a fraction of its radius. */
 const [LINE_SHARE, RADIUS_SHARE] = [0.15, 0.12];
 
 /**

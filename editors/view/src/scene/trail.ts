@@ -16,7 +16,7 @@ import { ThinLines } from "./thinLines";
 const LONGEST = 0.2;
 const NEAR = 0.2;
 
-/** Largest number of drawn pieces. Above it, pairs of pieces in the older half become one piece. */
+/** Largest number of drawn pieces. Above it, pairs of pieces in the older half are merged. */
 const MOST = 60_000;
 
 /**
@@ -59,7 +59,7 @@ export class Trail {
   private readonly pieces: Piece[] = [];
   private phases: readonly string[] = [];
   private taken = 0;
-  /** State of the samples that were taken. */
+  /** Epoch of the added samples. If the samples have another epoch, the path is built again. */
   private epoch = 0;
   private last: { sample: PathSample; position: Position } | undefined;
   /** Positions that the last piece represents. */

@@ -5,10 +5,10 @@ import { groupOf } from "../panels/tasks/eventText";
 
 export type Target = "error" | "move" | "near";
 
-/** Distance of a time that counts as another time, in s. */
+/** Times that differ by less than this are the same time for a jump, in s. */
 const APART = 0.002;
 
-/** Whether an event is an error, the start of a move, or the begin of an encounter. */
+/** Whether an event is an error, the start of a move, or the beginning of an encounter or contact. */
 function isTarget(event: RunEvent, target: Target): boolean {
   switch (target) {
     case "error": return groupOf(event) === "errors";

@@ -1,4 +1,4 @@
-// Keys for the time, if no control of the page uses them.
+// Keyboard control of the shown time, for keys that no control of the page uses.
 
 export interface TimeKeys {
   toggle: () => void;

@@ -39,7 +39,7 @@ export function containing([start, end]: Range, t: number, whole: Range): Range 
     return [start, end];
   }
   const length = end - start;
-  // Some of the next time is visible, unless there is none.
+  // When the time leaves the range forwards, the new range begins shortly before it, so that the following events are visible.
   const last = Math.min(t > end ? t + length * 0.1 : t + length, Math.max(whole[1], whole[0] + length));
   return [last - length, last];
 }

@@ -8,7 +8,7 @@ export type Edits = server.VariableEdits;
 export type Parameter = Omit<server.Parameter, "range">;
 export type Local = Omit<server.Local, "range">;
 
-/** The editor reads the ranges, which the page ignores. */
+/** Variables without ranges, which only the editor reads. */
 export type Variables = Omit<server.VariablesResult, "parameters" | "locals"> & { parameters: readonly Parameter[]; locals: readonly Local[] };
 
 export type ToPage =

@@ -1,7 +1,7 @@
 // Keeps the documents of a code view and its file in sync.
 //
 // Edits are executed one after the other. While an edit of the code is being applied to the file, the file is older
-// than the code on the screen, so the code takes precedence. At all other times the file takes precedence.
+// than the code on the screen, so the code has priority. At all other times the file has priority.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";

@@ -37,7 +37,7 @@ export function codeViewMiddleware(views: CodeFiles): Middleware {
       if (target === undefined) {
         return null as never;
       }
-      // The server's previous tokens belong to the entire file, so a difference cannot be used here.
+      // The server's previous tokens are those of the entire file, so differences from them cannot be converted.
       const asked = method === DELTA ? FULL : type;
       const answer: unknown = await next(asked, toFile(params, target) as typeof params, token);
       const mapped = toCode(method, answer, target);

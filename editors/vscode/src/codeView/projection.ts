@@ -1,4 +1,4 @@
-// Code in a program file, and the file offset of its characters. Pure functions.
+// Code in a program file, and the conversion between offsets in the code and in the file. Pure functions.
 //
 // The code is the content of a <Code> element: the CDATA sections, or, in the old dialect, the text with entities.
 // Offsets in the code and in the file are in UTF-16 units.

@@ -33,7 +33,7 @@ export function symbolsToCode(symbols: Symbol[] | null, { mapping }: Target): Sy
   return [{ name: program || "(no name)", kind: FUNCTION, ...found, range, selectionRange: head, children }];
 }
 
-/** Returns the offset of each name's first occurrence in the code. */
+/** Returns for each name the offset of the first occurrence in the code. */
 function firstUses(code: string): Map<string, number> {
   const uses = new Map<string, number>();
   for (const { 1: name, index } of code.matchAll(WORD)) {

@@ -6,8 +6,8 @@ import { follow } from "../testing/process";
 import type { Walkthrough } from "../walkthrough";
 import { nameFault } from "./names";
 
-/** Choice for which `val3 new` determines the value. */
-const DEFAULT = "That of the cell";
+/** Choice with which `val3 new` determines the value. */
+const DEFAULT = "From the cell";
 
 const VERSIONS = [
   { label: "s8.20", description: "CS9 controllers" },
@@ -66,7 +66,7 @@ async function arms(command: string, folder: string): Promise<vscode.QuickPickIt
   });
 }
 
-/** Runs a command, and returns its output lines and its end. */
+/** Runs a command, and returns its output lines, its error output and its exit code. */
 async function output(command: string, words: string[], folder: string): Promise<{ lines: string[]; errors: string; code: number | null }> {
   const lines: string[] = [];
   const ended = await follow(command, words, { folder, line: (line) => lines.push(line) });

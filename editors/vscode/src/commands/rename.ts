@@ -1,4 +1,4 @@
-// Starts a rename of the name, or selects the condition, that a refactoring has invented, in the active editor.
+// After a refactoring: starts a rename of the new name, or selects the new condition, in the active editor.
 
 import * as vscode from "vscode";
 import type { Range } from "vscode-languageclient/node";
@@ -9,7 +9,7 @@ import { rangeOf } from "../ranges";
 export const RENAME = "val3.rename";
 export const SELECT = "val3.select";
 
-/** Milliseconds between two checks whether a code view is up to date with its file, and number of checks. */
+/** Milliseconds between two checks whether a code view is in sync with its file, and number of checks. */
 const PAUSE = 50;
 const LOOKS = 40;
 

@@ -40,7 +40,7 @@ export class Edits {
   }
 
   private async attempt(edits: readonly DataEdit[], check: boolean): Promise<Outcome> {
-    // An edit of a file that was read in another encoding would keep its lost characters.
+    // A file that was read in the wrong encoding is read again first, because an edit would make lost characters permanent.
     await openDocument(this.document.uri);
     for (let attempt = 0; attempt < ATTEMPTS; attempt += 1) {
       const { version } = this.document;

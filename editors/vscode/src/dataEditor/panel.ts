@@ -19,7 +19,7 @@ interface FromPage {
   [parameter: string]: unknown;
 }
 
-/** Milliseconds from a change to the update of the tables, so that further changes are included. */
+/** Milliseconds from a change to the update of the tables, in which further changes are collected. */
 const PAUSE = 150;
 
 export class DataPanel implements vscode.Disposable {
@@ -84,7 +84,7 @@ export class DataPanel implements vscode.Disposable {
     }
   }
 
-  /** Sends the tables of the present text, or their changes. Findings may follow later, because they need a check. */
+  /** Sends the tables of the present text, or their changes. Findings may follow later, because they require a check. */
   private refresh(withoutFindings = false): Promise<void> {
     this.loading = this.loading.catch(() => undefined).then(() => this.load(withoutFindings));
     return this.loading;

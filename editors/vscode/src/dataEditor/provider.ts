@@ -69,7 +69,7 @@ class DataEditors implements vscode.CustomTextEditorProvider {
       this.targets.set(key, shown);
     }
     await vscode.commands.executeCommand("vscode.openWith", uri, TYPE);
-    // A tab that was already open, or whose page is not ready yet.
+    // The tab may have been open already, so that no new panel has taken the target.
     const panel = [...this.panels].findLast(({ document }) => document.uri.toString() === key);
     const pending = this.targets.get(key);
     if (panel !== undefined && pending !== undefined) {

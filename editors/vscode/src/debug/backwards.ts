@@ -1,4 +1,4 @@
-// Steps back into and out of programs, which VS Code's own button does not know.
+// Steps back into and out of programs, for which VS Code has no button.
 
 import * as vscode from "vscode";
 import type { DebuggedRun } from "./run";

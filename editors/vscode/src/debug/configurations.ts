@@ -33,7 +33,7 @@ export class Configurations implements vscode.DebugConfigurationProvider {
   }
 }
 
-/** Returns the configuration for an application: the user's own one, or the default. */
+/** Returns the configuration for an application: the user's configuration if there is one, otherwise the default. */
 export function ofApplication({ name, folder }: Application, startProgram = START): vscode.DebugConfiguration {
   const inFolder = vscode.workspace.getWorkspaceFolder(folder);
   const own = vscode.workspace.getConfiguration("launch", inFolder).get<vscode.DebugConfiguration[]>("configurations", []);
@@ -50,7 +50,7 @@ function launch(name: string, program: string): vscode.DebugConfiguration {
   return { type: TYPE, request: "launch", name, program, time: "real", stopOnExit: true };
 }
 
-/** Lets the run of an application stop before its end, unless the configuration says otherwise. A test ends with its result. */
+/** Sets `stopOnExit` by default, so that a run stops before its end. Tests do not stop, because they end with their result. */
 function withStopOnExit(configuration: vscode.DebugConfiguration): vscode.DebugConfiguration {
   return configuration.test === undefined ? { stopOnExit: true, ...configuration } : configuration;
 }

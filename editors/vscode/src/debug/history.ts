@@ -1,4 +1,4 @@
-// Recorded writes of a variable as a list, from which one goes to the lines that wrote.
+// List of a variable's recorded writes. Selecting a write opens its line.
 
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
@@ -6,7 +6,7 @@ import { type HistoryRow, historyRows } from "./historyRows";
 import type { HistoryArguments } from "./requests";
 import type { DebuggedRun } from "./run";
 
-/** Number of writes in the first list, and factor by which a longer list grows. */
+/** Number of writes in the first list, and factor for the size of each longer list. */
 const [COUNT, GROWTH] = [100, 10];
 
 /** Argument of a command in the context menu of *Variables*. */

@@ -5,7 +5,7 @@ import type { HistoryBody, WriteLine } from "./requests";
 export interface HistoryRow {
   label: string;
   description: string;
-  /** Line to which the row leads. */
+  /** Line that the row opens. */
   source?: WriteLine;
   /** Whether the row requests earlier writes. */
   isMore?: boolean;

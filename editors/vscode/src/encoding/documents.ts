@@ -24,7 +24,7 @@ export async function openDocument(uri: vscode.Uri): Promise<vscode.TextDocument
   const document = await vscode.workspace.openTextDocument(uri);
   const { version } = document;
   const encoding = await missedEncoding(document);
-  // If a document was edited and saved meanwhile, the bytes on the disk are no longer the examined ones.
+  // If the document was edited and saved meanwhile, the bytes on the disk are no longer the examined bytes.
   const isUntouched = !document.isDirty && document.version === version;
   if (encoding !== undefined && isUntouched && !rereads.has(document)) {
     rereads.set(document, readAgain(document, encoding));
@@ -84,7 +84,7 @@ class Saves {
   /** Right encodings of files that VS Code is about to save wrongly, by URI. */
   private readonly pending = new Map<string, string>();
 
-  /** Returns the edits without which saving would lose characters. */
+  /** Returns the edits that prevent a loss of characters on save. */
   async prepare(document: vscode.TextDocument): Promise<vscode.TextEdit[]> {
     const text = Buffer.from(document.getText());
     // A file that does not exist yet has lost nothing.

@@ -70,7 +70,7 @@ export class Execution {
     return folder;
   }
 
-  /** Runs nothing without the path of a server, because Windows would search a mere name in the folder first. */
+  /** Runs nothing if the server was not found: Windows would look for a command without a path in the folder first. */
   private async follow(words: readonly string[], place: Place): Promise<Ended> {
     const { command } = this.client;
     return command === undefined ? { code: null, errors: "The server val3 was not found.\n" } : follow(command, words, place);

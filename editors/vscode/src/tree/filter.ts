@@ -1,4 +1,4 @@
-// Names that match a text in any letter case, and the projects that contain or reach such a name.
+// Names that match a text in any letter case, and the projects that contain such a name or reach one through references.
 
 import type { TreeProject } from "../serverRequests";
 import type { Graph, Item } from "./graph";

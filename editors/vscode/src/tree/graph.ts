@@ -16,7 +16,7 @@ export class Graph {
     return uri === null ? undefined : this.byUri.get(uri);
   }
 
-  /** Returns the projects to which an entry refers: the declared one, and replacements that programs load. */
+  /** Returns the projects to which an entry refers: the declared project, and replacements that programs load. */
   targets({ project, loaded }: TreeReference): TreeProject[] {
     return [project, ...loaded].map((uri) => this.find(uri)).filter((found) => found !== undefined);
   }

@@ -13,7 +13,7 @@ export interface TreeNode extends Texts {
   id: string;
   label: string;
   icon: Icon;
-  /** Words by which the menus choose their entries. */
+  /** Words by which menus select their entries. */
   context: string[];
   /** Project file for additions. */
   project: TreeProject | undefined;
@@ -77,7 +77,7 @@ export class TreeModel {
     return found.map((project) => this.projectNode(project, this.id(`${place}:${project.uri}`), []));
   }
 
-  /** Returns a separate id while a filter is set, so that nodes are open. */
+  /** Returns another id while a filter is set, so that VS Code shows the nodes open. */
   private id(id: string): string {
     return this.filter.isOn ? `${this.text}?${id}` : id;
   }
@@ -179,7 +179,7 @@ export class TreeModel {
     return this.group(`${id}#loaded`, "Loaded in Its Place", nodes);
   }
 
-  /** Returns a group, or an empty list if it has no nodes. */
+  /** Returns a list with the group; empty if the group has no nodes. */
   private group(id: string, label: string, nodes: TreeNode[], context: string[] = [], project?: TreeProject, count = nodes.length): TreeNode[] {
     if (nodes.length === 0) {
       return [];
@@ -201,7 +201,7 @@ function dataNode(data: TreeData): Leaf {
   return { icon: dataIcon(data.type, data.public), context: ["data", "named", "file"], ...dataTexts(data) };
 }
 
-/** Returns a function that creates ids for names, which may be declared twice. */
+/** Returns a function that creates ids for names. If a name is declared twice, the ids differ. */
 function uniqueIds(start: string): (name: string) => string {
   const seen = new Map<string, number>();
   return (name) => {

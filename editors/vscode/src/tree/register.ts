@@ -24,7 +24,7 @@ export function registerTree(client: Client, memory: vscode.Memento, output: vsc
       // For a key binding, the argument is the focused item, if the editor provides it.
       const node = isNode(argument) ? argument : tree.selected;
       if (node === undefined) {
-        // After an update of the view between the selection of the item and the command, no item is selected.
+        // If the view was updated between the selection of an item and the command, no item is selected.
         void vscode.window.showInformationMessage("No item of the view VAL 3 is selected. Select it and choose the command again.");
         return;
       }

@@ -90,7 +90,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     const { filter } = this;
     const found = count === 0 ? "no name contains it" : count === 1 ? "1 name" : `${count} names`;
     this.view.message = filter === "" || this.projects === undefined ? undefined : `Filter “${filter}”: ${found}`;
-    // Not awaited: until the items are shown, the editor has none for a command.
+    // Not awaited, because this would delay the items, and until they are shown, commands have no item.
     void vscode.commands.executeCommand("setContext", IS_FILTERED, filter !== "");
   }
 

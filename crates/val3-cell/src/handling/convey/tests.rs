@@ -43,13 +43,13 @@ impl Belt {
         self.handling.see(&self.scene, &sight, &outputs, CYCLE)
     }
 
-    /// Runs or stops the conveyor for this many seconds.
+    /// Simulates this number of seconds with a running or stopped conveyor.
     fn wait(&mut self, seconds: f64, runs: bool) -> Vec<HandlingEvent> {
         let cycles = std::iter::successors(Some(0u32), |cycle| Some(cycle + 1));
         cycles.take_while(|cycle| f64::from(*cycle) * CYCLE < seconds).flat_map(|_| self.see(runs)).collect()
     }
 
-    /// y coordinates of the parts, in 0.1 mm; `None` outside of the cell.
+    /// y coordinates of the parts, rounded to 0.1 mm; `None` outside of the cell.
     fn places(&self) -> Vec<Option<f64>> {
         let place = |place: &PartPlace| match place.holder {
             PartHolder::Gone => None,
@@ -186,7 +186,7 @@ fn errors_of_conveyors_name_their_keys() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Two copies of the state with the same input have the same future, whatever has happened before.
+    /// Two copies of the state with the same input behave equally, whatever has happened before the copy.
     #[test]
     fn a_restored_belt_repeats_its_future(runs in prop::collection::vec(any::<bool>(), 2..200), split in 0usize..200) {
         let mut first = Belt::new(&FEED.replace("END", "").replace("every = 1", "every = 0.3"));
@@ -198,7 +198,7 @@ proptest! {
         prop_assert_eq!(first.handling.parts(), second.handling.parts());
     }
 
-    /// Cycles that [`Handling::is_idle`] skips would have changed nothing.
+    /// Cycles that the caller skips because of [`Handling::is_idle`] would have changed nothing.
     #[test]
     fn an_idle_belt_does_not_change(runs in prop::collection::vec((any::<bool>(), 1usize..40), 1..12)) {
         let text = FEED.replace("END", "").replace("every = 1", "every = 0.3").replace("-400", "200");
@@ -214,7 +214,7 @@ proptest! {
         }
     }
 
-    /// Parts on a belt keep their order and the gap between them, and do not pass its end.
+    /// Parts on a belt keep their order and the gap between them, and do not pass the end of the belt.
     #[test]
     fn parts_on_a_belt_never_overlap(starts in prop::collection::vec(-450.0..440.0f64, 2), speed in 1.0..2000.0f64) {
         prop_assume!((starts[0] - starts[1]).abs() > 101.0);

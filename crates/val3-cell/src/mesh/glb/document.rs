@@ -1,4 +1,4 @@
-//! The description in a GLB file: the parts of glTF 2.0 from which triangles are read.
+//! JSON description in a GLB file: the properties of glTF 2.0 that the triangle reader needs.
 
 use serde::Deserialize;
 
@@ -26,7 +26,7 @@ pub(super) struct GltfScene {
 pub(super) struct GltfNode {
     pub(super) mesh: Option<usize>,
     pub(super) children: Vec<usize>,
-    /// Columns of four numbers.
+    /// Four columns of four numbers.
     pub(super) matrix: Option<[f64; 16]>,
     pub(super) translation: Option<[f64; 3]>,
     /// Quaternion x, y, z, w.

@@ -1,10 +1,10 @@
-//! Placement of nodes: a linear map and a shift.
+//! Placement of nodes: a linear map and a translation.
 
 use val3_geometry::Vector3;
 
 use super::document::GltfNode;
 
-/// A linear map, as the images of the axes, and a shift.
+/// A linear map, stored as the images of the axes, and a translation.
 #[derive(Clone, Copy)]
 pub(super) struct Placement {
     axes: [Vector3<f64>; 3],
@@ -16,7 +16,7 @@ impl Placement {
         Self { axes: [Vector3::x(), Vector3::y(), Vector3::z()], shift: Vector3::zeros() }
     }
 
-    /// Placement of a node within its parent.
+    /// Placement of a node relative to its parent.
     pub(super) fn of(node: &GltfNode) -> Self {
         if let Some([a, b, c, _, d, e, f, _, g, h, i, _, x, y, z, _]) = node.matrix {
             return Self { axes: [[a, b, c].into(), [d, e, f].into(), [g, h, i].into()], shift: [x, y, z].into() };
@@ -27,7 +27,7 @@ impl Placement {
         Self { axes: [x * along_x, y * along_y, z * along_z], shift }
     }
 
-    /// Placement of something that is placed within this one.
+    /// Returns the placement of an inner node: first `inner`, then this one.
     pub(super) fn then(&self, inner: &Self) -> Self {
         Self { axes: inner.axes.map(|axis| self.direction(&axis)), shift: self.point(&inner.shift) }
     }
@@ -42,7 +42,7 @@ impl Placement {
     }
 }
 
-/// Images of the axes under the rotation of a unit quaternion.
+/// Images of the axes under the rotation by a unit quaternion.
 fn turn([x, y, z, w]: [f64; 4]) -> [Vector3<f64>; 3] {
     [
         [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)].into(),

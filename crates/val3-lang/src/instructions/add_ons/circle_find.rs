@@ -3,12 +3,12 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Finds the circle that passes best through measured positions.
+    /// Finds the circle that best fits measured positions.
     ///
     /// - `trPositions`, `pPositions`: 3 to 10 positions; read only.
-    /// - `trResult`, `fResult`: gets a position whose origin is the centre of the circle.
-    /// - `nRadius`: gets the radius, millimetres (inches).
-    /// - Result: how far the positions are off the circle.
+    /// - `trResult`, `fResult`: receives a position whose origin is the centre of the circle.
+    /// - `nRadius`: receives the radius, millimetres (inches).
+    /// - Result: the deviation of the positions from the circle.
     ///
     /// ## Example
     /// ```val3

@@ -3,10 +3,10 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Checks a line of code that is put together at run time, without executing it.
+    /// Checks a line of code that the program has composed, without executing it.
     ///
     /// - `sCode`: the line.
-    /// - Result: a text about the outcome.
+    /// - Result: a string that describes the outcome.
     ///
     /// ## Example
     /// ```val3

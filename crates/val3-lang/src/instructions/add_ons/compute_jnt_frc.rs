@@ -6,8 +6,8 @@ instruction! {
     /// Computes the torque or force that each axis needs for a motion.
     ///
     /// - `jPosition`: the position of each axis.
-    /// - `nSpeed`, `nAcceleration`: of each axis; read only.
-    /// - `nForce`: gets torque or force of each axis.
+    /// - `nSpeed`, `nAcceleration`: the speed and acceleration of each axis; read only.
+    /// - `nForce`: receives the torque or force of each axis.
     ///
     /// ## Example
     /// ```val3

@@ -7,7 +7,7 @@ use crate::values::Text;
 instruction! {
     /// Copies a file or a folder.
     ///
-    /// - `sFrom`, `sTo`: from where to where.
+    /// - `sFrom`, `sTo`: the source and the destination.
     /// - Result: `true` if it was copied.
     ///
     /// ## Example

@@ -8,7 +8,7 @@ instruction! {
     /// Removes a value from a one-dimensional array.
     ///
     /// - `variable`: the array.
-    /// - `nIndex`: which value.
+    /// - `nIndex`: the index of the value.
     /// - Errors: as for `delete`.
     ///
     /// It is older than `delete`, which needs no add-on.

@@ -7,7 +7,7 @@ use crate::values::Text;
 instruction! {
     /// Deletes a file or a folder.
     ///
-    /// - `sPath`: where it is.
+    /// - `sPath`: the path.
     /// - Result: `true` if it was deleted.
     ///
     /// ## Example

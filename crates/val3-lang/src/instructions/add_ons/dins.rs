@@ -8,7 +8,7 @@ instruction! {
     /// Inserts a value into a one-dimensional array.
     ///
     /// - `variable`: the array.
-    /// - `nIndex`: before which value.
+    /// - `nIndex`: the index of the value before which the new value is inserted.
     /// - Errors: as for `insert`.
     ///
     /// It is older than `insert`, which needs no add-on.

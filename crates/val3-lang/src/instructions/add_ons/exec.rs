@@ -3,10 +3,10 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Executes a line of code that is put together at run time.
+    /// Executes a line of code that the program has composed.
     ///
     /// - `sCode`: the line.
-    /// - Result: a text about the outcome.
+    /// - Result: a string that describes the outcome.
     ///
     /// ## Example
     /// ```val3

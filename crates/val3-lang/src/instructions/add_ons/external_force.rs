@@ -3,12 +3,12 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Estimates the force from outside on the arm, as if it acted at the tool centre point.
+    /// Estimates the external force on the arm, as if it acted at the tool centre point.
     ///
     /// - `jPosition`: the position of each axis.
     /// - `tTool`: the tool.
-    /// - `nJointForce`: what the axes bear beyond what the motion needs; read only.
-    /// - `nToolForce`: gets forces and torques at the tool centre point.
+    /// - `nJointForce`: the torque or force of each axis in excess of what the motion requires; read only.
+    /// - `nToolForce`: receives the forces and torques at the tool centre point.
     ///
     /// ## Example
     /// ```val3

@@ -6,8 +6,8 @@ use crate::declare::instruction;
 instruction! {
     /// Closes a file.
     ///
-    /// - `nFile`: the number that `$fileOpen` gave.
-    /// - Result: (s8) a number that shows whether it was closed; up to s7 there is none.
+    /// - `nFile`: the number that `$fileOpen` returned.
+    /// - Result: (s8) a number that shows whether the file was closed; up to s7, there is no result.
     ///
     /// ## Example
     /// ```val3

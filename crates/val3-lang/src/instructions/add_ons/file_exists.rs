@@ -7,8 +7,8 @@ use crate::values::Text;
 instruction! {
     /// Returns whether a file exists.
     ///
-    /// - `sPath`: where it would be.
-    /// - Result: `true` if it is there.
+    /// - `sPath`: the path.
+    /// - Result: `true` if the file exists.
     ///
     /// ## Example
     /// ```val3

@@ -9,11 +9,11 @@ use crate::values::numbers::round;
 instruction! {
     /// Reads lines or bytes from an open file.
     ///
-    /// - `nFile`: the number that `$fileOpen` gave.
-    /// - `sLines`, `nBytes`: get the lines, or the bytes, each 0 to 255. A line longer than a string continues in the
-    ///   next value.
-    /// - `nCount`: how many to read.
-    /// - Result: how many were read; fewer at the end of the file.
+    /// - `nFile`: the number that `$fileOpen` returned.
+    /// - `sLines`, `nBytes`: receive the lines or the bytes, each 0 to 255. A line longer than a string continues in
+    ///   the next value.
+    /// - `nCount`: the number of lines or bytes to read.
+    /// - Result: the number of lines or bytes read; fewer at the end of the file.
     ///
     /// ## Example
     /// ```val3

@@ -7,9 +7,9 @@ use crate::values::Text;
 instruction! {
     /// Opens a file.
     ///
-    /// - `sPath`: where it is, such as `"Disk://data/log.txt"`.
-    /// - `sMode`: `"r"` to read, `"w"` to write.
-    /// - Result: the number under which the other file instructions know it; negative if it cannot be opened.
+    /// - `sPath`: the path, for example `"Disk://data/log.txt"`.
+    /// - `sMode`: `"r"` to read, `"w"` to write, `"a"` to append.
+    /// - Result: the file number for the other file instructions; negative if the file cannot be opened.
     ///
     /// Up to ten files are open at a time, and none is closed automatically: end with `$fileClose`.
     ///

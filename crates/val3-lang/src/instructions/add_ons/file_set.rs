@@ -9,10 +9,10 @@ use crate::values::Text;
 instruction! {
     /// Writes lines or bytes to an open file.
     ///
-    /// - `nFile`: the number that `$fileOpen` gave.
-    /// - `sLines`, `nBytes`: the lines, or the bytes, each 0 to 255; read only.
-    /// - `nCount`: how many to write.
-    /// - Result: how many were written.
+    /// - `nFile`: the number that `$fileOpen` returned.
+    /// - `sLines`, `nBytes`: the lines or the bytes, each 0 to 255; read only.
+    /// - `nCount`: the number of lines or bytes to write.
+    /// - Result: the number of lines or bytes written.
     ///
     /// ## Example
     /// ```val3

@@ -3,7 +3,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the delay that the smoothing filter of the motion brings about.
+    /// Returns the delay that the smoothing filter of the motion causes.
     ///
     /// - Result: the delay.
     ///

@@ -3,7 +3,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the cycle time of the controller.
+    /// Returns the cycle time of the controller.
     ///
     /// - Result: the time from one commanded position to the next.
     ///

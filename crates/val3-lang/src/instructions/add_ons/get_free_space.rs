@@ -3,10 +3,10 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the free space of a disk partition.
+    /// Returns the free space of a disk partition.
     ///
     /// - `sPartition`: `"/sys"`, `"/usr"` or `"/log"`.
-    /// - Result: the space that is left.
+    /// - Result: the free space.
     ///
     /// ## Example
     /// ```val3

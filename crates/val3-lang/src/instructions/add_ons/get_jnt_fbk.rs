@@ -4,9 +4,9 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the position of each axis as the encoders measure it.
+    /// Returns the position of each axis as measured by the encoders.
     ///
-    /// - Result: the measured position; `herej` gives the commanded one.
+    /// - Result: the measured position; `herej` returns the commanded position.
     ///
     /// ## Example
     /// ```val3

@@ -3,9 +3,9 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the speed that each axis is commanded to have.
+    /// Returns the commanded speed of each axis.
     ///
-    /// - `nSpeed`: gets degrees (millimetres) per second, one value an axis.
+    /// - `nSpeed`: receives the speeds in degrees (millimetres) per second, one value per axis.
     ///
     /// ## Example
     /// ```val3

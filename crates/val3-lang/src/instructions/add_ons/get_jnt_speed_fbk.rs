@@ -3,9 +3,9 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the speed that each axis has, as the encoders measure it.
+    /// Returns the speed of each axis as measured by the encoders.
     ///
-    /// - `nSpeed`: gets degrees (millimetres) per second, one value an axis.
+    /// - `nSpeed`: receives the speeds in degrees (millimetres) per second, one value per axis.
     ///
     /// ## Example
     /// ```val3

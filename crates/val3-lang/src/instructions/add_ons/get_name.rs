@@ -3,7 +3,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the name of a variable.
+    /// Returns the name of a variable.
     ///
     /// - `variable`: the variable.
     /// - Result: its name.

@@ -6,11 +6,11 @@ use crate::fault::Result;
 use crate::moves;
 
 instruction! {
-    /// Gives the position of a tool as the encoders measure it.
+    /// Returns the position of a tool as measured by the encoders.
     ///
     /// - `tTool`: the tool.
     /// - `fReference`: the frame of the result.
-    /// - Result: the measured position; `here` gives the commanded one.
+    /// - Result: the measured position; `here` returns the commanded position.
     ///
     /// ## Example
     /// ```val3

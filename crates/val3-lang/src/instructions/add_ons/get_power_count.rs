@@ -3,9 +3,9 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives for how long the arm has had power in its life.
+    /// Returns the total time for which the arm has had power.
     ///
-    /// - Result: hours.
+    /// - Result: the time in hours.
     ///
     /// ## Example
     /// ```val3

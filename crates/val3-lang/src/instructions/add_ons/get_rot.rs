@@ -3,11 +3,11 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives axis and angle of the one rotation that turns as a transformation does.
+    /// Returns the axis and the angle of a transformation's rotation.
     ///
     /// - `trPosition`: the transformation.
-    /// - `nX`, `nY`, `nZ`: get the axis, a vector of length 1.
-    /// - Result: the angle, degrees.
+    /// - `nX`, `nY`, `nZ`: receive the axis, a vector of length 1.
+    /// - Result: the angle in degrees.
     ///
     /// ## Example
     /// ```val3

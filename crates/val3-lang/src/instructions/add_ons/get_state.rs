@@ -3,7 +3,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the system state that the display on the controller's board shows.
+    /// Returns the system state that the display on the controller's board shows.
     ///
     /// - Result: the number on the display.
     ///

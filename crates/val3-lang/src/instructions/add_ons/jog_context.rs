@@ -3,9 +3,9 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Chooses the tool, the frame and the mode in which the operator jogs the arm.
+    /// Selects the tool, the frame and the mode in which the operator jogs the arm.
     ///
-    /// - `tTool`, `fReference`: tool and frame.
+    /// - `tTool`, `fReference`: the tool and the frame.
     /// - `nMode`: the jog mode, a number.
     ///
     /// ## Example

@@ -5,7 +5,7 @@ use crate::declare::instruction;
 instruction! {
     /// Opens the library under an identifier, or the application itself.
     ///
-    /// - Result: `true` if it was opened. `$libClose` ends it.
+    /// - Result: `true` if it was opened. `$libClose` closes it again.
     ///
     /// ## Example
     /// ```val3

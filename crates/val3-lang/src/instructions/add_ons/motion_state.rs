@@ -3,7 +3,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the state of the motion.
+    /// Returns the state of the motion.
     ///
     /// - Result: a field of 16 bits; read it with `bAnd`.
     ///

@@ -3,10 +3,10 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Adds a value to those that a recorder records.
+    /// Adds a value to the recorded values of a recorder.
     ///
     /// - `sRecorder`: the recorder, `"c"` or `"d"`.
-    /// - `sVariable`: what to record.
+    /// - `sVariable`: the value to record.
     ///
     /// ## Example
     /// ```val3

@@ -3,7 +3,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Makes a recorder forget what it has to record.
+    /// Removes all values from a recorder.
     ///
     /// - `sRecorder`: the recorder, `"c"` or `"d"`.
     ///

@@ -6,8 +6,8 @@ instruction! {
     /// Starts a recorder.
     ///
     /// - `sRecorder`: the recorder, `"c"` or `"d"`.
-    /// - `nDuration`: for how long.
-    /// - `nFrequency`: how often a value is taken.
+    /// - `nDuration`: the duration.
+    /// - `nFrequency`: the sampling frequency.
     ///
     /// ## Example
     /// ```val3

@@ -3,10 +3,10 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Saves what a recorder has recorded.
+    /// Saves the recorded values of a recorder.
     ///
     /// - `sRecorder`: the recorder, `"c"` or `"d"`.
-    /// - `sPath`: the file to write, with the ending `.ctt` or `.txt`.
+    /// - `sPath`: the file to write, with the extension `.ctt` or `.txt`.
     /// - Result: `true` if it was saved.
     ///
     /// ## Example

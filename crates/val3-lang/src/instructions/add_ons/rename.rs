@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Moves a file or a folder, or gives it another name.
+    /// Moves or renames a file or a folder.
     ///
     /// - `sFrom`, `sTo`: its old and its new path.
     /// - Result: `true` if it was moved.

@@ -3,10 +3,10 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the angle of the one rotation that turns as a transformation does.
+    /// Returns the angle of a transformation's rotation.
     ///
     /// - `trPosition`: the transformation.
-    /// - Result: degrees.
+    /// - Result: the angle in degrees.
     ///
     /// ## Example
     /// ```val3

@@ -6,7 +6,7 @@ instruction! {
     /// Sets the software limits of the arm.
     ///
     /// - `jMin`, `jMax`: the lowest and highest position of each axis.
-    /// - Result: `true` if they were taken.
+    /// - Result: `true` if the limits were accepted.
     ///
     /// ## Example
     /// ```val3

@@ -3,9 +3,9 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the transformation that turns about an axis.
+    /// Returns the transformation that rotates about an axis.
     ///
-    /// - `nAngle`: degrees.
+    /// - `nAngle`: the angle in degrees.
     /// - `nX`, `nY`, `nZ`: the axis.
     /// - Result: the rotation; its translation is 0.
     ///

@@ -3,9 +3,9 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the speed of a motion that `$velFrame`, `$velTool` or `$velJoint` has started.
+    /// Sets the speed of a motion that `$velFrame`, `$velTool` or `$velJoint` has started.
     ///
-    /// - `nSpeed`: along x, y, z and about them, or of each axis; read only.
+    /// - `nSpeed`: the speeds along x, y, z and about these axes, or the speed of each axis; read only.
     ///
     /// ## Example
     /// ```val3

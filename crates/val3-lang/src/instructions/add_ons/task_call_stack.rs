@@ -6,8 +6,8 @@ instruction! {
     /// Lists the calls that a task is executing.
     ///
     /// - `sTask`: the task.
-    /// - `sLines`: gets one line a call, of the form `project:program(), line n: code`.
-    /// - Result: how many calls.
+    /// - `sLines`: receives one line per call, in the form `project:program(), line n: code`.
+    /// - Result: the number of calls.
     ///
     /// ## Example
     /// ```val3

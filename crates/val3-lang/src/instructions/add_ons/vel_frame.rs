@@ -9,7 +9,7 @@ instruction! {
     /// - `tTool`, `mDesc`: tool, and limits of speed and acceleration.
     /// - Result: the id of the move.
     ///
-    /// `$setVelCmd` then gives the speed.
+    /// `$setVelCmd` then sets the speed.
     ///
     /// ## Example
     /// ```val3

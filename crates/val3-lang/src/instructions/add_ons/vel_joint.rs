@@ -7,7 +7,7 @@ instruction! {
     ///
     /// - `tTool`, `mDesc`: tool, and limits of speed and acceleration.
     ///
-    /// `$setVelCmd` then gives the speed.
+    /// `$setVelCmd` then sets the speed.
     ///
     /// ## Example
     /// ```val3

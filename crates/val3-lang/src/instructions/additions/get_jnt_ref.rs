@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives a reference position of the arm by its name.
+    /// Returns a reference position of the arm by its name.
     ///
     /// - `sName`: the name of the reference position.
     /// - Result: the position of each axis.

@@ -4,9 +4,9 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the state of the safety referencing of the arm.
+    /// Returns the state of the safety referencing of the arm.
     ///
-    /// - Result: a status number; what its values mean depends on the controller.
+    /// - Result: a status number, whose meaning depends on the controller.
     ///
     /// On CS9 controllers.
     ///

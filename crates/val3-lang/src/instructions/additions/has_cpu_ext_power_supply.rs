@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Returns whether the processor of the controller has a power supply of its own.
+    /// Returns whether the processor of the controller has a separate power supply.
     ///
     /// - Result: `true` if it has one.
     ///

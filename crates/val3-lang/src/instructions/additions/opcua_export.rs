@@ -8,7 +8,7 @@ instruction! {
     /// Publishes a variable on the OPC UA server of the controller.
     ///
     /// - `variable`: the variable.
-    /// - `bWritable`: `true` lets clients write it as well.
+    /// - `bWritable`: `true` if clients may also write the variable.
     ///
     /// On CS9 controllers.
     ///

@@ -7,7 +7,7 @@ instruction! {
     ///
     /// - `tTool`: the tool.
     /// - `nMass`: the mass of the load.
-    /// - `trCentre`: where its centre of gravity lies.
+    /// - `trCentre`: the position of its centre of gravity.
     /// - `nInertia`: its moments of inertia; read only.
     ///
     /// On CS9 controllers.

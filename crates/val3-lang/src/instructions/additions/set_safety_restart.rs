@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Asks the safety controller to restart after a safety stop.
+    /// Requests a restart of the safety controller after a safety stop.
     ///
     /// - Result: `true` if the restart was accepted.
     ///

@@ -4,11 +4,11 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the speed by which every move is scaled, before s7.
+    /// Returns the speed percentage that scales every move, before s7.
     ///
     /// - Result: per cent.
     ///
-    /// From s7 on `getMonitorSpeed` gives it.
+    /// From s7 on, `getMonitorSpeed` returns it.
     ///
     /// ## Example
     /// ```val3

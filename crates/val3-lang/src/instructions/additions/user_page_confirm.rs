@@ -9,7 +9,7 @@ instruction! {
     /// Asks the operator a question on the user page.
     ///
     /// - `sText`: the question.
-    /// - Result: `true` if the operator says yes.
+    /// - Result: `true` if the operator confirms.
     ///
     /// On CS9 controllers.
     ///

@@ -10,7 +10,7 @@ instruction! {
     /// Asks the operator for a text on the user page.
     ///
     /// - `sPrompt`: the question.
-    /// - `sText`: gets the answer.
+    /// - `sText`: receives the answer.
     /// - Result: `true` if there is an answer.
     ///
     /// On CS9 controllers.

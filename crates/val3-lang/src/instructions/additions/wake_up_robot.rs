@@ -4,9 +4,9 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Wakes up an arm that has gone to rest.
+    /// Wakes up an arm in sleep mode.
     ///
-    /// - Result: a status number; what its values mean depends on the controller.
+    /// - Result: a status number, whose meaning depends on the controller.
     ///
     /// On CS9 controllers.
     ///

@@ -5,9 +5,10 @@ use crate::declare::instruction;
 use crate::values::bits;
 
 instruction! {
-    /// Gives the bits that are set in both of two 32-bit fields.
+    /// Returns the bits that are set in both of two 32-bit fields.
     ///
-    /// - `nBitField1`, `nBitField2`: whole numbers from 0 to 4294967295; others are rounded into that range.
+    /// - `nBitField1`, `nBitField2`: whole numbers from 0 to 4294967295; other numbers are rounded and limited to this
+    ///   range.
     /// - Result: the number with the common bits.
     ///
     /// ## Example

@@ -7,8 +7,8 @@ use crate::values::bits;
 instruction! {
     /// Inverts every bit of a 32-bit field.
     ///
-    /// - `nBitField`: a whole number from 0 to 4294967295; others are rounded into that range.
-    /// - Result: the number whose bits are the contrary of the 32 bits of `nBitField`.
+    /// - `nBitField`: a whole number from 0 to 4294967295; other numbers are rounded and limited to this range.
+    /// - Result: the number with the inverted 32 bits of `nBitField`.
     ///
     /// ## Example
     /// ```val3

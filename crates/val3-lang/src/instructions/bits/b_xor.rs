@@ -5,10 +5,11 @@ use crate::declare::instruction;
 use crate::values::bits;
 
 instruction! {
-    /// Gives the bits in which two 32-bit fields differ.
+    /// Returns the bits in which two 32-bit fields differ.
     ///
-    /// - `nBitField1`, `nBitField2`: whole numbers from 0 to 4294967295; others are rounded into that range.
-    /// - Result: the number with the bits that are set in one of the fields only.
+    /// - `nBitField1`, `nBitField2`: whole numbers from 0 to 4294967295; other numbers are rounded and limited to this
+    ///   range.
+    /// - Result: the number with the bits that are set in exactly one of the fields.
     ///
     /// ## Example
     /// ```val3

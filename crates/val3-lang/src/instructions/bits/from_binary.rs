@@ -9,12 +9,12 @@ instruction! {
     /// Decodes numbers from bytes that another device sent.
     ///
     /// - `nDataByte`: the bytes, each 0 to 255; read only.
-    /// - `nDataSize`: how many of them, from the first on.
+    /// - `nDataSize`: the number of bytes to decode, from the first byte on.
     /// - `sDataFormat`: as for `toBinary`: `"-4l"`, `"8.0b"`.
-    /// - `nValue`: gets the numbers.
-    /// - Result: how many numbers were decoded; negative if bytes are corrupt: the count of those decoded before, with
-    ///   a minus sign.
-    /// - Error 70: more bytes asked for than `nDataByte` has, an unknown format, or too small a `nValue`.
+    /// - `nValue`: receives the numbers.
+    /// - Result: the number of decoded numbers. If bytes are corrupt, the number decoded before them, with a minus
+    ///   sign.
+    /// - Error 70: more bytes requested than `nDataByte` contains, an unknown format, or a `nValue` that is too small.
     ///
     /// ## Example
     /// ```val3

@@ -9,16 +9,16 @@ instruction! {
     /// Encodes numbers as bytes, to send them to another device.
     ///
     /// - `nValue`: the numbers; read only.
-    /// - `nValueSize`: how many of them, from the first on.
-    /// - `sDataFormat`: sign, bytes a number, and their order: `"1"`, `"-1"` one byte; `"2"`, `"4"` bytes, `"-"` before
-    ///   them for signed; `"4.0"`, `"8.0"` floating point; then `"l"` for the low byte first, `"b"` for the high byte
-    ///   first (as networks do). Example: `"-4l"`, `"8.0b"`.
-    /// - `nDataByte`: gets the bytes, each 0 to 255.
+    /// - `nValueSize`: how many numbers to encode, from the first one on.
+    /// - `sDataFormat`: sign, bytes per number, and byte order: `"1"`, `"-1"` one byte; `"2"`, `"4"` bytes, `"-"`
+    ///   before them for signed numbers; `"4.0"`, `"8.0"` floating point; then `"l"` for the low byte first, `"b"` for
+    ///   the high byte first (as networks do). Example: `"-4l"`, `"8.0b"`.
+    /// - `nDataByte`: receives the bytes, each 0 to 255.
     /// - Result: the number of bytes.
-    /// - Error 70: an unknown format, too small a `nDataByte`, or (up to s7) more numbers asked for than `nValue` has.
-    ///   From s8 on, the numbers that exist are encoded.
+    /// - Error 70: an unknown format, a `nDataByte` that is too small, or (up to s7) more numbers requested than
+    ///   `nValue` contains. From s8 on, only the existing numbers are encoded.
     ///
-    /// Only `"8.0l"` and `"8.0b"` keep every digit of a number.
+    /// Only `"8.0l"` and `"8.0b"` preserve every digit of a number.
     ///
     /// ## Example
     /// ```val3

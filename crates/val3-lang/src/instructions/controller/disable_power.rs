@@ -6,7 +6,7 @@ use crate::declare::instruction;
 instruction! {
     /// Cuts the power of the arm and waits until it is off.
     ///
-    /// A moving arm is first stopped on its path. The moves that are recorded stay; they go on after `enablePower`.
+    /// A moving arm is first stopped on its path. Recorded moves are kept and continue after `enablePower`.
     ///
     /// ## Example
     /// ```val3

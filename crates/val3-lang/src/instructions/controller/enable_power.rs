@@ -6,8 +6,8 @@ use crate::declare::instruction;
 instruction! {
     /// Switches the power of the arm on, in remote mode.
     ///
-    /// It does not wait: ask `isPowered`. In any other working mode, and while the power is being cut, its only effect
-    /// is a line in the log.
+    /// It does not wait: check `isPowered`. In any other working mode, and while the power is being cut, its only
+    /// effect is a line in the log.
     ///
     /// ## Example
     /// ```val3

@@ -4,9 +4,9 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the state of the emergency stop circuit.
+    /// Returns the state of the emergency stop circuit.
     ///
-    /// - Result: 0 no emergency stop; 1 released, waits to be acknowledged; 2 the circuit is open, or a hardware fault
+    /// - Result: 0 no emergency stop; 1 released, but not acknowledged yet; 2 the circuit is open, or a hardware fault
     ///   has to be repaired.
     ///
     /// ## Example

@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the monitor speed, by which every move is scaled.
+    /// Returns the monitor speed, which scales every move.
     ///
     /// - Result: per cent, 0 to 100.
     ///

@@ -5,11 +5,11 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the version or the state of a part of the controller.
+    /// Returns the version or the state of a controller part.
     ///
     /// - `sComponent`: `"VAL 3"`, `"ArmType"`, `"Tuning"`, `"Mounting"`, `"ControllerSN"`, `"ArmSN"`, `"Starc"`, or the
     ///   name of a software licence such as `"alter"`, `"compliance"`, `"oemLicence"`.
-    /// - Result: the version; of a licence `"enabled"`, `"demo"`, or `""` where it is missing or has run out.
+    /// - Result: the version; for a licence `"enabled"`, `"demo"`, or `""` if it is missing or has expired.
     ///
     /// ## Example
     /// ```val3

@@ -9,9 +9,9 @@ use crate::values::Text;
 instruction! {
     /// Counts the field bus devices that have failed.
     ///
-    /// - `sErrorDescription`: gets a text for each of them: error number, device and module (`number:device\module`). A
-    ///   global array grows as needed.
-    /// - Result: how many devices have failed.
+    /// - `sErrorDescription`: receives a text for each failed device: error number, device and module
+    ///   (`number:device\module`). A global array grows as needed.
+    /// - Result: the number of failed devices.
     ///
     /// ## Example
     /// ```val3

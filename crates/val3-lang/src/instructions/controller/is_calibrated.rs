@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Returns whether every axis of the arm knows its position.
+    /// Returns whether every axis of the arm is calibrated.
     ///
     /// - Result: `false` if at least one axis is not calibrated.
     ///

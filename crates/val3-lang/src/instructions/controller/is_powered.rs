@@ -6,7 +6,7 @@ use crate::declare::instruction;
 instruction! {
     /// Returns whether the arm has power.
     ///
-    /// - Result: `true` with power; `false` without, and while it is coming on.
+    /// - Result: `true` with power; `false` without power, and while it is being switched on.
     ///
     /// ## Example
     /// ```val3

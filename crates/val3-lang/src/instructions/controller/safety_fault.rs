@@ -8,7 +8,7 @@ use crate::values::Text;
 instruction! {
     /// Returns whether the safety circuit has a hardware fault that was found and confirmed.
     ///
-    /// - `sSignalName`: gets the name of the faulty signal; unchanged without a fault.
+    /// - `sSignalName`: receives the name of the faulty signal; unchanged without a fault.
     /// - Result: `true` if there is a fault.
     ///
     /// ## Example

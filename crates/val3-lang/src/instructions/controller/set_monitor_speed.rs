@@ -4,11 +4,11 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Changes the monitor speed, by which every move is scaled.
+    /// Changes the monitor speed, which scales every move.
     ///
-    /// - `nSpeed`: per cent, 0 to 100. It can always be lowered. It can be raised in remote mode only, where the
-    ///   operator has no hold of the speed keys.
-    /// - Result: 0 done, -1 not in remote mode, -2 the operator controls the speed, -3 not 0 to 100.
+    /// - `nSpeed`: per cent, 0 to 100. It can always be lowered. It can be raised only in remote mode, and only if the
+    ///   operator does not control the speed.
+    /// - Result: 0 done, -1 not in remote mode, -2 the operator controls the speed, -3 outside of 0 to 100.
     ///
     /// ## Example
     /// ```val3

@@ -5,11 +5,11 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Gives the working mode of the robot.
+    /// Returns the working mode of the robot.
     ///
-    /// - `nStatus`: gets the state within the mode. Manual: 0 programmed motion, 1 connection move, 2 joint, 3 frame, 4
-    ///   tool and 5 point jog, 6 hold. Test: 0 programmed motion and 1 connection move (below 250 mm/s), 2 fast motion,
-    ///   3 hold. Local and remote: 0 programmed motion, 1 connection move, 2 hold.
+    /// - `nStatus`: receives the state within the mode. Manual: 0 programmed motion, 1 connection move, 2 joint, 3
+    ///   frame, 4 tool and 5 point jog, 6 hold. Test: 0 programmed motion and 1 connection move (below 250 mm/s), 2
+    ///   fast motion, 3 hold. Local and remote: 0 programmed motion, 1 connection move, 2 hold.
     /// - Result: 0 changing or invalid, 1 manual, 2 test, 3 local, 4 remote.
     ///
     /// ## Example

@@ -6,11 +6,11 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Turns a position so that its z axis is parallel to an axis of a reference.
+    /// Rotates a position so that its z axis is parallel to an axis of a reference.
     ///
-    /// - `trPosition`: the position; its x, y and z stay.
-    /// - `trReference`: only its orientation counts.
-    /// - Result: `trPosition`, turned so that its z axis points along the nearest of the axes of the reference.
+    /// - `trPosition`: the position; its x, y and z do not change.
+    /// - `trReference`: only its orientation is used.
+    /// - Result: `trPosition`, rotated so that its z axis points along the nearest axis of the reference.
     ///
     /// ## Example
     /// ```val3

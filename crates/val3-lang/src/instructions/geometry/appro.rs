@@ -8,11 +8,11 @@ use crate::fault::Result;
 use crate::references;
 
 instruction! {
-    /// Gives a point near another one, along the axes of that point.
+    /// Returns a point near another point, along that point's axes.
     ///
     /// - `pPosition`: the point.
-    /// - `trTransformation`: where the result lies, seen from the point: with the z axis of the tool pointing at the
-    ///   part, a negative z is above it.
+    /// - `trTransformation`: the position of the result relative to the point: if the z axis of the tool points at the
+    ///   part, a negative z is above the part.
     /// - Result: the new point, with frame and configuration of `pPosition`.
     /// - Error 162: the point has no reference frame.
     ///

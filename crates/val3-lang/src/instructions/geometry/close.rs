@@ -9,10 +9,10 @@ instruction! {
     /// Closes a tool once the arm has arrived.
     ///
     /// - `tTool`: the tool. Its output `gripper` becomes `false`; then the task waits for `ctime` seconds.
-    /// - Errors: 122 its output is an input, 123 it is not linked, 150 a move before it cannot be done.
+    /// - Errors: 122 its output is an input, 123 it is not linked, 150 an earlier move cannot be executed.
     ///
-    /// Before that it waits as `waitEndMove` does and so ends blending. It does not wait until the arm is at rest: put
-    /// `wait(isSettled())` before it.
+    /// Before that, it waits like `waitEndMove` and thereby ends blending. It does not wait until the arm is at rest:
+    /// write `wait(isSettled())` before it.
     ///
     /// ## Example
     /// ```val3

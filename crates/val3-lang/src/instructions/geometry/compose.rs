@@ -11,7 +11,7 @@ instruction! {
     /// Moves a point by a transformation that is given in any frame.
     ///
     /// - `pPosition`: the point.
-    /// - `fReference`: the frame in which the transformation is meant.
+    /// - `fReference`: the frame to which the transformation relates.
     /// - `trTransformation`: translation and rotation about the origin of that frame. A rotation therefore moves the
     ///   point as well, unless the point lies at the origin.
     /// - Result: the new point, with frame and configuration of `pPosition`.

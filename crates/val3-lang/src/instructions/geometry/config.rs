@@ -7,7 +7,7 @@ use crate::moves;
 use crate::values::ConfigValue;
 
 instruction! {
-    /// Gives the configuration in which the arm is at a joint position.
+    /// Returns the configuration of the arm at a joint position.
     ///
     /// - `jPosition`: the position of each axis.
     /// - Result: shoulder, elbow and wrist (a SCARA arm: shoulder only), each with a definite side or sign.

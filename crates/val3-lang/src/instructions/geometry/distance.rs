@@ -8,11 +8,11 @@ use crate::fault::Result;
 use crate::references;
 
 instruction! {
-    /// Gives the distance between two positions.
+    /// Returns the distance between two positions.
     ///
     /// - `trPosition1`, `trPosition2`: two transformations, given in the same frame.
-    /// - `pPosition1`, `pPosition2`: two points, in whatever frames.
-    /// - Result: millimetres (inches), always 0 or more; orientation does not count.
+    /// - `pPosition1`, `pPosition2`: two points, in any frames.
+    /// - Result: millimetres (inches), always 0 or more; the orientation is ignored.
     /// - Error 162: a point has no reference frame.
     ///
     /// ## Example

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Reads the position that the latch has frozen.
+    /// Reads the position that the latch has stored.
     ///
-    /// - `jPosition`: gets the position at the edge, within 0.2 ms; unchanged if there is none.
-    /// - Result: `true` if there is a frozen position; `false` before the edge, or if the latch was never armed.
+    /// - `jPosition`: receives the position at the edge, accurate to 0.2 ms; unchanged if no position is stored.
+    /// - Result: `true` if a position is stored; `false` before the edge, or if the latch was never armed.
     ///
     /// Only on CS8C controllers. The same position is read until `setLatch` arms the latch again.
     ///

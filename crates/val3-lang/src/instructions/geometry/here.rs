@@ -6,14 +6,14 @@ use crate::fault::Result;
 use crate::moves;
 
 instruction! {
-    /// Gives the position of a tool as a point.
+    /// Returns the position of a tool as a point.
     ///
     /// - `tTool`: the tool.
     /// - `fReference`: the frame of the result.
-    /// - Result: the position that the controller commands, with the present configuration of the arm.
+    /// - Result: the position that the controller commands, with the current configuration of the arm.
     /// - Errors: 163 the frame has no reference frame, 164 the tool has no reference tool.
     ///
-    /// `herej` gives the position of each axis.
+    /// `herej` returns the position of each axis.
     ///
     /// ## Example
     /// ```val3

@@ -4,12 +4,12 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the position of each axis.
+    /// Returns the position of each axis.
     ///
-    /// - Result: with power, the position that the controller commands; without, the position that the encoders
-    ///   measure, which shivers a little. It is new every 4 ms.
+    /// - Result: with power, the commanded position; without power, the position measured by the encoders, which
+    ///   fluctuates slightly. It is updated every 4 ms.
     ///
-    /// `here` gives the same as a point.
+    /// `here` returns the position as a point.
     ///
     /// ## Example
     /// ```val3

@@ -7,12 +7,12 @@ use crate::declare::instruction;
 use crate::fault::{Fault, Result};
 
 instruction! {
-    /// Gives a position on the arc through three positions.
+    /// Returns a position on the arc through three positions.
     ///
     /// - `trStart`, `trIntermediate`, `trEnd`: the arc, all given in the same frame.
     /// - `nPosition`: 0 is the start, 1 the end, 0.5 the middle of the arc; less than 0 lies before the start, more
     ///   than 1 after the end.
-    /// - Result: the position; it turns as a `movec` does.
+    /// - Result: the position; its orientation changes as during a `movec`.
     /// - Error 70: the positions are too close to each other for an arc, or the orientation between them is ambiguous.
     ///
     /// ## Example

@@ -7,12 +7,12 @@ use crate::declare::instruction;
 use crate::fault::{Fault, Result};
 
 instruction! {
-    /// Gives a position on the straight line between two positions.
+    /// Returns a position on the straight line between two positions.
     ///
     /// - `trStart`, `trEnd`: the ends, given in the same frame.
     /// - `nPosition`: 0 is the start, 1 the end, 0.5 the middle; above -1 and below 2, so that the line continues
     ///   beyond its ends.
-    /// - Result: the position; it turns between the two orientations as a `movel` does.
+    /// - Result: the position; its orientation changes between the two orientations as during a `movel`.
     /// - Error 70: `nPosition` is out of its range.
     ///
     /// ## Example

@@ -7,7 +7,7 @@ instruction! {
     /// Returns whether a joint position lies within the software limits of every axis.
     ///
     /// - `jPosition`: the position.
-    /// - Result: `true` if the arm may go there.
+    /// - Result: `true` if the arm may move there.
     ///
     /// An arm that is outside its limits can only be jogged back.
     ///

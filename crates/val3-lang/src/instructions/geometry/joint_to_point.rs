@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::moves;
 
 instruction! {
-    /// Gives where a tool is when the axes are at a given position.
+    /// Returns the position of a tool for a joint position.
     ///
     /// - `tTool`: the tool.
     /// - `fReference`: the frame of the result.

@@ -6,14 +6,14 @@ use crate::fault::Result;
 use crate::memory::LinkPlace;
 
 instruction! {
-    /// Gives a frame, a tool or a point another reference.
+    /// Changes the reference of a frame, a tool or a point.
     ///
-    /// - `fFrame`, `tTool`, `pPoint`: what is linked. Its own coordinates stay, so it moves in space.
+    /// - `fFrame`, `tTool`, `pPoint`: the linked variable. Its own coordinates do not change, so it moves in space.
     /// - `fReference`, `tReference`: the new reference frame or tool.
     /// - Error 165: a global variable cannot refer to a local one.
     ///
-    /// Local variables and fields of user types have no reference before they get one here, by `=`, or from an
-    /// instruction that yields a point.
+    /// Local variables and fields of user types have no reference until this instruction, `=`, or an instruction that
+    /// returns a point sets one.
     ///
     /// ## Example
     /// ```val3

@@ -6,13 +6,13 @@ use crate::fault::Result;
 use crate::moves;
 
 instruction! {
-    /// Finds the position of each axis with which a tool reaches a point.
+    /// Finds the joint position with which a tool reaches a point.
     ///
     /// - `tTool`: the tool.
-    /// - `jInitial`: a position to start from: it decides what `ssame`, `esame`, `wsame` mean, and which turn of an
-    ///   axis is taken that has several.
-    /// - `pPosition`: the point with its wanted configuration.
-    /// - `jResult`: gets the position; unchanged if there is none.
+    /// - `jInitial`: the start position. It determines the meaning of `ssame`, `esame`, `wsame`, and the turn of an
+    ///   axis for which several turns are possible.
+    /// - `pPosition`: the point with the requested configuration.
+    /// - `jResult`: receives the position; unchanged if the result is `false`.
     /// - Result: `false` if the point is out of reach, or out of the limits in that configuration.
     /// - Errors: 81 a position for another kind of arm, 162 the point, 164 the tool has no reference.
     ///

@@ -8,11 +8,11 @@ use crate::fault::Result;
 use crate::references;
 
 instruction! {
-    /// Gives where a frame, a tool or a point lies, seen from another frame or tool.
+    /// Returns the position of a frame, a tool or a point relative to another frame or tool.
     ///
-    /// - `fFrame`, `tTool`, `pPosition`: what is looked at.
-    /// - `fReference`, `tReference`: from where; `world` or `flange` for the absolute position.
-    /// - Result: the transformation from the reference to it, millimetres (inches) and degrees.
+    /// - `fFrame`, `tTool`, `pPosition`: the frame, tool or point.
+    /// - `fReference`, `tReference`: the reference; `world` or `flange` for the absolute position.
+    /// - Result: the transformation from the reference to it, in millimetres (inches) and degrees.
     /// - Errors: 160 `flange` was changed, 161 `world` was changed, 162 the point, 163 a frame, 164 a tool has no
     ///   reference of its own.
     ///
@@ -85,8 +85,8 @@ mod tests {
         assert_eq!(bench.run("position(flange,tTip)"), "{-10,0,-150,0,0,-90}");
     }
 
-    /// Relative to its father, a point has its own values, and the distance of two points is the distance of their
-    /// positions.
+    /// The position of a point relative to its father has the point's own values. The distance of two points is the
+    /// distance of their positions.
     #[test]
     fn of_points() {
         let mut bench = linked();

@@ -14,7 +14,8 @@ instruction! {
     /// - `pOrigin`: its origin.
     /// - `pAxisOx`: a point on its x axis, on the positive side.
     /// - `pPlaneOxy`: a point of its xy plane, on the positive side of y.
-    /// - `fResult`: gets the position, relative to its own reference frame. One that has none gets `world`.
+    /// - `fResult`: receives the position, relative to its own reference frame. A frame without a reference is linked
+    ///   to `world`.
     /// - Result: 0 done, -1 `pAxisOx` is too close to the origin, -2 `pPlaneOxy` is too close to the x axis.
     /// - Errors: 161 `world` was changed, 162 a point, 163 a frame that they refer to has no reference frame.
     ///

@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Arms the position latch: the next rising edge of a fast input freezes the position.
+    /// Arms the position latch: the next rising edge of a fast input stores the position.
     ///
     /// - `diInput`: a fast input (`fIn0`, `fIn1`); the signal has to be low and then high for at least 0.2 ms.
     /// - Errors: 70 for an input without latch, 123 not linked.

@@ -8,8 +8,8 @@ instruction! {
     /// Reads a numerical input or output.
     ///
     /// - `aiInput`: the signal.
-    /// - Result: its value, in the unit that its configuration gives.
-    /// - Errors: 123 not linked, 125 it does not answer.
+    /// - Result: its value, in the unit of its configuration.
+    /// - Errors: 123 not linked, 125 the device does not respond.
     ///
     /// ## Example
     /// ```val3

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Links a numerical signal to the input or output that another one is linked to.
+    /// Links a numerical signal to the input or output of another signal.
     ///
-    /// - `aiVariable`: the variable that gets the link.
-    /// - `aiSource`: the variable whose link is taken over.
+    /// - `aiVariable`: the variable that receives the link.
+    /// - `aiSource`: the variable whose link is copied.
     ///
     /// ## Example
     /// ```val3

@@ -8,9 +8,9 @@ instruction! {
     /// Writes a number to a numerical output.
     ///
     /// - `aiOutput`: the output.
-    /// - `nValue`: the value, in the unit that its configuration gives.
-    /// - Result: the value the output really has: rounded for an output of whole numbers, limited to its range.
-    /// - Errors: 122 for an input, 123 not linked, 124 a protected output, 125 an output that does not answer.
+    /// - `nValue`: the value, in the unit of its configuration.
+    /// - Result: the actual value of the output: rounded for an output of whole numbers, and limited to its range.
+    /// - Errors: 122 for an input, 123 not linked, 124 a protected output, 125 an output that does not respond.
     ///
     /// ## Example
     /// ```val3

@@ -8,7 +8,7 @@ instruction! {
     /// Discards the data that a serial channel has received and no task has read.
     ///
     /// - `siVariable`: the serial line or socket. A socket is closed as well; it opens again when it is next used.
-    /// - Result: the number of characters thrown away; -1 for a socket that is closed already.
+    /// - Result: the number of discarded characters; -1 for a socket that is already closed.
     /// - Error 123: not linked.
     ///
     /// ## Example

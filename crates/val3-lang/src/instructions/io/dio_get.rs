@@ -7,9 +7,9 @@ use crate::fault::Result;
 instruction! {
     /// Reads an array of digital signals as a binary number.
     ///
-    /// - `diArray`: the signals, the lowest bit first; read only. An index may say where to start.
+    /// - `diArray`: the signals, the lowest bit first; read only. An index selects the first signal.
     /// - Result: `diArray[0]` counts 1, `diArray[1]` counts 2, `diArray[2]` counts 4, and so on.
-    /// - Errors: 123 for a signal that is not linked, 125 for one that does not answer.
+    /// - Errors: 123 for a signal that is not linked, 125 for a signal that does not respond.
     ///
     /// ## Example
     /// ```val3

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Links a digital signal to the input or output that another one is linked to.
+    /// Links a digital signal to the input or output of another signal.
     ///
-    /// - `diVariable`: the variable that gets the link.
-    /// - `diSource`: the variable whose link is taken over.
+    /// - `diVariable`: the variable that receives the link.
+    /// - `diSource`: the variable whose link is copied.
     ///
     /// One program can thus serve cells with different hardware.
     ///

@@ -7,10 +7,10 @@ use crate::fault::Result;
 instruction! {
     /// Writes a number in binary to an array of digital outputs.
     ///
-    /// - `diArray`: the outputs, the lowest bit first. An index may say where to start.
-    /// - `nValue`: its whole part is written; bits beyond the array are dropped.
-    /// - Result: the number that the outputs show then: with 4 outputs, 26 gives 10.
-    /// - Errors: 122 for an input, 123 not linked, 124 a protected output, 125 an output that does not answer.
+    /// - `diArray`: the outputs, the lowest bit first. An index selects the first output.
+    /// - `nValue`: its whole part is written; bits beyond the array are discarded.
+    /// - Result: the number that the outputs then represent: with 4 outputs, 10 for 26.
+    /// - Errors: 122 for an input, 123 not linked, 124 a protected output, 125 an output that does not respond.
     ///
     /// ## Example
     /// ```val3

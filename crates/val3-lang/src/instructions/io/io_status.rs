@@ -10,12 +10,12 @@ instruction! {
     /// Returns whether an input or output works.
     ///
     /// - `diInputOutput`, `aiInputOutput`: the signal.
-    /// - `sDescription`: gets the free text that describes it.
-    /// - `sPhysicalPath`: gets what it is linked to, as a rule `device\module\address`.
+    /// - `sDescription`: receives its description.
+    /// - `sPhysicalPath`: receives the path to which it is linked, usually `device\module\address`.
     /// - Result: 0 it works, 1 it is held at a value by the operator, 2 it is simulated in software, -1 no link, -2 no
     ///   such device or signal, -3 its device has failed.
     ///
-    /// It never raises an error, so it can be asked before the signal is used.
+    /// It never raises an error, so it can be called before the signal is used.
     ///
     /// ## Example
     /// ```val3

@@ -12,10 +12,10 @@ instruction! {
     ///
     /// - `siChannel`: the serial line or socket.
     /// - `sParameter`, `value`: for sockets `"port"` (num), `"target"` (string, address of the server to call),
-    ///   `"clients"` (num, most clients of a server), `"nagle"` (bool); for all `"endOfString"` (num, 0 to 255, the
-    ///   character that ends a string) and `"timeout"` (num, seconds, 0 for none); for lines `"baudRate"` (num),
-    ///   `"parity"` (string: `"none"`, `"even"`, `"odd"`), `"bits"` (num, 5 to 8), `"stopBits"` (num, 1 or 2), `"mode"`
-    ///   (string: `"rs232"`, `"rs422"`), `"flowControl"` (string: `"none"`, `"hardware"`).
+    ///   `"clients"` (num, maximum number of clients of a server), `"nagle"` (bool); for all `"endOfString"` (num, 0 to
+    ///   255, the character that ends a string) and `"timeout"` (num, seconds, 0 for no timeout); for lines
+    ///   `"baudRate"` (num), `"parity"` (string: `"none"`, `"even"`, `"odd"`), `"bits"` (num, 5 to 8), `"stopBits"`
+    ///   (num, 1 or 2), `"mode"` (string: `"rs232"`, `"rs422"`), `"flowControl"` (string: `"none"`, `"hardware"`).
     /// - Result: 0 done, -1 no such parameter, -2 value of a wrong type, -3 value not supported, -4 the channel is
     ///   busy, -5 not a parameter of this kind of channel.
     /// - Error 123: not linked.

@@ -8,12 +8,12 @@ instruction! {
     /// Reads bytes from a serial channel.
     ///
     /// - `siInput`: the serial line or socket; a socket that is not connected is opened first.
-    /// - `nData`: gets the bytes, each 0 to 255. One variable gets one byte; of an array, an index may say where to
-    ///   start. Reading ends when it is full or nothing more has come in.
-    /// - Result: the number of bytes read; -1 if none came within the timeout of the channel.
+    /// - `nData`: receives the bytes, each 0 to 255. A single variable receives one byte; for an array, an index
+    ///   selects the first element. Reading ends when the array is full or no more bytes have arrived.
+    /// - Result: the number of bytes read; -1 if no byte arrived within the timeout of the channel.
     /// - Errors: 70 without a variable for the bytes, 123 not linked, 125 the channel has failed.
     ///
-    /// It waits for the first byte; other tasks run on.
+    /// It waits for the first byte; other tasks continue.
     ///
     /// ## Example
     /// ```val3

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Links a serial channel to the line or socket that another one is linked to.
+    /// Links a serial channel to the line or socket of another channel.
     ///
-    /// - `siVariable`: the variable that gets the link.
-    /// - `siSource`: the variable whose link is taken over.
+    /// - `siVariable`: the variable that receives the link.
+    /// - `siSource`: the variable whose link is copied.
     ///
     /// ## Example
     /// ```val3

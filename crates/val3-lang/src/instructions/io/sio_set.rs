@@ -10,10 +10,11 @@ instruction! {
     /// Writes bytes to a serial channel.
     ///
     /// - `siOutput`: the serial line or socket; a socket that is not connected is opened first.
-    /// - `nData`: the bytes; each number is rounded and taken modulo 256. Of an array, an index may say where to start.
-    /// - `nByte`: a single byte in place of the array, as programs on controllers use it.
-    /// - `nLength`: (s8) how many bytes; else the whole array.
-    /// - Result: the number of bytes written, fewer than asked for after a fault; -1 after the timeout.
+    /// - `nData`: the bytes; each number is rounded and taken modulo 256. For an array, an index selects the first
+    ///   element.
+    /// - `nByte`: a single byte in place of the array, a form that programs on controllers use.
+    /// - `nLength`: (s8) the number of bytes; by default the whole array.
+    /// - Result: the number of bytes written, fewer than requested after a fault; -1 after the timeout.
     /// - Errors: 123 not linked, 125 the channel has failed.
     ///
     /// ## Example

@@ -7,8 +7,8 @@ use crate::values::Text;
 instruction! {
     /// Deletes a library from a disk.
     ///
-    /// - `sPath`: where it is (`libLoad` describes paths).
-    /// - Result: 0 deleted, also if there was none; every other number says why not.
+    /// - `sPath`: the path (`libLoad` describes paths).
+    /// - Result: 0 deleted, also if the library did not exist; every other number is the reason for the failure.
     ///
     /// ## Example
     /// ```val3

@@ -7,10 +7,10 @@ use crate::values::Text;
 instruction! {
     /// Returns whether the library under an identifier has a public variable or program.
     ///
-    /// - `sSymbolName`: the name; that of a program is followed by `()`: `"init()"`.
-    /// - Result: `true` if it is there and public.
+    /// - `sSymbolName`: the name; the name of a program is followed by `()`: `"init()"`.
+    /// - Result: `true` if it exists and is public.
     ///
-    /// With it an application gets along with older and newer forms of a library; compare `isDefined`.
+    /// An application can thus support older and newer versions of a library; see also `isDefined`.
     ///
     /// ## Example
     /// ```val3

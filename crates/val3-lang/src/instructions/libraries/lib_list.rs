@@ -6,10 +6,10 @@ use crate::fault::Result;
 use crate::values::Text;
 
 instruction! {
-    /// Lists what a folder contains.
+    /// Lists the content of a folder.
     ///
     /// - `sPath`: the folder (`libLoad` describes paths).
-    /// - `sContents`: gets the names; all its values are emptied first, so the first `""` marks the end. A global array
+    /// - `sContents`: receives the names. All values are cleared first, so the first `""` marks the end. A global array
     ///   grows as needed.
     /// - Result: `false` if the array is too small for the whole list.
     ///

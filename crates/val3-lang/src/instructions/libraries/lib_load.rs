@@ -8,11 +8,11 @@ use crate::values::Text;
 instruction! {
     /// Loads a library under an identifier of the application.
     ///
-    /// - `sPath`: where it is: `root://folder/name`. The root is `Disk` (the default), `USB0` or a network connection;
+    /// - `sPath`: the path: `root://folder/name`. The root is `Disk` (the default), `USB0` or a network connection;
     ///   `./` starts at the application. An encrypted library is a `.zip` file.
     /// - `sPassword`: the public password of an encrypted library.
-    /// - Result: 0 loaded; 11 loaded, but its interface differs from the declared one (what is missing raises error 80
-    ///   when it is used); every other number says why nothing was loaded.
+    /// - Result: 0 loaded; 11 loaded, but its interface differs from the declared one (the use of a missing item raises
+    ///   error 80); every other number is the reason why nothing was loaded.
     ///
     /// It never raises a run-time error. Two identifiers that load the same library share its data.
     ///
@@ -42,7 +42,7 @@ fn load_encrypted(call: &mut Call<'_>, library: LibraryRef, path: Text, password
     request(call, RuntimeRequest::Load { library: library.0, path, password })
 }
 
-/// Gives the other tasks their turn, then sends a request, whose result code the runtime returns.
+/// Passes the turn to the other tasks, then sends a request. The runtime returns its result code.
 pub(super) fn request(call: &mut Call<'_>, request: RuntimeRequest) -> Flow {
     if call.is_first() {
         return call.sleep(0);

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the path of a library, or of the program's own application.
+    /// Returns the path of a library, or of the program's own application.
     ///
     /// - Called on an identifier: the path from which the library was loaded.
-    /// - Called alone: the path of the application or library of the calling program.
+    /// - Called without an identifier: the path of the application or library of the calling program.
     /// - Result: the path.
     ///
     /// ## Example

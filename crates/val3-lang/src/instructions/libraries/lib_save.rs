@@ -11,11 +11,11 @@ instruction! {
     ///
     /// - Called on an identifier, it saves the library that is loaded there, otherwise the application of the calling
     ///   program.
-    /// - `sPath`: where to save; without it, where it was loaded from.
-    /// - Result: 0 saved; every other number says why not: 10 nothing is loaded under the identifier, 31 there is a
-    ///   library at `sPath` already.
+    /// - `sPath`: the destination; by default the path from which the library was loaded.
+    /// - Result: 0 saved; every other number is the reason for the failure: 10 nothing is loaded under the identifier,
+    ///   31 a library already exists at `sPath`.
     ///
-    /// It never raises a run-time error. Flash memory wears out: not once a minute or more often.
+    /// It never raises a run-time error. Flash memory wears out: do not save once a minute or more often.
     ///
     /// ## Example
     /// ```val3

@@ -4,11 +4,11 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Sets or returns how the arm gets back on its path in remote mode.
+    /// Sets or returns whether connection moves are automatic in remote mode.
     ///
-    /// - `bActive`: `true` for an automatic connection move, `false` (at the start) for one that the operator commands.
-    ///   An arm that has hardly left its path is connected automatically in either case.
-    /// - Result without argument: the present choice.
+    /// - `bActive`: `true` for an automatic connection move, `false` (initial value) for a connection move that the
+    ///   operator commands. An arm that has hardly left its path is connected automatically in either case.
+    /// - Result without argument: the current setting.
     ///
     /// ## Example
     /// ```val3

@@ -6,13 +6,13 @@ use crate::fault::{Fault, Result};
 use crate::runtime_errors::INVALID_PARAMETER;
 
 instruction! {
-    /// Gives the torque or force of each motor, from its current.
+    /// Returns the torque or force of each motor, computed from its current.
     ///
-    /// - `nForce`: gets newton metres for a rotary axis, newtons for a linear one; one value an axis.
+    /// - `nForce`: receives one value per axis: newton metres for a rotary axis, newtons for a linear axis.
     /// - Error 70: the array has fewer values than the arm has axes.
     ///
-    /// Weight, friction, inertia and noise are in it: only the difference to a reference measured under like conditions
-    /// says something about a force from outside.
+    /// The values include weight, friction, inertia and noise: only the difference from a reference measured under
+    /// similar conditions indicates an external force.
     ///
     /// ## Example
     /// ```val3

@@ -6,10 +6,10 @@ use crate::declare::instruction;
 instruction! {
     /// Returns the id of the move that the arm executes.
     ///
-    /// - Result: the id of the present move plus the part of it that is done: 17.572 is move 17, 57.2 % of it done.
-    ///   When the last move is done, its id plus 1.
+    /// - Result: the id of the current move plus its completed fraction: 17.572 means that 57.2 % of move 17 is done.
+    ///   After the last move, its id plus 1.
     ///
-    /// Compare it with `>=`, never with `==`: the number steps over values.
+    /// Compare it with `>=`, never with `==`: the number skips values.
     ///
     /// ## Example
     /// ```val3

@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives how far each axis is from where it should be.
+    /// Returns the deviation of each axis from its commanded position.
     ///
     /// - Result: the difference between commanded and measured position, degrees or millimetres (inches).
     ///

@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::moves;
 
 instruction! {
-    /// Gives the speed of a tool centre point.
+    /// Returns the speed of a tool centre point.
     ///
     /// - `tTool`: the tool.
     /// - Result: millimetres (inches) per second, computed from the commanded speed of the axes.

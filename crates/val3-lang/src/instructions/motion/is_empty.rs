@@ -6,7 +6,7 @@ use crate::declare::instruction;
 instruction! {
     /// Returns whether every recorded move is done.
     ///
-    /// - Result: `false` as long as one is left.
+    /// - Result: `false` while a move remains.
     ///
     /// ## Example
     /// ```val3

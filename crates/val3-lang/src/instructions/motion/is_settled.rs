@@ -6,10 +6,10 @@ use crate::declare::instruction;
 instruction! {
     /// Returns whether the arm is at rest.
     ///
-    /// - Result: `true` if every axis has kept within 1 % of its greatest position error for 50 ms.
+    /// - Result: `true` if the position error of every axis has been within 1 % of its maximum for 50 ms.
     ///
-    /// An arm can be at rest in the midst of its moves, for instance after `stopMove`: `isEmpty` shows whether they are
-    /// done.
+    /// An arm can be at rest before its moves are done, for example after `stopMove`: `isEmpty` returns whether they
+    /// are done.
     ///
     /// ## Example
     /// ```val3

@@ -9,19 +9,20 @@ use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
-    /// Records a move on an arc, from where the move before ends.
+    /// Records a move on an arc that starts at the end of the previous move.
     ///
-    /// - `pIntermediate`: a point on the way; its configuration does not count.
-    /// - `pTarget`: the end. A full circle takes two moves.
-    /// - `tTool`: the tool that runs on the arc.
+    /// - `pIntermediate`: a point on the arc; its configuration is ignored.
+    /// - `pTarget`: the end of the arc. A full circle requires two moves.
+    /// - `tTool`: the tool that moves on the arc.
     /// - `mDesc`: speed, acceleration and blending around the target.
-    /// - Result: the id of the move, as `getMoveId` counts it.
-    /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
-    ///   done, 153 not supported, 154 a point out of reach, no arc through the points, an arc that the arm cannot follow,
-    ///   or an orientation on it that is ambiguous, 160 to 164 `flange` or `world` was changed, or point, frame or tool
-    ///   has no reference.
+    /// - Result: the id of the move, as in `getMoveId`.
+    /// - Errors: 81 a target for another kind of arm, 100 to 106 an invalid value in `mDesc`, 150 an earlier move
+    ///   cannot be executed, 153 not supported, 154 a point out of reach, no arc through the points, an arc that the
+    ///   arm cannot follow, or an orientation on it that is ambiguous, 160 to 164 `flange` or `world` was changed, or
+    ///   point, frame or tool has no reference.
     ///
-    /// The tool turns over the orientation of the intermediate point: the same three times keeps it constant.
+    /// At the intermediate point, the tool has the orientation of this point. If all three orientations are equal, the
+    /// orientation of the tool stays constant.
     ///
     /// ## Example
     /// ```val3

@@ -11,15 +11,15 @@ use crate::values::MdescValue;
 instruction! {
     /// Records a joint move: all axes start and arrive together, on the fastest path.
     ///
-    /// - `jPosition`, `pPosition`: the target; a point says the configuration in which it is reached.
+    /// - `jPosition`, `pPosition`: the target; a point determines the configuration in which it is reached.
     /// - `tTool`: the tool that reaches a point, and whose speed is limited.
     /// - `mDesc`: speed, acceleration and blending around the target.
-    /// - Result: the id of the move, as `getMoveId` counts it.
-    /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
-    ///   done, 153 not supported, 154 target out of limits or out of reach, 160 to 164 `flange` or `world` was changed,
-    ///   or point, frame or tool has no reference.
+    /// - Result: the id of the move, as in `getMoveId`.
+    /// - Errors: 81 a target for another kind of arm, 100 to 106 an invalid value in `mDesc`, 150 an earlier move
+    ///   cannot be executed, 153 not supported, 154 target out of limits or out of reach, 160 to 164 `flange` or
+    ///   `world` was changed, or point, frame or tool has no reference.
     ///
-    /// The program continues at once, far ahead of the arm. It waits only if no more moves can be recorded.
+    /// The program continues immediately, far ahead of the arm. It waits only if no more moves can be recorded.
     ///
     /// ## Example
     /// ```val3

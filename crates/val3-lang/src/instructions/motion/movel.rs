@@ -9,18 +9,18 @@ use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
-    /// Records a straight move: the tool centre point runs on a line and turns evenly on the way.
+    /// Records a straight move: the tool centre point moves on a line and rotates evenly.
     ///
-    /// - `pPosition`: the target. It cannot ask for another configuration than the one at the start.
-    /// - `tTool`: the tool that runs on the line.
+    /// - `pPosition`: the target. It cannot request a configuration other than the start configuration.
+    /// - `tTool`: the tool that moves on the line.
     /// - `mDesc`: speed, acceleration and blending around the target.
-    /// - Result: the id of the move, as `getMoveId` counts it.
-    /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
-    ///   done, 153 not supported, 154 target out of reach or no straight way to it: on the way an axis would leave its
-    ///   limits, or jump at a singularity; 160 to 164 `flange` or `world` was changed, or point, frame or tool has no
-    ///   reference.
+    /// - Result: the id of the move, as in `getMoveId`.
+    /// - Errors: 81 a target for another kind of arm, 100 to 106 an invalid value in `mDesc`, 150 an earlier move
+    ///   cannot be executed, 153 not supported, 154 target out of reach or no straight path to it: on the path an axis
+    ///   would leave its limits, or jump at a singularity; 160 to 164 `flange` or `world` was changed, or point, frame
+    ///   or tool has no reference.
     ///
-    /// The program continues at once. It waits only if no more moves can be recorded.
+    /// The program continues immediately. It waits only if no more moves can be recorded.
     ///
     /// ## Example
     /// ```val3

@@ -4,12 +4,12 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Stops the arm and forgets every recorded move.
+    /// Stops the arm and discards all recorded moves.
     ///
-    /// - `jStartingPoint`: where the next move starts: the arm first has to get there by a connection move. Without it,
-    ///   the next move starts wherever the arm is.
+    /// - `jStartingPoint`: the start of the next move, which the arm first has to reach by a connection move. Without
+    ///   it, the next move starts at the current position of the arm.
     ///
-    /// It returns at once, sets the move id to 0 and undoes a `stopMove`.
+    /// It returns immediately, sets the move id to 0 and cancels a `stopMove`.
     ///
     /// ## Example
     /// ```val3

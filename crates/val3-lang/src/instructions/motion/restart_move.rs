@@ -6,7 +6,7 @@ use crate::declare::instruction;
 instruction! {
     /// Lets the arm continue after `stopMove`.
     ///
-    /// Without a `stopMove` before it has no effect.
+    /// Without an earlier `stopMove`, it has no effect.
     ///
     /// ## Example
     /// ```val3

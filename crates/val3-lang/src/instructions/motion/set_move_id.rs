@@ -6,7 +6,7 @@ use crate::declare::instruction;
 instruction! {
     /// Sets the id of the next move.
     ///
-    /// - `nMoveId`: the id; not one of a move that is still to be done.
+    /// - `nMoveId`: the id; it must differ from the ids of all moves that are not done yet.
     /// - Result: a number without a documented meaning.
     ///
     /// The ids of the following moves count up by 1. `resetMotion` sets the id back to 0.

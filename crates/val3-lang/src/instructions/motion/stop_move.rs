@@ -6,8 +6,8 @@ use crate::declare::instruction;
 instruction! {
     /// Stops the arm on its path.
     ///
-    /// It returns at once, while the arm still slows down as the present move prescribes. Recorded moves stay, and new
-    /// ones can be recorded; the arm continues after `restartMove`, or on a new path after `resetMotion`. Jogging
+    /// It returns immediately, while the arm still decelerates as set by the current move. Recorded moves are kept, and
+    /// new moves can be recorded; the arm continues after `restartMove`, or on a new path after `resetMotion`. Jogging
     /// remains possible.
     ///
     /// ## Example

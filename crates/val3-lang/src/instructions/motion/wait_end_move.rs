@@ -7,10 +7,10 @@ use crate::fault::Result;
 instruction! {
     /// Waits until every recorded move is done.
     ///
-    /// It also ends blending: the last move runs into its target as if its `blend` were `off`. It waits until the
-    /// commanded position is reached, not until the arm is at rest; for that wait for `isSettled()`.
+    /// It also ends blending: the last move stops at its target as if its `blend` were `off`. It waits until the
+    /// commanded position is reached, not until the arm is at rest. To wait for that, use `wait(isSettled())`.
     ///
-    /// - Error 150: a recorded move cannot be done.
+    /// - Error 150: a recorded move cannot be executed.
     ///
     /// ## Example
     /// ```val3

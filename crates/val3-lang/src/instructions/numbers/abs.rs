@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the absolute value of a number, or of each axis of a joint position.
+    /// Returns the absolute value of a number, or the absolute axis values of a joint position.
     ///
-    /// - `nValue`, `jPosition`: what may be negative.
-    /// - Result: the same without signs. Of a joint position, degrees and millimetres (inches) as they were.
+    /// - `nValue`, `jPosition`: the value, which may be negative.
+    /// - Result: the absolute value; for a joint position, in degrees and millimetres (inches).
     ///
     /// `abs(jA-jB)<jTolerance` is `true` if every axis is closer than its tolerance.
     ///

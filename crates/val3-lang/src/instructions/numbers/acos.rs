@@ -8,7 +8,7 @@ use crate::fault::{Fault, Result};
 use crate::runtime_errors::INVALID_NUMBER;
 
 instruction! {
-    /// Gives the angle that has a given cosine.
+    /// Returns the angle that has a given cosine.
     ///
     /// - `nValue`: the cosine, -1 to 1.
     /// - Result: angle in degrees, 0 to 180.

@@ -8,7 +8,7 @@ use crate::fault::{Fault, Result};
 use crate::runtime_errors::INVALID_NUMBER;
 
 instruction! {
-    /// Gives the angle that has a given sine.
+    /// Returns the angle that has a given sine.
     ///
     /// - `nValue`: the sine, -1 to 1.
     /// - Result: angle in degrees, -90 to 90.

@@ -6,12 +6,12 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the angle that has a given tangent.
+    /// Returns the angle that has a given tangent.
     ///
     /// - `nValue`: the tangent, any number.
     /// - Result: angle in degrees, -90 to 90.
     ///
-    /// There is no form of two arguments: for a full turn, add 180 degrees where the x side is negative.
+    /// There is no form with two arguments: for a full circle, add 180 degrees if the x side is negative.
     ///
     /// ## Example
     /// ```val3

@@ -6,7 +6,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the cosine of an angle.
+    /// Returns the cosine of an angle.
     ///
     /// - `nAngle`: angle in degrees.
     /// - Result: -1 to 1. Test it with a tolerance: `abs(cos(n))<1e-10`, not `cos(n)==0`.

@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the power of e, the base of the natural logarithm.
+    /// Returns a power of e, the base of the natural logarithm.
     ///
     /// - `nValue`: the exponent.
     /// - Result: e to the power of `nValue`.

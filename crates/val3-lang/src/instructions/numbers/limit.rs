@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Keeps a number within two bounds.
+    /// Limits a number to a range.
     ///
     /// - `nValue`: any number.
     /// - `nMin`, `nMax`: the bounds.

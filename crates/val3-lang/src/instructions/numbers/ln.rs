@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the natural logarithm of a number.
+    /// Returns the natural logarithm of a number.
     ///
     /// - `nValue`: above 0.
     /// - Result: the logarithm to the base e.

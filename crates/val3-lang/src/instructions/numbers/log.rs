@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the decimal logarithm of a number.
+    /// Returns the decimal logarithm of a number.
     ///
     /// - `nValue`: above 0.
     /// - Result: the logarithm to the base 10.

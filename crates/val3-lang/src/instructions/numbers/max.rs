@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the larger of two numbers.
+    /// Returns the larger of two numbers.
     ///
     /// - `nX`, `nY`: any numbers.
     /// - Result: the larger one.

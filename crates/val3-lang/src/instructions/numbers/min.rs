@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the smaller of two numbers.
+    /// Returns the smaller of two numbers.
     ///
     /// - `nX`, `nY`: any numbers.
     /// - Result: the smaller one.

@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives a number raised to a power.
+    /// Returns a number raised to a power.
     ///
     /// - `nX`: the base, above 0; (s8) also 0 with a positive exponent, and a negative number with a whole one.
     /// - `nY`: the exponent, any number.

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the whole number nearest to a number.
+    /// Returns the whole number nearest to a number.
     ///
     /// - `nValue`: any number.
-    /// - Result: halves go up: `round(7.8)` is 8, `round(0.5)` is 1, `round(-0.5)` is 0.
+    /// - Result: halves are rounded up: `round(7.8)` is 8, `round(0.5)` is 1, `round(-0.5)` is 0.
     ///
     /// The index of an array is rounded in the same way.
     ///

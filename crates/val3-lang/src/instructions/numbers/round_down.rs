@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the largest whole number that is not above a number.
+    /// Returns the largest whole number that is not above a number.
     ///
     /// - `nValue`: any number.
     /// - Result: `roundDown(7.8)` is 7, `roundDown(-7.8)` is -8.

@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the smallest whole number that is not below a number.
+    /// Returns the smallest whole number that is not below a number.
     ///
     /// - `nValue`: any number.
     /// - Result: `roundUp(7.8)` is 8, `roundUp(-7.8)` is -7.

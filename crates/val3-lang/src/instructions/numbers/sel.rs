@@ -5,11 +5,11 @@ use crate::declare::instruction;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives one of two numbers by a condition.
+    /// Returns one of two numbers, depending on a condition.
     ///
-    /// - `bCondition`: which one.
-    /// - `nValue1`, `nValue2`: the number for `true` and the one for `false`. Both are computed in any case.
-    /// - Result: the number chosen.
+    /// - `bCondition`: the condition.
+    /// - `nValue1`, `nValue2`: the numbers for `true` and for `false`. Both are computed in any case.
+    /// - Result: the selected number.
     ///
     /// ## Example
     /// ```val3

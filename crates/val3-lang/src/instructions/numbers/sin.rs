@@ -6,7 +6,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the sine of an angle.
+    /// Returns the sine of an angle.
     ///
     /// - `nAngle`: angle in degrees.
     /// - Result: -1 to 1.

@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::values::numbers;
 
 instruction! {
-    /// Gives the square root of a number.
+    /// Returns the square root of a number.
     ///
     /// - `nValue`: 0 or more.
     /// - Result: the root.

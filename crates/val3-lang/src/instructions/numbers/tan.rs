@@ -6,7 +6,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the tangent of an angle.
+    /// Returns the tangent of an angle.
     ///
     /// - `nAngle`: angle in degrees.
     /// - Result: the tangent; very large near 90 degrees.

@@ -7,15 +7,15 @@ use crate::declare::instruction;
 use crate::moves;
 
 instruction! {
-    /// Deviates the path from now on.
+    /// Sets the deviation of the path from now on.
     ///
-    /// - `trAlteration`: the deviation in the reference that `alterBegin` chose: rotation about its origin, then
+    /// - `trAlteration`: the deviation in the reference that `alterBegin` has selected: rotation about its origin, then
     ///   translation.
-    /// - Result: 1 done, 0 waits for the motion to go on, -1 not started or ended, -2 no alter option, -3 a motion
+    /// - Result: 1 done, 0 waits until the motion continues, -1 not started or ended, -2 no alter option, -3 a motion
     ///   error: `resetMotion` is needed.
     ///
     /// It takes effect every 4 ms, so it belongs in a synchronous task of that period. The deviation has to change
-    /// smoothly: what would exceed a limit stops the arm at once.
+    /// smoothly: a change that would exceed a limit stops the arm immediately.
     ///
     /// ## Example
     /// ```val3

@@ -9,12 +9,12 @@ use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
-    /// Starts the deviation of the alterable path that the arm is on.
+    /// Starts the deviation of the current alterable path.
     ///
-    /// - `fAlterReference`: the deviation is meant in this frame, fixed in space: for a part that moves.
-    /// - `tAlterReference`: the deviation is meant in this tool: for a sensor on the tool.
-    /// - `mMaxVelocity`: its `vel`, `tvel` and `rvel` bound the deviated motion; to exceed them is an error and stops
-    ///   the arm. Its `accel` and `decel` bound the stop of the deviation.
+    /// - `fAlterReference`: the deviation is relative to this frame, which is fixed in space: for a part that moves.
+    /// - `tAlterReference`: the deviation is relative to this tool: for a sensor on the tool.
+    /// - `mMaxVelocity`: its `vel`, `tvel` and `rvel` limit the deviated motion; exceeding them is an error and stops
+    ///   the arm. Its `accel` and `decel` limit the stop of the deviation.
     /// - Result: 1 started, 0 waits for the path to start, -1 started already, -2 no alter option, -3 a motion error:
     ///   `resetMotion` is needed.
     ///

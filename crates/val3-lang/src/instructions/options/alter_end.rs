@@ -8,8 +8,8 @@ instruction! {
     ///
     /// - Result: 1 ended, -1 it was not started, -3 a motion error: `resetMotion` is needed.
     ///
-    /// Before the end of the path the deviation reached so far stays on the rest of it, and the next normal move can
-    /// follow without a stop. At the end of the path the next move starts then.
+    /// If it is called before the end of the path, the rest of the path keeps the current deviation, and the next
+    /// normal move can follow without a stop. If it is called at the end of the path, the next move starts then.
     ///
     /// ## Example
     /// ```val3

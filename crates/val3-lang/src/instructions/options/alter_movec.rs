@@ -11,13 +11,13 @@ use crate::values::MdescValue;
 instruction! {
     /// Records a move on an arc that `alter` can deviate.
     ///
-    /// - `pIntermediate`, `pTarget`: the arc, as for `movec`. A configuration cannot be asked for: the arm keeps its
-    ///   own.
+    /// - `pIntermediate`, `pTarget`: the arc, as for `movec`. A configuration cannot be requested: the arm keeps its
+    ///   current one.
     /// - `tTool`, `mDesc`: as for `movec`.
     /// - Result: the id of the move.
     /// - Errors: as for `movec`, and 250 without the alter licence.
     ///
-    /// Such moves in a row make one alterable path.
+    /// Consecutive moves of this kind form one alterable path.
     ///
     /// ## Example
     /// ```val3

@@ -11,12 +11,12 @@ use crate::values::MdescValue;
 instruction! {
     /// Records a joint move that `alter` can deviate.
     ///
-    /// - `jPosition`, `pPosition`: the target. A configuration cannot be asked for: the arm keeps its own.
+    /// - `jPosition`, `pPosition`: the target. A configuration cannot be requested: the arm keeps its current one.
     /// - `tTool`, `mDesc`: as for `movej`.
     /// - Result: the id of the move.
     /// - Errors: as for `movej`, and 250 without the alter licence.
     ///
-    /// Such moves in a row make one alterable path. A move without any way is ignored.
+    /// Consecutive moves of this kind form one alterable path. A move without a distance is ignored.
     ///
     /// ## Example
     /// ```val3

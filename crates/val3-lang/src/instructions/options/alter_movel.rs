@@ -11,12 +11,12 @@ use crate::values::MdescValue;
 instruction! {
     /// Records a straight move that `alter` can deviate.
     ///
-    /// - `pPosition`: the target. A configuration cannot be asked for: the arm keeps its own.
+    /// - `pPosition`: the target. A configuration cannot be requested: the arm keeps its current one.
     /// - `tTool`, `mDesc`: as for `movel`.
     /// - Result: the id of the move.
     /// - Errors: as for `movel`, and 250 without the alter licence.
     ///
-    /// Such moves in a row make one alterable path. A move without any way is ignored.
+    /// Consecutive moves of this kind form one alterable path. A move without a distance is ignored.
     ///
     /// ## Example
     /// ```val3

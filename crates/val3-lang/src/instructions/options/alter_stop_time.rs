@@ -4,10 +4,9 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Gives the time until the deviation is frozen by a stop.
+    /// Returns the time until a stop freezes the deviation.
     ///
-    /// - Result: seconds; negative if nothing asks for a stop, 0 once the deviation is frozen, and 0 while none is
-    ///   active.
+    /// - Result: seconds; negative if no stop is requested; 0 if the deviation is frozen or not active.
     ///
     /// Within this time the program should bring the deviation to rest.
     ///

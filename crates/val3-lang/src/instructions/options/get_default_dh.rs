@@ -6,10 +6,10 @@ use crate::fault::Result;
 use crate::geometry_parameters;
 
 instruction! {
-    /// Gives the geometrical parameters that an arm of this type has by design.
+    /// Returns the nominal geometric parameters of this type of arm.
     ///
-    /// - `theta`, `alpha`, `beta`: get the angles, degrees, one value an axis.
-    /// - `d`, `a`: get the lengths, millimetres, one value an axis.
+    /// - `theta`, `alpha`, `beta`: receive the angles in degrees, one value per axis.
+    /// - `d`, `a`: receive the lengths in millimetres, one value per axis.
     /// - Error 70: an array is too small.
     ///
     /// ## Example

@@ -6,13 +6,13 @@ use crate::fault::Result;
 use crate::geometry_parameters;
 
 instruction! {
-    /// Gives the geometrical parameters of the arm that is connected.
+    /// Returns the geometric parameters of the connected arm.
     ///
-    /// - `theta`, `alpha`, `beta`: get the angles, degrees, one value an axis.
-    /// - `d`, `a`: get the lengths, millimetres, one value an axis.
+    /// - `theta`, `alpha`, `beta`: receive the angles in degrees, one value per axis.
+    /// - `d`, `a`: receive the lengths in millimetres, one value per axis.
     /// - Error 70: an array is too small.
     ///
-    /// `getDefaultDH` gives those of the arm type, `setDH` changes them.
+    /// `getDefaultDH` returns the nominal parameters of the arm type, `setDH` changes the parameters.
     ///
     /// ## Example
     /// ```val3

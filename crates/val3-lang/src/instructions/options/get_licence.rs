@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the state of a licence of the machine builder.
+    /// Returns the state of a machine builder's licence.
     ///
     /// - `sOemLicenceName`: the name of the licence.
-    /// - `sOemPassword`: the secret password it was made with; keep it in an encrypted library.
+    /// - `sOemPassword`: the secret password with which it was created; keep it in an encrypted library.
     /// - Result: `"enabled"`, `"demo"`, `""` if it is missing or the password is wrong, `"oemLicenceDisabled"` if the
     ///   controller cannot test licences.
     ///

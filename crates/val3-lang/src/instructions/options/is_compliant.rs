@@ -4,11 +4,11 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Returns whether the arm yields to forces from outside.
+    /// Returns whether the arm yields to external forces.
     ///
     /// - Result: `true` during a compliant move.
     ///
-    /// Moves are recorded ahead: ask before anything pushes at the arm.
+    /// Moves are recorded before they are executed: call it before anything pushes the arm.
     ///
     /// ## Example
     /// ```val3

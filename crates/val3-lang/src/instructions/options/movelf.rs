@@ -8,15 +8,16 @@ use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
-    /// Records a compliant straight move: the arm pushes with a given force and yields to forces from outside.
+    /// Records a compliant straight move: the arm pushes with a given force and yields to external forces.
     ///
     /// - `pPosition`: the target.
     /// - `tTool`, `mDesc`: tool, speed and acceleration; blending is not possible before or after such a move.
     /// - `nForce`: per cent of the nominal load, -1000 to 1000: 0 passive, above 0 it pushes towards the target, below
     ///   0 back to the start.
     /// - Result: the id of the move.
-    /// - Errors: 70 bad `nForce`, 81 another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot
-    ///   be done, 153 not supported, 154 target out of reach, no straight way, or blending before it, 250 no licence.
+    /// - Errors: 70 invalid `nForce`, 81 another kind of arm, 100 to 106 an invalid value in `mDesc`, 150 an earlier
+    ///   move cannot be executed, 153 not supported, 154 target out of reach, no straight path, or blending before it,
+    ///   250 no licence.
     ///
     /// It needs the compliance option. The arm stays on its path and cannot be pulled back beyond the start.
     ///

@@ -6,14 +6,14 @@ use crate::fault::Result;
 use crate::ports::{SECOND, Time};
 
 instruction! {
-    /// Forgets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
+    /// Resets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
     ///
-    /// - `jReference`: the axis gets the position nearest to this one: 720 degrees can become 0.
-    /// - Result: the position of the arm then.
+    /// - `jReference`: the axis receives the equivalent position nearest to this one: 720 degrees can become 0.
+    /// - Result: the resulting position of the arm.
     /// - Error 250: no licence for continuous axes.
     ///
-    /// It stops and cancels as `resetMotion` does, works with and without power and takes about 50 ms. Axis 6 of a
-    /// six-axis arm, axis 4 of a SCARA arm.
+    /// It stops the arm and cancels the moves like `resetMotion`, works with and without power, and takes about 50 ms.
+    /// The continuous axis is axis 6 of a six-axis arm, or axis 4 of a SCARA arm.
     ///
     /// ## Example
     /// ```val3

@@ -6,15 +6,15 @@ use crate::fault::Result;
 use crate::geometry_parameters;
 
 instruction! {
-    /// Changes the geometrical parameters of the arm, now and in its configuration.
+    /// Changes the geometric parameters of the arm, immediately and in its configuration.
     ///
-    /// - `theta`, `alpha`, `beta`: the angles, degrees; read only.
-    /// - `d`, `a`, `b`: the lengths, millimetres; read only. One value an axis, in `d` one more for the flange.
-    /// - Result: `false` if they differ too much from those of the arm type, or an array has a wrong size; nothing is
-    ///   changed then.
+    /// - `theta`, `alpha`, `beta`: the angles in degrees; read only.
+    /// - `d`, `a`, `b`: the lengths in millimetres; read only. One value per axis, and in `d` one more for the flange.
+    /// - Result: `false` if they differ too much from the parameters of the arm type, or if an array has a wrong size.
+    ///   Nothing is then changed.
     /// - Errors: 70 bad arrays, 250 no licence for an absolute robot.
     ///
-    /// It waits until no move is left.
+    /// It waits until all moves are done.
     ///
     /// ## Example
     /// ```val3

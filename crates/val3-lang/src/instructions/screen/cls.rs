@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::ports::DEFAULT_PAGE;
 
 instruction! {
-    /// Clears a user page and puts its cursor into the upper left corner.
+    /// Clears a user page and moves its cursor to the upper left corner.
     ///
     /// - `scPage`: the page; without it, the default page.
     ///

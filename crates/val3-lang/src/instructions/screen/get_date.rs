@@ -5,13 +5,13 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives date and time of the controller as text.
+    /// Returns the date and time of the controller as a string.
     ///
-    /// - `sFormat`: text in which these marks are replaced: `%y` year of two digits, `%Y` of four, `%m` month, `%d`
-    ///   day, `%H` hour of 24, `%I` hour of 12, `%p` morning or afternoon, `%M` minutes, `%S` seconds.
+    /// - `sFormat`: text in which these marks are replaced: `%y` year with two digits, `%Y` year with four digits, `%m`
+    ///   month, `%d` day, `%H` hour (00 to 23), `%I` hour (01 to 12), `%p` AM or PM, `%M` minutes, `%S` seconds.
     /// - Result: the text with the marks replaced.
     ///
-    /// To measure time use `clock`.
+    /// To measure time, use `clock`.
     ///
     /// ## Example
     /// ```val3

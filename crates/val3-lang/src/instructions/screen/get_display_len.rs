@@ -5,11 +5,11 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Counts the columns that a text takes on the pendant.
+    /// Returns the number of columns that a string occupies on the pendant.
     ///
     /// - `sText`: the text.
-    /// - Result: the number of columns. ASCII characters take one each, as `len` counts; wide characters, such as
-    ///   Chinese ones, take two.
+    /// - Result: the number of columns. ASCII characters occupy one column each, as `len` counts; wide characters, such
+    ///   as Chinese characters, occupy two.
     ///
     /// ## Example
     /// ```val3

@@ -8,10 +8,10 @@ use crate::ports::DEFAULT_PAGE;
 instruction! {
     /// Reads the last key that was pressed, without waiting.
     ///
-    /// - `scPage`: the page; without it, the default page. Only the page that is shown gets keys.
-    /// - Result: the code of the last key since the call before (`get` lists codes); -1 if none was pressed.
+    /// - `scPage`: the page; without it, the default page. Only the displayed page receives keys.
+    /// - Result: the code of the last key since the previous call (`get` lists codes); -1 if none was pressed.
     ///
-    /// Call it once alone to forget an older key.
+    /// Call it once without using the result to discard an earlier key.
     ///
     /// ## Example
     /// ```val3

@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the language in which the controller speaks.
+    /// Returns the language of the controller.
     ///
     /// - Result: its name, such as `"english"`, `"francais"`, `"deutsch"`, `"italiano"`, `"espanol"`, `"chinese"`.
     ///

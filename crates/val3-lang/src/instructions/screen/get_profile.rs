@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the name of the user profile that is active.
+    /// Returns the name of the active user profile.
     ///
     /// - Result: the name.
     ///

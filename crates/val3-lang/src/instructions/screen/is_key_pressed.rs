@@ -8,8 +8,8 @@ use crate::ports::DEFAULT_PAGE;
 instruction! {
     /// Returns whether a key is held down.
     ///
-    /// - `scPage`: the page; without it, the default page. Keys count only while it is shown; the keys 1, 2 and 3
-    ///   (codes 281 to 283) count always.
+    /// - `scPage`: the page; without it, the default page. Keys are read only while it is shown; the keys 1, 2 and 3
+    ///   (codes 281 to 283) are always read.
     /// - `nCode`: the code of the key (`get` lists codes).
     /// - Result: `true` while it is held down.
     ///

@@ -7,7 +7,7 @@ use crate::values::Text;
 instruction! {
     /// Writes a message to the event log of the controller.
     ///
-    /// - `sText`: the message; date, time and the mark `USR` are put before it.
+    /// - `sText`: the message; date, time and the mark `USR` are written before it.
     /// - `nLevel`: (s8) its kind: 1 information, 2 warning, 3 error.
     /// - Result: `false` if the message was lost because there are too many messages.
     ///

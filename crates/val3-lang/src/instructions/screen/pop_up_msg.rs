@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Shows a message in a window above whatever the pendant shows.
+    /// Shows a message in a window above the pendant's content.
     ///
     /// - `sText`: the message. It stays until the operator confirms it; the program does not wait.
     /// - `nLevel`: (s8) its kind, a number.

@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Changes the language in which the controller speaks.
+    /// Changes the language of the controller.
     ///
     /// - `sLanguage`: the name of a translation that is installed on the controller (`getLanguage` lists names).
     /// - Result: `false` if it is not installed.

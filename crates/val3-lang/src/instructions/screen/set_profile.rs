@@ -5,7 +5,7 @@ use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Makes another user profile active.
+    /// Activates another user profile.
     ///
     /// - `sUserLogin`: its name.
     /// - `sUserPassword`: its password.
@@ -23,7 +23,7 @@ instruction! {
     modifier (string sUserLogin, string sUserPassword) -> num = set_profile;
 }
 
-/// Gives the other tasks their turn first, because profiles are files of the controller (5.4).
+/// Passes the turn to the other tasks first, because profiles are files of the controller (5.4).
 fn set_profile(call: &mut Call<'_>, login: Text, password: Text) -> Flow<f64> {
     if call.is_first() {
         return call.sleep(0);

@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::ports::DEFAULT_PAGE;
 
 instruction! {
-    /// Chooses how text that is written from now on looks.
+    /// Sets the display mode of text that is written later.
     ///
     /// - `scPage`: the page; without it, the default page.
     /// - `nMode`: 0 dark on light, 1 light on dark, 2 and 3 the same, flashing. Text that is already shown does not

@@ -10,7 +10,7 @@ instruction! {
     /// Sets the title of a user page.
     ///
     /// - `scPage`: the page; without it, the default page.
-    /// - `sText`: the title. The cursor stays where it is.
+    /// - `sText`: the title. The cursor does not move.
     ///
     /// ## Example
     /// ```val3

@@ -10,9 +10,9 @@ instruction! {
     /// Shows the user page on the pendant.
     ///
     /// - `scPage`: the page to show; without it, the default page.
-    /// - `bFixed`: `true` keeps the operator on the user page (the user profile can still be changed), `false` sets the
-    ///   other pages free again.
-    /// - `sPage` (s8): the name of a page made with HTML, among those in the `interface` folder of the application.
+    /// - `bFixed`: `true` keeps the operator on the user page (the user profile can still be changed), `false` makes
+    ///   the other pages available again.
+    /// - `sPage` (s8): the name of an HTML page in the `interface` folder of the application.
     ///
     /// ## Example
     /// ```val3

@@ -5,9 +5,9 @@ use crate::declare::instruction;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Gives the Unicode code point of a character of a text.
+    /// Returns the Unicode code point of a character in a string.
     ///
-    /// - `sText`: the text.
+    /// - `sText`: the string.
     /// - `nPosition`: the character, counted from 0.
     /// - Result: its code point; -1 if `nPosition` is negative or beyond the end.
     ///

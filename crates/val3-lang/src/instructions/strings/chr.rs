@@ -5,12 +5,12 @@ use crate::declare::instruction;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Gives the character with a Unicode code point.
+    /// Returns the character with a Unicode code point.
     ///
     /// - `nCodePoint`: the code point; 0 to 127 are the ASCII characters.
-    /// - Result: a string of that character; `""` if there is none.
+    /// - Result: a string with this character; `""` for an invalid code point.
     ///
-    /// It writes what a string literal cannot: `chr(34)` is a quote, `chr(13)` a carriage return.
+    /// It returns characters that a string literal cannot contain: `chr(34)` is a quote, `chr(13)` a carriage return.
     ///
     /// ## Example
     /// ```val3

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Looks for a text in another one.
+    /// Searches for a string in another string.
     ///
-    /// - `sText1`: where to look.
-    /// - `sText2`: what to look for.
+    /// - `sText1`: the string to search.
+    /// - `sText2`: the string to find.
     /// - Result: the position of its first occurrence, counted from 0; -1 if it does not occur.
     ///
     /// ## Example

@@ -6,10 +6,10 @@ use crate::fault::Result;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Gives the first characters of a text.
+    /// Returns the first characters of a string.
     ///
-    /// - `sText`: the text.
-    /// - `nSize`: how many characters; the whole text if it has fewer.
+    /// - `sText`: the string.
+    /// - `nSize`: the number of characters; the whole string if it has fewer.
     /// - Result: these characters.
     /// - Error 70: `nSize` is negative.
     ///

@@ -5,12 +5,12 @@ use crate::declare::instruction;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Counts the characters of a text.
+    /// Returns the number of characters in a string.
     ///
-    /// - `sText`: the text.
-    /// - Result: the number of characters, not of bytes: a character outside ASCII takes 2 to 4 of the 128 bytes.
+    /// - `sText`: the string.
+    /// - Result: the number of characters, not of bytes: a character outside ASCII occupies 2 to 4 of the 128 bytes.
     ///
-    /// `getDisplayLen` counts the columns that the text takes on the pendant.
+    /// `getDisplayLen` returns the number of columns on the pendant.
     ///
     /// ## Example
     /// ```val3

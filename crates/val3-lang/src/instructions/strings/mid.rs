@@ -6,11 +6,11 @@ use crate::fault::Result;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Gives characters from the middle of a text.
+    /// Returns characters from the middle of a string.
     ///
-    /// - `sText`: the text.
-    /// - `nSize`: how many characters; fewer if the text ends before.
-    /// - `nPosition`: the first of them, counted from 0. The size comes first, the position last.
+    /// - `sText`: the string.
+    /// - `nSize`: the number of characters; fewer at the end of the string.
+    /// - `nPosition`: the first of them, counted from 0. The size comes before the position.
     /// - Result: these characters.
     /// - Error 70: `nSize` or `nPosition` is negative.
     ///

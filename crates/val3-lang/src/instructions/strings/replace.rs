@@ -6,13 +6,13 @@ use crate::fault::Result;
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Puts other text in the place of characters of a text.
+    /// Replaces characters of a string by another string.
     ///
-    /// - `sText`: the text, which is not changed.
-    /// - `sReplacement`: what comes in; it may be longer or shorter than what goes.
-    /// - `nSize`: how many characters go.
+    /// - `sText`: the string, which is not changed.
+    /// - `sReplacement`: the replacement, which may be longer or shorter than the replaced characters.
+    /// - `nSize`: the number of replaced characters.
     /// - `nPosition`: the first of them, counted from 0; beyond the end nothing changes.
-    /// - Result: the new text, at most 128 bytes.
+    /// - Result: the new string, at most 128 bytes.
     /// - Error 70: `nSize` or `nPosition` is negative.
     ///
     /// ## Example

@@ -7,12 +7,13 @@ use crate::values::Text;
 use crate::values::number_reading::{self, NumberReading};
 
 instruction! {
-    /// Reads the number at the start of a text and yields the rest.
+    /// Parses the number at the start of a string, and returns the remaining string.
     ///
-    /// - `sString`: the text.
-    /// - `nValue`: gets the number; unchanged if there is none.
-    /// - `bReport`: gets `true` if the text starts with a number, else `false`.
-    /// - Result: the text from the next number on, `""` if none follows; the whole text if it starts with no number.
+    /// - `sString`: the string.
+    /// - `nValue`: receives the number; unchanged if the string does not start with a number.
+    /// - `bReport`: receives `true` if the string starts with a number, otherwise `false`.
+    /// - Result: the string from the next number on, `""` if none follows; the whole string if it does not start with a
+    ///   number.
     ///
     /// ## Example
     /// ```val3

@@ -6,13 +6,13 @@ use crate::fault::Result;
 use crate::values::{Text, number_text};
 
 instruction! {
-    /// Writes a number as text.
+    /// Formats a number as a string.
     ///
-    /// - `sFormat`: `"size.precision"`: the least number of characters, filled with blanks on the left, and the number
-    ///   of decimals. Each may be missing: `".2"`, `"8"`, `""`; it then counts as 0.
+    /// - `sFormat`: `"size.precision"`: the minimum number of characters, filled with blanks on the left, and the
+    ///   number of decimals. Each may be missing: `".2"`, `"8"`, `""`; it then counts as 0.
     /// - `nValue`: the number. Zeros at the end of the decimals become blanks; the part before the point is never cut.
-    /// - Result: the text: `toString(".4",3.141592)` is `"3.1416"`, `toString("",3.14)` is `"3"`.
-    /// - Error 70: a format that is none.
+    /// - Result: the string: `toString(".4",3.141592)` is `"3.1416"`, `toString("",3.14)` is `"3"`.
+    /// - Error 70: an invalid format.
     ///
     /// ## Example
     /// ```val3

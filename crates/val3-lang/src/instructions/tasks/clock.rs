@@ -5,9 +5,9 @@ use crate::declare::instruction;
 use crate::ports::SECOND;
 
 instruction! {
-    /// Gives the time since the controller was started.
+    /// Returns the time since the controller was started.
     ///
-    /// - Result: seconds, with a resolution of a millisecond. It has nothing to do with the time of day.
+    /// - Result: seconds, with a resolution of a millisecond. It is independent of the time of day.
     ///
     /// ## Example
     /// ```val3

@@ -7,9 +7,9 @@ use crate::ports::nanoseconds;
 instruction! {
     /// Waits for a time.
     ///
-    /// - `nSeconds`: seconds; 0 or less only lets the other tasks have their turn.
+    /// - `nSeconds`: seconds; with 0 or less, only the other tasks have their turn.
     ///
-    /// A loop that waits for nothing else needs a `delay(0)`: it would take the time of the others.
+    /// A loop without another wait needs a `delay(0)`: otherwise it would use the time of the other tasks.
     ///
     /// ## Example
     /// ```val3
@@ -22,7 +22,7 @@ instruction! {
     modifier (num nSeconds) = delay;
 }
 
-/// Gives the other tasks their turn, even if the time is 0.
+/// Passes the turn to the other tasks, even if the time is 0.
 fn delay(call: &mut Call<'_>, seconds: f64) -> Flow {
     let time = nanoseconds(seconds);
     if call.is_first() || call.waited() < time { call.sleep(time) } else { Flow::Done(()) }

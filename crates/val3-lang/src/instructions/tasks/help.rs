@@ -9,7 +9,7 @@ use crate::values::numbers;
 instruction! {
     /// Explains a run-time error in the language of the controller.
     ///
-    /// - `nErrorCode`: the number, as `taskStatus` gives it.
+    /// - `nErrorCode`: the number, as `taskStatus` returns it.
     /// - Result: the explanation.
     ///
     /// ## Example

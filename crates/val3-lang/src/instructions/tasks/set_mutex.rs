@@ -7,8 +7,8 @@ use crate::fault::Result;
 instruction! {
     /// Waits until a flag is `false` and sets it to `true` in one step.
     ///
-    /// - `bMutex`: the flag that guards something which tasks share: the arm, the screen, a socket. It starts as
-    ///   `false`, and the task that has set it sets it back to `false`.
+    /// - `bMutex`: the flag that protects a resource which tasks share: the arm, the screen, a socket. It is `false` at
+    ///   first, and the task that has set it resets it to `false`.
     ///
     /// ## Example
     /// ```val3

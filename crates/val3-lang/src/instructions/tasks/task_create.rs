@@ -3,15 +3,16 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Starts a program as a task of its own.
+    /// Starts a program as a new task.
     ///
     /// - `sName`: the name of the task: 1 to 15 letters, digits and `_`, not in use in this application or library.
-    /// - `nPriority`: 1 to 100, the most instruction lines the task executes before the next one has its turn.
+    /// - `nPriority`: 1 to 100, the maximum number of instruction lines that the task executes before the next task has
+    ///   its turn.
     /// - `program`: the call that the task executes, written `p(...)` or `library:p(...)`. Local variables cannot be
     ///   passed by reference, because the task may outlive them.
-    /// - Errors: 29 bad name, 31 name in use, 40 and 41 without memory, 70 priority out of range.
+    /// - Errors: 29 invalid name, 31 name in use, 40 and 41 without memory, 70 priority out of range.
     ///
-    /// It takes no parentheses around its arguments. The task ends when its program does.
+    /// Its arguments have no parentheses. The task ends when its program ends.
     ///
     /// ## Example
     /// ```val3

@@ -7,13 +7,13 @@ instruction! {
     ///
     /// - `sName`: the name of the task: 1 to 15 letters, digits and `_`, not in use in this application or library.
     /// - `nPeriod`: time from turn to turn in seconds, above 0, rounded down to a multiple of 0.004. All synchronous
-    ///   tasks together may have two different periods.
-    /// - `bOverrun`: a global variable; it gets `true` when a turn took longer than the period and the next one was
-    ///   left out.
+    ///   tasks together may have at most two different periods.
+    /// - `bOverrun`: a global variable; it is set to `true` when a turn took longer than the period and the next turn
+    ///   was skipped.
     /// - `program`: the call that the task executes. Local variables cannot be passed by reference.
-    /// - Errors: 29 bad name, 31 name in use, 32 a third period, 40 and 41 without memory, 70 bad period.
+    /// - Errors: 29 invalid name, 31 name in use, 32 a third period, 40 and 41 without memory, 70 invalid period.
     ///
-    /// A turn ends at an instruction that waits, as a rule `delay(0)`, or after 3000 lines.
+    /// A turn ends at an instruction that waits, usually `delay(0)`, or after 3000 lines.
     ///
     /// ## Example
     /// ```val3

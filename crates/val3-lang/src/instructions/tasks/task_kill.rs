@@ -7,9 +7,9 @@ use crate::values::Text;
 instruction! {
     /// Ends a task.
     ///
-    /// - `sName`: the task, created by this application or library. If there is none, nothing happens.
+    /// - `sName`: the task, created by this application or library. If it does not exist, nothing happens.
     ///
-    /// It returns when the task is gone, so that the name can be used again.
+    /// It returns when the task was removed, so the name can be used again.
     ///
     /// ## Example
     /// ```val3

@@ -6,11 +6,11 @@ use crate::fault::Result;
 use crate::values::Text;
 
 instruction! {
-    /// Lets a halted task continue.
+    /// Resumes a halted task.
     ///
-    /// - `sName`: the task, created by this application or library. A task that runs is left alone.
-    /// - `nSkip`: the line to resume at, counted in instruction lines from the one at which it stopped: 0 that line, 1
-    ///   the next one, -1 the one before.
+    /// - `sName`: the task, created by this application or library. A running task is not affected.
+    /// - `nSkip`: the line at which to resume, counted in instruction lines from the one at which it stopped: 0 this
+    ///   line, 1 the next line, -1 the previous line.
     /// - Errors: 30 no such task, 90 no instruction line there.
     ///
     /// ## Example

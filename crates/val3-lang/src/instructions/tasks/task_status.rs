@@ -8,8 +8,8 @@ instruction! {
     /// Returns the state of a task.
     ///
     /// - `sName`: the task, created by this application or library.
-    /// - Result: 1 it runs (a task that waits runs), 0 it is halted, -1 there is none; every other number is the
-    ///   run-time error that stopped it.
+    /// - Result: 1 running (also while it waits), 0 halted, -1 no such task; every other number is the run-time error
+    ///   that stopped it.
     ///
     /// ## Example
     /// ```val3

@@ -8,10 +8,10 @@ use crate::values::Text;
 instruction! {
     /// Halts a task.
     ///
-    /// - `sName`: the task, created by this application or library. One that is halted already stays so.
+    /// - `sName`: the task, created by this application or library. A halted task stays halted.
     /// - Error 30: no such task.
     ///
-    /// `taskResume` lets it go on. The arm does not stop for it: that is `stopMove`.
+    /// `taskResume` resumes it. The arm does not stop: use `stopMove` for that.
     ///
     /// ## Example
     /// ```val3

@@ -5,10 +5,10 @@ use crate::declare::instruction;
 instruction! {
     /// Waits until a condition holds.
     ///
-    /// - `bCondition`: any condition; it is evaluated again at every turn of the task. If it holds at once, the task
+    /// - `bCondition`: any condition; it is evaluated again at every turn of the task. If it already holds, the task
     ///   continues without a pause.
     ///
-    /// There is no limit of time: `watch` has one.
+    /// The waiting time is not limited; `watch` has a time limit.
     ///
     /// ## Example
     /// ```val3

@@ -8,11 +8,12 @@ use crate::memory::View;
 instruction! {
     /// Adds one value at the end of a one-dimensional array.
     ///
-    /// - `variable`: the array, without index. No local variable, and no array of two or three dimensions.
+    /// - `variable`: the array, without an index. Local variables and arrays of two or three dimensions are not
+    ///   supported.
     /// - The new value has the default of its type; the size grows by one.
-    /// - Errors: 40 without memory or above 9999 values (up to s7), 70 for what is not supported.
+    /// - Errors: 40 without memory or above 9999 values (up to s7), 70 for a variable that is not supported.
     ///
-    /// Making room takes time that is not bounded: not for a loop that must be fast.
+    /// The time that allocating memory takes is not bounded, so do not append values in a loop that must be fast.
     ///
     /// ## Example
     /// ```val3

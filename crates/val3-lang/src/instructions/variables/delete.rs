@@ -7,20 +7,20 @@ use crate::memory::{Slot, Subscript};
 use crate::values::{Text, strings};
 
 instruction! {
-    /// Takes a value out of an array or a collection, or characters out of a string.
+    /// Removes a value from an array or a collection, or characters from a string.
     ///
-    /// Of a container:
+    /// With one argument it removes a value from a container:
     ///
-    /// - `variable`: the index or key to remove. The following values of an array move up. Arrays of one dimension
-    ///   only, and no local variables.
+    /// - `variable`: the index or key to remove. The following values of an array move up. Local variables and arrays
+    ///   of two or three dimensions are not supported.
     /// - Result: `true` if the value was removed.
-    /// - Errors: 20 and 21 for an index or key that is not there, 70 for the last value of an array, which must keep
-    ///   one (a collection may become empty), and for what is not supported.
+    /// - Errors: 20 and 21 for an index or key that does not exist, 70 for the last value of an array, which has at
+    ///   least one value (a collection may become empty), and for a variable that is not supported.
     ///
-    /// Of a string it yields a new string; alone on a line it has no effect:
+    /// With three arguments it returns a new string; as a statement it has no effect:
     ///
-    /// - `sText`, `nSize`, `nPosition`: the text, how many characters go, and the first of them, counted from 0; beyond
-    ///   the end nothing goes.
+    /// - `sText`, `nSize`, `nPosition`: the string, the number of characters to remove, and the first of them, counted
+    ///   from 0; beyond the end nothing is removed.
     /// - Error 70: `nSize` or `nPosition` is negative.
     ///
     /// ## Example

@@ -9,12 +9,12 @@ use crate::memory::View;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the first key of a collection, in alphabetical order.
+    /// Returns the first key of a collection, in alphabetical order.
     ///
     /// - `variable`: the collection, without key.
     /// - Result: the key; `""` if the collection is empty.
     ///
-    /// With `next` it walks through the collection.
+    /// `next` returns the following keys.
     ///
     /// ## Example
     /// ```val3

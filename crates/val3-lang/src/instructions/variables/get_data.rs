@@ -9,11 +9,11 @@ use crate::memory::{ContainerShape, Store, ValueType, View};
 use crate::values::Text;
 
 instruction! {
-    /// Copies the value of a variable that is known by its name only.
+    /// Copies the value of a variable whose name is a string.
     ///
     /// - `sDataName`: `"name"`, `"library:name"`, or either with an index such as `"name[3]"`, at which copying starts.
-    /// - `variable`: where the value goes; of the same type. If both are one-dimensional arrays, as many values are
-    ///   copied as both hold, from the index of the destination on.
+    /// - `variable`: the destination, of the same type. If both are one-dimensional arrays, as many values are copied
+    ///   as both contain, from the index of the destination on.
     /// - Result: the number of values copied; -1 no such variable, -2 no such library identifier, -3 index out of
     ///   range, -4 another type.
     ///

@@ -8,7 +8,7 @@ instruction! {
     /// Returns whether a value exists in an array or a collection, or a variable in a library.
     ///
     /// - `variable`: an index or key that need not exist, or a variable of a library interface.
-    /// - Result: `true` if the value is there.
+    /// - Result: `true` if the value exists.
     ///
     /// Use it before a key is read, inserted or deleted. On a library it shows whether the loaded library has the items
     /// of its interface (compare `libExist`).

@@ -9,12 +9,12 @@ use crate::memory::View;
 use crate::values::Text;
 
 instruction! {
-    /// Gives the last key of a collection, in alphabetical order.
+    /// Returns the last key of a collection, in alphabetical order.
     ///
     /// - `variable`: the collection, without key.
     /// - Result: the key; `""` if the collection is empty.
     ///
-    /// With `prev` it walks through the collection backwards.
+    /// `prev` returns the preceding keys.
     ///
     /// ## Example
     /// ```val3

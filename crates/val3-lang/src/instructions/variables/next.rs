@@ -9,7 +9,7 @@ use crate::memory::{Slot, Subscript};
 use crate::values::Text;
 
 instruction! {
-    /// Gives the key that follows another one in a collection, in alphabetical order.
+    /// Returns the key that follows another key in a collection, in alphabetical order.
     ///
     /// - `variable`: the collection with the key at which to start.
     /// - Result: the following key; `""` after the last one.

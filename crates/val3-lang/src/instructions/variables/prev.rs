@@ -9,7 +9,7 @@ use crate::memory::{Slot, Subscript};
 use crate::values::Text;
 
 instruction! {
-    /// Gives the key that precedes another one in a collection, in alphabetical order.
+    /// Returns the key that precedes another key in a collection, in alphabetical order.
     ///
     /// - `variable`: the collection with the key at which to start.
     /// - Result: the preceding key; `""` before the first one.

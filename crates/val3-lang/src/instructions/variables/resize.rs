@@ -6,7 +6,7 @@ use crate::fault::Result;
 use crate::memory::View;
 
 instruction! {
-    /// Gives one dimension of an array another size.
+    /// Changes the size of one array dimension.
     ///
     /// The other dimensions keep their sizes, and each value that remains keeps its index. New values are added at the
     /// end of the dimension, with the default of their type. Values beyond the new size are lost.

@@ -6,14 +6,14 @@ use crate::fault::Result;
 use crate::memory::View;
 
 instruction! {
-    /// Returns the number of values of a variable.
+    /// Returns the number of values in a variable.
     ///
     /// - `variable`: a whole array or collection, without index or key. A one-dimensional array may have an index: then
     ///   the part from that index on is counted.
-    /// - `nDimension`: 1, 2 or 3, the dimension of an array that is asked for; without it, 1.
+    /// - `nDimension`: 1, 2 or 3, the requested dimension of an array; 1 by default.
     /// - Result: the number of values; 1 for an element, 0 for a dimension that the array does not have.
     ///
-    /// A one-dimensional array that a program got by reference counts only what the caller passed.
+    /// For a one-dimensional array that a program received by reference, only the passed part is counted.
     ///
     /// ## Example
     /// ```val3

@@ -1,4 +1,4 @@
-//! A finding as text: its line, message, remedy, and its fix as a diff.
+//! A finding as text: its line, message and remedy, and its fix as a diff.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use val3_files::FileClass;
 use crate::report::{items, number, text};
 use crate::roots::Roots;
 
-/// Formats a finding of the JSON report. `folder` is the checked folder, to which its paths are relative.
+/// Formats a finding of the JSON report. `folder` is the checked folder, to which the paths in the report are relative.
 pub(super) fn shown(roots: &Roots, folder: &Utf8Path, finding: &Value) -> String {
     let path = folder.join(text(finding, "file"));
     let line = finding.pointer("/range/start/line").and_then(Value::as_u64).unwrap_or_default();
@@ -37,7 +37,7 @@ pub(super) fn shown(roots: &Roots, folder: &Utf8Path, finding: &Value) -> String
     out
 }
 
-/// Title of a fix, with a diff if it changes only the file of the finding.
+/// Title of a fix, with a diff if only the finding's file is changed.
 fn fix_text(path: &Utf8Path, stored: Option<&FileText>, folder: &Utf8Path, fix: &Value) -> String {
     let safety = if fix.get("safe").and_then(Value::as_bool) == Some(true) { "safe" } else { "a guess" };
     let title = format!("  fix ({safety}): {}\n", text(fix, "title"));
@@ -47,17 +47,17 @@ fn fix_text(path: &Utf8Path, stored: Option<&FileText>, folder: &Utf8Path, fix: 
     diff.map_or(title.clone(), |diff| format!("{title}{diff}"))
 }
 
-/// Stored bytes of a file.
+/// Content of a file.
 struct FileText(Vec<u8>);
 
 impl FileText {
-    /// Reads a file; `None` if it is outside of the roots or unreadable.
+    /// Reads a file; `None` if it is outside of the roots or not readable.
     fn read(roots: &Roots, path: &Utf8PathBuf) -> Option<Self> {
         let path = roots.resolve(path.as_str()).ok()?;
         val3_files::read(&path, FileClass::Program).ok().map(Self)
     }
 
-    /// Text of a line, counted from 1.
+    /// Text of a line; `number` counts from 1.
     fn line(&self, number: u64) -> Option<String> {
         let index = usize::try_from(number.checked_sub(1)?).ok()?;
         let line = self.0.split(|byte| *byte == b'\n').nth(index)?;
@@ -80,7 +80,7 @@ impl FileText {
     }
 }
 
-/// Range in bytes and new text of an edit.
+/// Byte range and new text of an edit.
 fn edit(edit: &Value) -> Option<(Range<usize>, &str)> {
     let at = |end: &str| usize::try_from(number(edit.pointer(&format!("/range/{end}"))?, "offset")).ok();
     Some((at("start")?..at("end")?, text(edit, "text")))

@@ -10,8 +10,8 @@ use crate::projects::unknown;
 use crate::refusal::Refusal;
 use crate::roots::Roots;
 
-/// Declarations, code, callers and calls of a program. Lines of the code have the numbers of the file, which findings
-/// and errors use.
+/// Declarations, code, callers and calls of a program. Code lines have the line numbers of the file, which findings and
+/// errors use as well.
 pub(super) fn shown(db: &Database, roots: &Roots, project: Project, name: &str) -> Result<String, Refusal> {
     let programs = &items(db, project).programs;
     let file = *programs.get(name).ok_or_else(|| unknown("program", name, programs.keys()))?;

@@ -19,7 +19,7 @@ pub(super) fn role(content: &ProjectContent) -> &'static str {
     }
 }
 
-/// Programs, data, libraries, types and tasks of a project, one a line.
+/// Programs, data, libraries, types and tasks of a project, one per line.
 pub(super) fn shown(db: &Database, roots: &Roots, project: Project) -> String {
     let content = project_content(db, project);
     let version = items(db, project).version;

@@ -54,7 +54,7 @@ fn is_near(value: &Value, expected: [f64; 6]) -> bool {
     value.as_array().unwrap().iter().zip(expected).all(|(is, expected)| (is.as_f64().unwrap() - expected).abs() < 1e-6)
 }
 
-/// Joints with which the flange has a pose.
+/// Joints at which the flange has this pose.
 fn joints_at(flange: IsometryMatrix3<f64>, controller: &Controller) -> Vec<f64> {
     let model = controller.arm().model();
     let solved = model.branches().iter().find_map(|branch| model.inverse_isometry_on(*branch, &flange, &START).ok());

@@ -1,4 +1,4 @@
-//! Laws of teaching for all arms.
+//! Properties of teaching that hold for all arms.
 
 use proptest::prelude::*;
 use val3_kinematics::{Arm, Joints};
@@ -54,7 +54,7 @@ fn chosen(solutions: &[Value]) -> Vec<f64> {
     chosen[0]["joints"].as_array().unwrap().iter().map(|joint| joint.as_f64().unwrap()).collect()
 }
 
-/// Joints at the fractions of each axis's range, away from the limits and singular positions.
+/// Joints at these fractions of each axis's range, away from the limits and singular positions.
 fn joints(arm: &Arm, fractions: [f64; 6]) -> Option<Joints> {
     let mut joints = Joints::default();
     for ((joint, axis), fraction) in joints.iter_mut().zip(arm.limits()).zip(fractions) {
@@ -69,7 +69,7 @@ fn joints(arm: &Arm, fractions: [f64; 6]) -> Option<Joints> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// `movej` to a taught point leaves the joints unchanged.
+    /// A `movej` to a taught point does not change the joints.
     #[test]
     fn a_move_to_a_taught_point_keeps_the_joints(
         fractions in prop::array::uniform6(0.05..0.95_f64), x in -300.0..300.0_f64, angle in -80.0..80.0_f64, has_config: bool,

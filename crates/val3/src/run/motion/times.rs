@@ -46,7 +46,7 @@ pub(super) struct RunTimes {
 
 /// Destination of the times.
 enum TimesOutput {
-    /// The result of the run alone.
+    /// None. The times are only part of the run's result.
     None,
     /// A table on the console.
     Console,
@@ -96,7 +96,7 @@ pub(crate) struct TimesReport {
     advice: Option<String>,
     /// Blends that are shorter than requested, by line.
     blends: Vec<CutBlend>,
-    /// Smallest distance of each pair of things that came within 500 mm, smallest first.
+    /// Smallest distances of all pairs of things that came within 500 mm, smallest first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     nearest: Vec<NearestRow>,
 }

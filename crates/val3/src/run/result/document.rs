@@ -39,19 +39,19 @@ pub(super) struct ResultDocument {
     pub(super) waits: Vec<WaitEntry>,
     /// Changes of inputs and outputs.
     pub(super) io: Listed<IoEntry>,
-    /// What to do next, if the run did not end well.
+    /// Recommended next step, if the run did not end well.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) next: Option<String>,
 }
 
-/// Why a run has ended.
+/// Reason why a run has ended.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum ResultReason {
     /// The application has ended.
     #[default]
     Finished,
-    /// It was stopped from outside.
+    /// The application was stopped from outside.
     Stopped,
     /// The run has reached `--until`.
     Limit,
@@ -100,7 +100,7 @@ pub(super) struct CodeLine {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct TaskEntry {
     pub(super) name: String,
-    /// Its activity, such as `waits for a condition`.
+    /// Activity of the task, such as `waits for a condition`.
     pub(super) activity: String,
     #[serde(flatten)]
     pub(super) at: CodeLine,
@@ -121,7 +121,7 @@ pub(super) struct ErrorEntry {
     pub(super) at: CodeLine,
     /// Whether another task has resumed or killed the task.
     pub(super) handled: bool,
-    /// What the error means, and what helps against it.
+    /// Meaning of the error, and the remedy.
     pub(super) help: String,
 }
 
@@ -183,7 +183,7 @@ impl CodeLine {
 }
 
 impl ResultDocument {
-    /// Keeps at most this many items of each list.
+    /// Limits each list to this number of items.
     pub(super) fn shorten(&mut self, most: usize) {
         self.tasks.truncate(most);
         self.contacts.truncate(most);

@@ -1,4 +1,4 @@
-//! A list of which only the last items are kept.
+//! List that keeps only its last items.
 
 use std::collections::VecDeque;
 
@@ -7,7 +7,7 @@ use serde::Serialize;
 /// Maximum number of kept items.
 const KEPT: usize = 1000;
 
-/// The last items of a list.
+/// List with the number of all items, and the last items.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Listed<T> {
     /// Number of all items.
@@ -30,7 +30,7 @@ impl<T> Listed<T> {
         self.shorten(KEPT);
     }
 
-    /// Keeps at most this many items.
+    /// Removes the oldest items until at most this number is left.
     pub(super) fn shorten(&mut self, most: usize) {
         self.last.drain(..self.last.len().saturating_sub(most));
     }

@@ -1,4 +1,4 @@
-//! What to do after a run that did not end well.
+//! Recommended next step after a run that did not end well.
 
 use val3_lang::instruction::Family;
 use val3_lang::instructions;
@@ -9,7 +9,7 @@ use crate::run::encounters::Encounter;
 use crate::run::end::End;
 use crate::run::missing::code;
 
-/// Returns one sentence: the first thing to do.
+/// Returns the recommendation as one sentence; `None` if there is nothing to correct.
 pub(super) fn next_step(
     end: End,
     controller: &Controller,
@@ -42,7 +42,7 @@ fn correct(error: &ErrorEntry) -> String {
     }
 }
 
-/// Order in which waits are named: the arm, conditions, the operator and lines.
+/// Rank of a wait, of which the lowest is named: for the arm, a condition, the operator, anything else.
 fn rank(activity: &Activity) -> u8 {
     match activity {
         Activity::AwaitsArm(..) | Activity::AwaitsArmCondition(_) => 0,
@@ -52,7 +52,7 @@ fn rank(activity: &Activity) -> u8 {
     }
 }
 
-/// Says what the task waits for, and how a script provides it.
+/// Describes what the task waits for, and how a script can provide it.
 fn provide(position: &TaskPosition, controller: &Controller) -> String {
     let TaskPosition { name, activity, program, line, file } = position;
     let code = code(file, *line).unwrap_or_default();
@@ -66,7 +66,7 @@ fn provide(position: &TaskPosition, controller: &Controller) -> String {
 
 fn remedy(activity: &Activity, code: &str, controller: &Controller) -> Option<String> {
     match activity {
-        // The reason names the remedy.
+        // The activity's text already contains the remedy.
         Activity::AwaitsArm(..) | Activity::AwaitsArmCondition(_) => None,
         Activity::Suspended => Some("resume it from another task with taskResume".to_owned()),
         Activity::AwaitsCondition => set(code, controller),
@@ -86,7 +86,7 @@ fn remedy(activity: &Activity, code: &str, controller: &Controller) -> Option<St
     }
 }
 
-/// The entry of a script that sets the first signal or variable in the code.
+/// Recommends the script entry that sets the first signal or variable in the code.
 fn set(code: &str, controller: &Controller) -> Option<String> {
     let is_part_of_name = |character: char| character.is_ascii_alphanumeric() || "_:".contains(character);
     let mut names = code.split(|character| !is_part_of_name(character)).filter(|name| !name.is_empty());

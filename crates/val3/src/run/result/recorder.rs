@@ -30,10 +30,10 @@ use crate::run::missing::code;
 use crate::run::motion::{TimesReport, TimesRow};
 use crate::user_error::UserError;
 
-/// Maximum number of items of each list in a summary.
+/// Maximum length of each list in a summary.
 const SUMMARY_ITEMS: usize = 20;
 
-/// Activities of a task that are no waits.
+/// Activities of a task that do not count as waits.
 const NO_WAITS: [&str; 3] = ["computing", "suspended", "error"];
 
 /// A line of a program with its instruction.
@@ -89,7 +89,7 @@ impl ResultRecorder {
         }))
     }
 
-    /// Collects from events.
+    /// Collects results from events.
     pub(crate) fn follow(&mut self, events: &[Event]) {
         events.iter().for_each(|event| self.follow_event(event));
     }
@@ -215,7 +215,7 @@ fn write(
 }
 
 impl ErrorEntry {
-    /// Whether this is the error of a path that the arm cannot follow.
+    /// Whether the error is about this path, which the arm cannot follow.
     fn is_of(&self, path: &ImpossiblePath) -> bool {
         self.code.is_none() && path.line == self.at.line && path.file == self.at.file
     }
@@ -251,7 +251,7 @@ fn screen(pendant: &Pendant) -> Vec<String> {
     title.into_iter().chain(lines).collect()
 }
 
-/// Moves with the times of their lines.
+/// Counts of moves by program and line, with times.
 fn moves(counts: &BTreeMap<MoveLine, usize>, arm: &[TimesRow]) -> MovesEntry {
     let time_of = |is_meant: &dyn Fn(&TimesRow) -> bool| -> f64 {
         arm.iter().filter(|row| row.is_moving && is_meant(row)).map(|row| row.seconds).sum()

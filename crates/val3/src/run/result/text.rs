@@ -9,7 +9,7 @@ use crate::printable::one_line;
 /// Maximum number of waits.
 const SHOWN_WAITS: usize = 8;
 
-/// Formats the document. Empty parts are left out.
+/// Formats the document. Empty parts are omitted.
 pub(super) fn text(document: &ResultDocument) -> String {
     let mut out = String::new();
     let ResultDocument { reason, seconds, exit_code, .. } = document;

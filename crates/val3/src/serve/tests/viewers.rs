@@ -38,7 +38,7 @@ fn a_viewer_that_never_reads_costs_nothing() {
         std::thread::sleep(Duration::from_micros(500));
     }
     assert!(longest < Duration::from_millis(100), "{longest:?}");
-    // Its permit is available again.
+    // The viewer's permit is available again.
     let deadline = Instant::now() + Duration::from_secs(10);
     while open(server.operator_page()).is_err() {
         assert!(Instant::now() < deadline);

@@ -1,4 +1,4 @@
-// Encounters: times in which two things of the cell are nearer to each other than their clearance.
+// Encounters: time spans in which two things of the cell are nearer to each other than their clearance.
 
 import type * as wire from "../../wire";
 
@@ -9,13 +9,13 @@ export interface ClearanceEvent {
   state: "near" | "contact" | "clear";
   a: string;
   b: string;
-  /** Distance in mm; of `clear` the smallest of the encounter. Negative for the depth of an overlap. */
+  /** Distance in mm, negative if the things overlap. A `clear` event contains the encounter's smallest distance. */
   distance: number;
-  /** Nearest point of each thing, in world. */
+  /** Nearest points of both things, in world. */
   points: readonly (readonly number[])[];
-  /** Time of the distance, in s. */
+  /** Time at which the distance was measured, in s. */
   at: number;
-  /** Instruction and line of the move; absent while the arm stands. */
+  /** Instruction and line of the present move; absent while the arm is at rest. */
   type?: string;
   program?: string;
   line?: number;
@@ -34,7 +34,7 @@ export interface Encounter {
   events: ClearanceEvent[];
 }
 
-/** Returns the event as an event of an encounter; `undefined` for other events. */
+/** Returns the event as a clearance event; `undefined` for other kinds. */
 export function clearanceOf(event: wire.RunEvent): ClearanceEvent | undefined {
   return event.kind === "clearance" ? (event as unknown as ClearanceEvent) : undefined;
 }
@@ -76,7 +76,7 @@ export function encountersAt(encounters: readonly Encounter[], t: number): Encou
   return encounters.filter(({ start, end }) => start <= t && t <= (end ?? Infinity));
 }
 
-/** State of a thing: whether it touches another one or is too near to it. */
+/** State of a thing: too near to another thing, or in contact with it. */
 export type Nearness = "near" | "contact";
 
 /** Returns the states of all things that are in one of these encounters at a time. */
@@ -93,12 +93,12 @@ export function nearnessAt(encounters: readonly Encounter[], t: number): Readonl
   return states;
 }
 
-/** Returns the event of an encounter whose distance was measured nearest to a time. */
+/** Returns the encounter's event that was measured nearest to a time. */
 export function measuredNear({ events }: Encounter, t: number): ClearanceEvent | undefined {
   return events.toSorted((one, other) => Math.abs(one.at - t) - Math.abs(other.at - t))[0];
 }
 
-/** Returns the events with the smallest distance of each pair up to a time, the smallest first. */
+/** Returns each pair's event with the smallest distance up to a time, sorted by distance. */
 export function smallestDistances(encounters: readonly Encounter[], t: number): ClearanceEvent[] {
   const smallest = new Map<string, ClearanceEvent>();
   for (const event of encounters.flatMap(({ events }) => events).filter(({ at }) => at <= t)) {
@@ -110,7 +110,7 @@ export function smallestDistances(encounters: readonly Encounter[], t: number): 
   return [...smallest.values()].toSorted((one, other) => one.distance - other.distance);
 }
 
-/** Formats a distance, or the depth of an overlap. */
+/** Formats a distance, or the overlap depth if it is negative. */
 export function distanceText(distance: number): string {
   return distance > 0 ? `${distance.toFixed(1)} mm` : distance < 0 ? `touches by ${(-distance).toFixed(1)} mm` : "touches";
 }

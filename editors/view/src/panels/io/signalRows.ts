@@ -33,7 +33,7 @@ export function placeOf({ link, names, direction }: SignalInfo): string {
   return `${names.length === 0 ? "" : `${addressOf(link)} `}${direction === "input" ? "in" : "out"}`;
 }
 
-/** Returns the number of characters of the longest name with its place. */
+/** Returns the largest number of characters in a name with its address and direction. */
 export function longestName(signals: readonly SignalInfo[]): number {
   return signals.reduce((longest, signal) => Math.max(longest, nameOf(signal).length + placeOf(signal).length + 1), 0);
 }

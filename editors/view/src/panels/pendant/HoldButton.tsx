@@ -51,7 +51,7 @@ export function HoldButton({ label, children, holder, notice, reason, step }: Pr
     }
   }, [reason]);
   useEffect(() => {
-    // Another window may take over the end of the press.
+    // Another window may receive the end of the press.
     window.addEventListener("blur", release);
     return () => window.removeEventListener("blur", release);
   }, [holder]);

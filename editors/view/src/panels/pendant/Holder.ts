@@ -40,7 +40,7 @@ export class Holder {
     }
     const result = step(from);
     if ("refusal" in result) {
-      // The end of the way needs no message, unless the arm was there from the start.
+      // An arrival after a step needs no message; a target that was already reached before the first step does.
       if (result.isArrival !== true || this.target === undefined) {
         this.notice.text.value = result.refusal;
       }

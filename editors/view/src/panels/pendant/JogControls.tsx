@@ -120,7 +120,7 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
   );
 }
 
-/** Returns the frame whose axes count; `undefined` for the axes of the tool. */
+/** Returns the frame along whose axes the arm is jogged; `undefined` for the tool's axes. */
 function frameOfWay(frames: readonly CellPoint[], way: string): Frame | undefined {
   const name = way.startsWith("frame:") ? way.slice("frame:".length) : "";
   return way === "tool" ? undefined : frameOf(frames.find((frame) => pointText(frame) === name)?.pose ?? []);

@@ -2,7 +2,7 @@
 
 import type { ArmChain } from "./armModel";
 
-/** Parses a joint position. The refusal names the first axis without a number, or outside its limits. */
+/** Parses a joint position. The refusal names the first axis that has no number or is outside its limits. */
 export function enteredJoints(axes: ArmChain["axes"], texts: readonly string[]): { joints: number[] } | { refusal: string } {
   const joints: number[] = [];
   for (const [index, { isLinear, min, max }] of axes.entries()) {

@@ -9,15 +9,15 @@ export const STEPS = [0.1, 1, 5, 10, 30] as const;
 /** Time between two steps while a button is held, in ms. */
 export const REPEAT = 150;
 
-/** A held button adds a step only while less than this number of steps remain, so that the arm stops soon. */
+/** A held button adds a step only while at most this number of steps remains, so that the arm stops soon after the release. */
 const AHEAD = 2;
 
 const AXES: readonly Vector[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
-/** Target of a step, or the reason why there is none; `isArrival` if the arm is already where it shall go. */
+/** Target of a step, or the reason why no step is possible; `isArrival` if the arm is already at its destination. */
 export type JogTarget = { joints: number[] } | (Refusal & { isArrival?: boolean });
 
-/** Whether the arm has nearly completed its last step. */
+/** Whether at most `AHEAD` steps remain, so that another step may be added. */
 export function mayContinue(present: readonly number[], target: readonly number[], start: readonly number[]): boolean {
   return target.every((joint, axis) => {
     const way = Math.abs(joint - (start[axis] ?? 0));
@@ -43,7 +43,7 @@ export function jointStep(arm: ArmChain, joints: readonly number[], axis: number
 export interface CartesianStep {
   direction: number;
   step: number;
-  /** Frame in world whose axes count; `undefined` for the axes of the tool. */
+  /** Frame in world along whose axes the step is; `undefined` for the tool's axes. */
   frame: Frame | undefined;
   base: Frame;
   tool: Frame;
@@ -60,10 +60,10 @@ export function cartesianStep(arm: ArmChain, joints: readonly number[], way: Car
   return jointsNear(arm, joints, composed(inverse(way.base), target), way.tool);
 }
 
-/** Step of an arm that goes to a joint position, in degrees or mm of the axis with the longest way. */
+/** Largest step towards a joint position, in degrees or mm of the axis with the longest way. */
 const GO_STEP = 5;
 
-/** Returns the steps of a straight way in joints to a target. */
+/** Returns a function that computes the next step towards a target, along a straight line in joint space. */
 export function goStep(target: readonly number[]): (joints: readonly number[]) => JogTarget {
   return (joints) => {
     const ways = target.map((joint, axis) => joint - (joints[axis] ?? 0));

@@ -63,7 +63,7 @@ export function pendantKey(typed: TypedKey): PendantKey | undefined {
   return code === undefined ? undefined : { code };
 }
 
-/** Returns the key for Alt with a digit. On some keyboards Alt changes the character, so the physical key counts. */
+/** Returns the key for Alt with a digit. On some keyboards Alt changes the character, so the physical key is used. */
 function userKey({ code }: TypedKey): PendantKey | undefined {
   const digit = /^(?:Digit|Numpad)([123])$/.exec(code)?.[1];
   const found = USER_KEYS[Number(digit) - 1];

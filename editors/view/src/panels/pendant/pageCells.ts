@@ -3,7 +3,7 @@
 export const COLUMNS = 40;
 export const ROWS = 14;
 
-/** Number of columns with the same text mode of `setTextMode`. */
+/** Number of consecutive columns with the same text mode (`setTextMode`). */
 export type ModeRun = readonly [columns: number, mode: number];
 
 export interface Span {

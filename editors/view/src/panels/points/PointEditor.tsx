@@ -1,4 +1,4 @@
-// Fields with the values of a point, teaching, and the way there.
+// Editor of a point: fields with its values, teaching, and moving the arm to it.
 
 import type { JSX, TargetedSubmitEvent } from "preact";
 import { useState } from "preact/hooks";

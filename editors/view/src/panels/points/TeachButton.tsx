@@ -11,7 +11,7 @@ interface Props {
   notice: Notice;
   point: PointName;
   tool: ChosenTool;
-  /** What the button writes, for example the tool and the configuration. */
+  /** Details of the written value, for example the tool and the configuration. */
   details: string;
 }
 

@@ -8,7 +8,7 @@ import { toolArguments } from "./tools";
 /** Time without changes after which the reach is computed again, in ms. */
 const QUIET = 300;
 
-/** Requests the reasons after each change, until the returned function is called. A run that nobody can operate, or of an earlier version, has none. */
+/** Requests the reasons after each change, until the returned function is called. Runs that cannot be operated or are of an earlier version have no reasons. */
 export function followReach(cell: Cell): () => void {
   let newest = 0;
   const request = async (): Promise<void> => {

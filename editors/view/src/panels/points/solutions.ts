@@ -16,7 +16,7 @@ function isSolution(value: unknown): value is ArmSolution {
   return typeof value === "object" && value !== null && "joints" in value && "isChosen" in value;
 }
 
-/** Returns the index of the solution to which the arm moves first: the one of `movej`, or else any that is in reach. */
+/** Returns the index of the solution to which the arm moves first: the solution that `movej` uses, otherwise the first reachable one. */
 export function firstChoice(solutions: readonly ArmSolution[]): number {
   const chosen = solutions.findIndex(({ isChosen }) => isChosen);
   return chosen >= 0 ? chosen : solutions.findIndex(({ joints }) => joints !== null);

@@ -18,7 +18,7 @@ export function toolText(tool: ChosenTool, lastTool: string | null | undefined):
   return tool === undefined ? lastTool ?? "the last move's tool" : pointText(tool);
 }
 
-/** Returns the words of a point's configuration after teaching: the arm's words, but `ssame`, `esame` and `wsame` stay. */
+/** Returns the words of a point's configuration after teaching: the arm's present words, except that `ssame`, `esame` and `wsame` are kept. */
 export function taughtConfig(point: string | null | undefined, arm: string | undefined): string[] {
   const words = (text: string | null | undefined): string[] => (text ?? "").split(" ").filter((word) => word !== "");
   const present = words(point);

@@ -37,7 +37,7 @@ export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
   tools?: readonly CellPoint[];
 };
 
-/** Recorded move with its line instead of the number of the line. */
+/** Recorded move with its program and line instead of a source index. */
 export type QueuedMove = Omit<QueueEntry, "source"> & { program: string; line: number };
 
 /** State of the cell. Runs of earlier versions have no `awaitedHold` and `config`. */
@@ -82,7 +82,7 @@ export interface CellHistory {
   transfers: readonly Transfer[];
   states: readonly TimedTasks[];
   samples: TimedPhases;
-  /** Time spans in which the arm stands, with the reason in words. */
+  /** Time spans in which the arm is at rest, with the reason in words. */
   rests: () => Iterable<ArmRest>;
 }
 

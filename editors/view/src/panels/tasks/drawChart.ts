@@ -13,7 +13,7 @@ export interface Chart {
   segments: TaskSegments;
   moves: readonly MoveTimes[];
   cut: ReadonlySet<number>;
-  /** Time spans in which the arm stands, also during a move. */
+  /** Time spans in which the arm is at rest, also during a move. */
   rests: readonly ArmRest[];
   range: Range;
   time: number;
@@ -104,7 +104,7 @@ function drawMoves(canvas: CanvasRenderingContext2D, { moves, cut, x, time, colo
   }
 }
 
-/** Replaces the bar of a move by a thin bar of a wait where the arm stands. Without a move there is no bar. */
+/** Replaces the bar of a move by a thin bar, as for a wait, where the arm is at rest during the move. */
 function drawRests(canvas: CanvasRenderingContext2D, { rests, range, time }: Pick<Chart, "rests" | "range" | "time">, x: (t: number) => number, colour: Colour): void {
   for (const { start, end } of rests) {
     const [left, right] = [Math.max(LABELS, x(start)), x(Math.min(end, time, range[1]))];

@@ -82,8 +82,8 @@ export interface TimedPhases {
 }
 
 /**
- * Counts the times of the arm. A sample ends its cycle; in a gap the arm was as in the previous sample. Only new samples
- * are read, because a run of 40 minutes has 600,000 samples.
+ * Counts the times of the arm. A sample is taken at the end of its cycle; during a gap, the previous sample applies.
+ * Only new samples are read, because a run of 40 minutes has 600,000 samples.
  */
 export class ArmTimes {
   private table = new Table();
@@ -119,7 +119,7 @@ export class ArmTimes {
   }
 }
 
-/** Counts seconds in the phase of a sample; without a sample, the arm has no move. */
+/** Counts seconds in the phase of a sample; without a sample, the time counts as time without a move. */
 function count(table: Table, seconds: number, { phase, source }: Partial<TimedPhase> = {}): void {
   const isIdle = phase === undefined || (phase === WAITING && source === undefined);
   const word = isIdle ? NO_MOVE : phase === WAITING ? "waiting for the next move" : phase;

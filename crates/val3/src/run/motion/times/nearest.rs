@@ -1,4 +1,4 @@
-//! Smallest distances of a run: of each line with moves, and of each pair of things.
+//! Smallest distances of a run: by line with moves, and by pair of things.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -24,9 +24,9 @@ pub(super) struct Nearest {
 pub(super) struct NearestRow {
     a: String,
     b: String,
-    /// Distance in mm; the depth of an overlap as a negative number.
+    /// Distance in mm; negative if the things overlap.
     distance: f64,
-    /// Its time, in seconds.
+    /// Time of the distance, in seconds.
     at: f64,
 }
 
@@ -56,7 +56,7 @@ impl Nearest {
         self.minima.of(&(program.to_owned(), line)).map(NearestRow::of)
     }
 
-    /// Smallest distance of each pair.
+    /// Smallest distances of all pairs.
     pub(super) fn of_pairs(&self) -> Vec<NearestRow> {
         self.minima.of_pairs().into_iter().map(NearestRow::of).collect()
     }
