@@ -1,6 +1,7 @@
 //! Movement of all bodies during a cycle.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
@@ -82,7 +83,8 @@ pub(crate) struct Step<'s> {
     /// For each frame or tool, whether its pose differs from the last sight.
     has_moved: Vec<bool>,
     moved: Joints,
-    ends: [OnceCell<Position>; 2],
+    /// Positions at fractions of the step. The searches of different pairs divide the step at the same fractions.
+    positions: RefCell<Vec<(f64, Rc<Position>)>>,
     /// Greatest way of each body.
     ways: OnceCell<Vec<Option<f64>>>,
 }
@@ -102,7 +104,7 @@ impl<'s> Step<'s> {
             has_part_moved: moved_parts(past, sight),
             has_moved: (0..sight.places.len()).map(moved).collect(),
             moved: std::array::from_fn(|axis| difference(&sight.joints, &from, axis)),
-            ends: Default::default(),
+            positions: RefCell::default(),
             ways: OnceCell::new(),
         }
     }
@@ -154,14 +156,8 @@ impl<'s> Step<'s> {
 
     /// Measures a pair at a fraction of the step, from 0 to 1.
     pub(crate) fn measure(&self, pair: &Pair, fraction: f64, limit: f64) -> Reading {
-        let position = if fraction <= 0.0 {
-            self.end_position(&self.ends[0], &self.from)
-        } else if fraction >= 1.0 {
-            self.end_position(&self.ends[1], &self.to)
-        } else {
-            &self.scene.position(&self.joints(fraction))
-        };
-        match (self.placed(pair.first, position), self.placed(pair.second, position)) {
+        let position = self.position(fraction.clamp(0.0, 1.0));
+        match (self.placed(pair.first, &position), self.placed(pair.second, &position)) {
             (Some(first), Some(second)) => measure(&first, &second, limit),
             // A body without a pose is infinitely far away.
             _ => Reading::Beyond(f64::INFINITY),
@@ -183,7 +179,7 @@ impl<'s> Step<'s> {
         let part = |number: usize| self.places.parts.get(number).map(|place| place.holder);
         let is_gone =
             |body: &Body| matches!(body.carrier, BodyCarrier::Part(number) if part(number) == Some(PartHolder::Gone));
-        self.body(body).is_some_and(is_gone) || self.placed(body, self.end_position(&self.ends[1], &self.to)).is_some()
+        self.body(body).is_some_and(is_gone) || self.placed(body, &self.position(1.0)).is_some()
     }
 
     /// Shapes and pose of a body for a position of the arm; `None` if the body has no pose.
@@ -193,8 +189,15 @@ impl<'s> Step<'s> {
         is_usable(&pose).then_some(Placed { shapes: &body.shapes, pose })
     }
 
-    fn end_position<'p>(&self, end: &'p OnceCell<Position>, joints: &Joints) -> &'p Position {
-        end.get_or_init(|| self.scene.position(joints))
+    /// Position at a fraction of the step, 0 to 1.
+    fn position(&self, fraction: f64) -> Rc<Position> {
+        let known = self.positions.borrow().iter().find(|(at, _)| *at == fraction).map(|(_, known)| Rc::clone(known));
+        known.unwrap_or_else(|| {
+            let joints = if fraction == 1.0 { self.to } else { self.joints(fraction) };
+            let position = Rc::new(self.scene.position(&joints));
+            self.positions.borrow_mut().push((fraction, Rc::clone(&position)));
+            position
+        })
     }
 
     /// Joint position at a fraction of the step.

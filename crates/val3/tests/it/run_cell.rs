@@ -102,7 +102,8 @@ fn the_mesh_of_a_link_is_compared_in_place_of_its_capsule() {
         3 | shapes = { link5 = "link5.stl" }
           |            ^^^^^
           help: name a mesh of the link, or remove the setting: the capsules of the arm are then compared
-    "#]].assert_eq(&folder.val3(&["run"]).stderr);
+    "#]]
+    .assert_eq(&folder.val3(&["run"]).stderr);
 }
 
 #[test]
