@@ -1,6 +1,6 @@
 // Creates the pictures in the README: `node tests/editors/pictures.js` after `tests/editors/run debug`, with the
 // variables of `run`.
-const { readdirSync } = require("node:fs");
+const { readFileSync, readdirSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
 const { BOXES, openFile, served, until } = require("./view/served.js");
@@ -15,6 +15,23 @@ test("the palletiser stacks a box", () => served(BOXES, async (run) => {
   await page.waitForTimeout(1500);
   await page.screenshot(picture("robot.jpg"));
 }));
+
+/** Reports pairs below 150 mm. */
+function widen(folder) {
+  const file = join(folder, "cell.toml");
+  writeFileSync(file, readFileSync(file, "utf8").replace("clearance = 50", "clearance = 150"));
+}
+
+test("the gripper comes near to the belt", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await until(page, 8);
+  await page.getByRole("tab", { name: "Tasks" }).click();
+  await page.getByText("Distances", { exact: true }).click();
+  await page.locator(".clearances button.place").first().click();
+  await page.getByRole("button", { name: "Fit" }).click();
+  await page.waitForTimeout(1500);
+  await page.screenshot(picture("cell.jpg"));
+}, widen));
 
 test("the robot is next to the code", async () => {
   const output = process.env.VAL3_OUTPUT;

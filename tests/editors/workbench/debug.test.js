@@ -113,7 +113,7 @@ const STEPS = {
     await user.robot("position", "x 294.6  y -736.8");
   },
 
-  async "the robot is shown next to the code, and operated there"(user) {
+  async "the robot is shown next to the code"(user) {
     await user.command("VAL 3: Show Robot");
     await user.webview("TX90L");
     const view = await user.frameWith("TX90L");
@@ -121,6 +121,10 @@ const STEPS = {
     await view.getByText("BasicIO-1").first().waitFor();
     await view.getByRole("tab", { name: "Points" }).click();
     await view.getByText("pSafe").first().waitFor();
+  },
+
+  async "the line of a task is opened from the robot's page"(user) {
+    const view = await user.frameWith("TX90L");
     await view.getByRole("tab", { name: "Tasks" }).click();
     const line = view.locator("button.place").first();
     const name = basename(await line.getAttribute("title"));
