@@ -171,7 +171,7 @@ class ServerTest(unittest.IsolatedAsyncioTestCase):
             answers = await asyncio.gather(*(call(client, "eval", code="1") for _ in range(200)))
             refused = [text for error, text in answers if error]
             self.assertGreater(len(answers) - len(refused), 60)
-            self.assertTrue(all("calls are waiting" in text for text in refused))
+            self.assertTrue(all("calls have no answer yet" in text for text in refused))
 
     async def test_prompts_and_resources(self) -> None:
         for initialized in (True, False):

@@ -74,6 +74,8 @@ fn corners(mesh: &Mesh) -> String {
 mod tests {
     use val3_cell::{ArmBase, CellFile, DataKind, KnownSignal, Surroundings};
 
+    use val3_tests::running::Running;
+
     use super::*;
 
     /// An application with the frame `fPallet`, and a mesh of one triangle.
@@ -92,6 +94,21 @@ mod tests {
         fn signal(&self, _: &str) -> Result<KnownSignal, Option<String>> {
             Err(None)
         }
+    }
+
+    #[test]
+    fn parts_have_their_carriers_and_poses_in_the_run() {
+        let file = "[[part]]\nname = \"carton\"\nin = \"fPallet\"\nat = [1, 2, 3]\nbox = [10, 20, 30]\n";
+        let file: CellFile = toml::from_str(file).unwrap();
+        let cell = Cell::build(&file, ArmBase { axes: 6, height: 478.0 }, &mut Application).unwrap();
+        let mut controller = Running::start("frame fPallet\nprogram start()\nbegin\nend\n").controller;
+        assert!(places(0.0, &controller).is_none());
+        controller.surround(cell);
+        let message = places(0.5, &controller).unwrap();
+        let [part] = message.parts.as_slice() else { panic!("{message:?}") };
+        assert_eq!((message.t, part.name.as_str()), (0.5, "carton"));
+        assert_eq!(part.carrier, Some(ObjectCarrier::Frame { name: "fPallet".to_owned() }));
+        assert_eq!(part.pose, [1.0, 2.0, 3.0, 0.0, 0.0, 0.0]);
     }
 
     #[test]

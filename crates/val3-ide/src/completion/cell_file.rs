@@ -333,6 +333,17 @@ mod tests {
     }
 
     #[test]
+    fn signals_are_those_of_the_configuration() {
+        let boards = "=== /configs/bio.cfx\n<bio><bioDin index=\"0\" /></bio>\n";
+        check(
+            &format!("[[sensor]]\nio = '$0'\n{boards}"),
+            expect![[r#"
+            BasicIO-1\%I0 -> BasicIO-1\\%I0
+        "#]],
+        );
+    }
+
+    #[test]
     fn keys_are_those_of_the_table() {
         check(
             "cl$0",
