@@ -63,7 +63,7 @@ pub struct Project {
     /// `cell.toml` with the things around the arm of an application.
     #[returns(copy)]
     pub surroundings: Option<File>,
-    /// Meshes that `cell.toml` and `[run] shapes` of the `val3.toml` name.
+    /// Meshes that `cell.toml` names, followed by the meshes that `[run] shapes` of the `val3.toml` names.
     #[returns(ref)]
     pub meshes: Vec<MeshFile>,
     /// References in the project file to paths outside of the cell, as written. Their files are not read.

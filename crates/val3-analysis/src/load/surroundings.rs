@@ -47,24 +47,30 @@ impl Loader<'_> {
     pub(super) fn meshes(&mut self, file: File, configuration: Option<Configuration>) -> Vec<MeshFile> {
         let folder = file.path(&self.db).parent().unwrap_or(Utf8Path::new("")).to_owned();
         let names = mesh_names(file.text(&self.db));
-        let mut meshes: Vec<MeshFile> = names.iter().map(|name| self.mesh(&folder, name, true)).collect();
+        let mut meshes: Vec<MeshFile> = names.iter().map(|name| self.mesh_below(&folder, name)).collect();
         let settings = configuration.map(|configuration| configuration.file(&self.db).clone());
         for settings in settings.iter() {
             let links = settings.config.run.shapes.values();
-            meshes.extend(links.map(|name| self.mesh(settings.folder(), name, false)));
+            meshes.extend(links.map(|name| self.mesh(settings.folder(), name)));
         }
         meshes
     }
 
-    /// Reads a mesh. `is_below` states whether it has to be in the folder or below.
-    fn mesh(&mut self, folder: &Utf8Path, name: &Utf8Path, is_below: bool) -> MeshFile {
+    /// Reads a mesh that has to be in the folder or below, also if `[run] shapes` may name the same file.
+    fn mesh_below(&mut self, folder: &Utf8Path, name: &Utf8Path) -> MeshFile {
+        match check_below(self.system, folder, name) {
+            Ok(()) => self.mesh(folder, name),
+            Err(reason) => MeshFile { path: folder.join(name), mesh: Err(reason) },
+        }
+    }
+
+    fn mesh(&mut self, folder: &Utf8Path, name: &Utf8Path) -> MeshFile {
         let path = folder.join(name);
         let key = path_key(path.as_str());
         if let Some(known) = self.known.meshes.get(&key).filter(|_| !(self.is_stale)(&key)) {
             return known.clone();
         }
-        let checked = if is_below { check_below(self.system, folder, name) } else { Ok(()) };
-        let mesh = checked.and_then(|()| read_mesh(self.system, &path, name)).map(Arc::new);
+        let mesh = read_mesh(self.system, &path, name).map(Arc::new);
         let found = MeshFile { path, mesh };
         self.known.meshes.insert(key, found.clone());
         found

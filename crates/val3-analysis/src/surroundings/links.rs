@@ -36,7 +36,8 @@ pub(super) fn hulls(db: &dyn Db, project: Project) -> Result<Vec<Option<LinkHull
 
 fn mesh(db: &dyn Db, project: Project, file: &ConfigFile, path: &Utf8Path) -> Result<Mesh, String> {
     let full = file.folder().join(path);
-    let mesh = project.meshes(db).iter().find(|mesh| mesh.path == full);
+    // The meshes of links follow those of `cell.toml`, which may not name the same file.
+    let mesh = project.meshes(db).iter().rfind(|mesh| mesh.path == full);
     mesh.map_or_else(
         || Err(format!("`{path}` has not been read")),
         |found| found.mesh.as_deref().cloned().map_err(String::clone),

@@ -208,6 +208,21 @@ fn meshes_of_links_are_read_from_the_settings() {
 }
 
 #[test]
+fn a_mesh_of_a_link_is_no_way_out_of_the_folder_of_a_cell() {
+    let listing = format!("{APPLICATION}[run]\ncell = \"sub/cell.toml\"\nshapes = {{ link6 = \"arm/corner.stl\" }}\n");
+    let cell = "[[object]]\nname = \"corner\"\nmesh = \"../arm/corner.stl\"\n";
+    let system = system(&listing, &[("sub/cell.toml", cell), ("arm/corner.stl", CORNER)]);
+    let mut workspace = loaded(&system);
+    for _ in 0..2 {
+        let faults = cell_faults(&workspace.db, cell_file(&workspace), true);
+        let messages: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(messages, ["`../arm/corner.stl` is not in the folder of this file"]);
+        // The second load knows the mesh of the link.
+        workspace.refresh(&system, &[Utf8PathBuf::from(ROOT)], &|_| false);
+    }
+}
+
+#[test]
 fn an_edit_that_names_another_mesh_loads_the_workspace_again() {
     let mesh = |name: &str| format!("[[object]]\nname = \"a\"\nshapes = [{{ mesh = \"{name}\" }}]\n");
     assert!(names_meshes_alike(&mesh("a.stl"), &format!("clearance = 3\n{}", mesh("a.stl"))));
