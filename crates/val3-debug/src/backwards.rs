@@ -120,11 +120,6 @@ impl Debugger {
         Some(Stop::PathFault(Box::new(fault)))
     }
 
-    /// Returns how finely a replay has to stop so that no change of watched data is missed.
-    fn watch_of_data(&self) -> CycleWatch {
-        if self.data.is_empty() { CycleWatch::Nothing } else { CycleWatch::Lines }
-    }
-
     /// Goes back to the last earlier moment for which `is_wanted` returns a stop. Returns `None` if the watcher cancels
     /// the search.
     pub(crate) fn back_to_last(

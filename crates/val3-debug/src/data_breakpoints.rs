@@ -1,14 +1,16 @@
 //! Data breakpoints: the run stops after a line that has changed or read a value, and after a change from outside.
 //!
-//! While a data breakpoint is set, tasks execute one line at a time, and the watched values are compared bit by bit
-//! after each line. Writing the present value is no change. Reads are found in the operations of the line
-//! ([`reads`](crate::reads)); the controller records reads of signals. A waiting line reads once, when the wait begins.
+//! The watched values are compared bit by bit after each line. Writing the present value is no change. The interpreter
+//! compares numbers and strings itself ([`DataWatch`](val3_vm::DataWatch)); for all other data and for reads, tasks
+//! execute one line at a time. Reads are found in the operations of the line ([`reads`](crate::reads)); the controller
+//! records reads of signals. A waiting line reads once, when the wait begins.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::RunStatus;
-use val3_vm::{Frame, Vm};
+use val3_vm::{BegunLine, CycleWatch};
 
 use crate::breakpoints::{BreakpointId, HitCondition};
 use crate::conditions::{CompiledExpression, application_context};
@@ -72,32 +74,11 @@ pub struct DataStop {
 /// Data breakpoints of a run, with the last compared values.
 #[derive(Debug, Default)]
 pub(crate) struct DataBreakpoints {
-    all: Vec<DataWatch>,
-    next: NextLines,
-}
-
-/// Next line by task: stack frame and first operation.
-#[derive(Debug, Default)]
-pub(crate) struct NextLines(BTreeMap<TaskNumber, (Frame, u32)>);
-
-impl NextLines {
-    /// Stores the next line for each task without a stored line.
-    pub(crate) fn keep(&mut self, vm: &Vm) {
-        for task in vm.tasks() {
-            if let Some(frame) = task.thread.frames.last() {
-                self.0.entry(task.id).or_insert((*frame, task.thread.next));
-            }
-        }
-    }
-
-    /// Removes and returns the line that the task has executed since it was stored.
-    pub(crate) fn take(&mut self, task: TaskNumber) -> Option<(Frame, u32)> {
-        self.0.remove(&task)
-    }
+    all: Vec<WatchedBreakpoint>,
 }
 
 #[derive(Debug)]
-struct DataWatch {
+struct WatchedBreakpoint {
     breakpoint: DataBreakpoint,
     /// Last compared value; `None` if it was not in memory.
     seen: Option<Digest>,
@@ -125,7 +106,7 @@ impl Debugger {
         for breakpoint in breakpoints {
             let same = before.iter().find(|watch| watch.breakpoint.data == breakpoint.data);
             let over = same.and_then(|watch| watch.over);
-            self.data.all.push(DataWatch { over, breakpoint, seen: None, text: String::new() });
+            self.data.all.push(WatchedBreakpoint { over, breakpoint, seen: None, text: String::new() });
         }
         self.settle_data();
     }
@@ -142,9 +123,26 @@ impl Debugger {
         let with_reads = self.data.all.iter().filter(|watch| watch.breakpoint.access != DataAccess::Write);
         let signals = with_reads.filter_map(|watch| watch.breakpoint.data.as_signal()).collect();
         self.controller.devices.watch_signal_reads(signals);
-        self.data.next = NextLines::default();
-        if !self.data.is_empty() {
-            self.data.next.keep(&self.controller.vm);
+        self.watch_plain_data();
+    }
+
+    /// Lets the interpreter compare the watched values if it can compare all of them.
+    fn watch_plain_data(&mut self) {
+        let open = self.data.all.iter().filter(|watch| watch.over.is_none());
+        let plain = open.map(|watch| match watch.breakpoint.access {
+            DataAccess::Write => watch.breakpoint.data.plain(&mut self.controller),
+            DataAccess::Read | DataAccess::ReadWrite => None,
+        });
+        let watch = plain.collect::<Option<_>>().filter(|_| !self.data.is_empty()).map(Arc::new);
+        self.controller.vm.watch_data(watch);
+    }
+
+    /// Returns how finely a cycle has to stop so that no access to watched data is missed.
+    pub(crate) fn watch_of_data(&self) -> CycleWatch {
+        match self.controller.vm.watches_data() {
+            _ if self.data.is_empty() => CycleWatch::Nothing,
+            true => CycleWatch::Changes,
+            false => CycleWatch::Lines,
         }
     }
 
@@ -154,10 +152,9 @@ impl Debugger {
         if self.data.is_empty() {
             return None;
         }
-        let line = task.and_then(|task| self.data.next.take(task));
-        self.data.next.keep(&self.controller.vm);
+        let line = task.and_then(|_| self.controller.vm.last_line());
         let signal_reads = self.controller.devices.take_signal_reads();
-        let mut changes = Vec::new();
+        let (mut changes, mut has_any_changed) = (Vec::new(), false);
         let moment = Moment::of(&self.controller);
         for watch in self.data.all.iter_mut().filter(|watch| watch.over.is_none()) {
             let DataBreakpoint { data, access, .. } = &watch.breakpoint;
@@ -166,10 +163,11 @@ impl Debugger {
                 _ if *access == DataAccess::Write => false,
                 (None, _) => false,
                 (Some((task, _)), Some(signal)) => signal_reads.contains(&(task, signal)),
-                (Some((task, (frame, op))), None) => data.is_read(&mut self.controller, task, frame, op),
+                (Some((task, BegunLine { frame, op })), None) => data.is_read(&mut self.controller, task, frame, op),
             };
             let has_changed = now != watch.seen;
             let is_over = now.is_none() && data.is_local();
+            has_any_changed |= has_changed || is_over;
             let mut old = watch.text.clone();
             if has_changed {
                 let text = data.text(&mut self.controller);
@@ -199,10 +197,13 @@ impl Debugger {
                 changes.push(DataChange { id: watch.breakpoint.id, is_write, old, new, fault });
             }
         }
+        if has_any_changed {
+            self.watch_plain_data();
+        }
         if changes.is_empty() {
             return None;
         }
-        let line = line.and_then(|(frame, op)| task_frame(&self.controller.vm, &frame, op));
+        let line = line.and_then(|line| task_frame(&self.controller.vm, &line.frame, line.op));
         Some(Stop::Data(Box::new(DataStop { task, line, changes })))
     }
 

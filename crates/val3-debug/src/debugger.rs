@@ -290,12 +290,11 @@ impl Debugger {
     }
 
     fn advance_tasks(&mut self) -> AdvanceResult {
-        let sees_lines =
-            self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some() || !self.data.is_empty();
-        self.controller.watch(match self.errors.is_none() {
+        let sees_lines = self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some();
+        self.controller.watch(match self.watch_of_data() {
             _ if sees_lines => CycleWatch::Lines,
-            true => CycleWatch::Nothing,
-            false => CycleWatch::Failures,
+            CycleWatch::Nothing if !self.errors.is_none() => CycleWatch::Failures,
+            watch => watch,
         });
         if let Some(stop) = self.begin_watched_cycle() {
             self.step = None;

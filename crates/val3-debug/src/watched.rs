@@ -13,7 +13,7 @@ use val3_lang::values::{Text, printed};
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_machine::io::{self, IoTable, SignalId};
-use val3_vm::{FragmentContext, Frame, InstanceId, Space, Vm};
+use val3_vm::{FragmentContext, Frame, FrameOwner, InstanceId, Space, Vm, WatchedValue};
 
 use crate::reads::{ExecutedLine, Extent};
 use crate::values;
@@ -50,6 +50,16 @@ enum NestingStep {
 enum ValueLocation {
     One(Arc<ValueType>, Place),
     All(View),
+}
+
+impl ValueLocation {
+    /// Returns the container, or the stack.
+    const fn store(&self) -> StoreId {
+        match self {
+            Self::One(_, place) => place.store,
+            Self::All(view) => view.store,
+        }
+    }
 }
 
 /// Value of watched data, bit by bit.
@@ -123,6 +133,44 @@ impl WatchedData {
             }?;
             Some(digest)
         })
+    }
+
+    /// Returns the data for a comparison by the interpreter; `None` for signals, links, elements of collections, values
+    /// of user types, and data that are not in memory.
+    pub(crate) fn plain(&self, controller: &mut Controller) -> Option<WatchedValue> {
+        let variable = Self { steps: Vec::new(), ..self.clone() };
+        let store = variable.look(controller, |_, _, found| Some(found.store()))?;
+        self.look(controller, |memory, _, found| {
+            let container = match store {
+                StoreId::STACK => None,
+                id => Some((id, memory.store(id).ok()?.shape.clone())),
+            };
+            let is_collection = matches!(container, Some((_, ContainerShape::Collection(_))));
+            if is_collection || found.store() != store {
+                return None;
+            }
+            let (kind, place, count) = match found {
+                ValueLocation::One(kind, place) => (kind, place, 1),
+                ValueLocation::All(view) => {
+                    let store = memory.store(view.store).ok()?;
+                    let count = store.shape.len().checked_sub(view.start)?;
+                    (Arc::clone(&store.kind), store.place(view.store, view.start), count)
+                }
+            };
+            let Lanes { num, text, link: 0, part: 0 } = kind.size else { return None };
+            let bits = (0..num * count).map(|lane| memory.num(place, lane).ok().map(f64::to_bits));
+            let texts = (0..text * count).map(|at| memory.text(Place { text: place.text + at, ..place }).ok().copied());
+            let (bits, texts) = (bits.collect::<Option<_>>()?, texts.collect::<Option<_>>()?);
+            Some(WatchedValue { owner: self.owner(), container, place, bits, texts })
+        })
+    }
+
+    /// Returns the stack frame of a local variable.
+    const fn owner(&self) -> Option<FrameOwner> {
+        match self.root {
+            WatchedRoot::Local { task, index, frame, .. } => Some(FrameOwner { task, index, frame }),
+            WatchedRoot::Global { .. } | WatchedRoot::Signal(_) => None,
+        }
     }
 
     /// Formats the present value.

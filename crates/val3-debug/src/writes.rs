@@ -10,7 +10,6 @@ use val3_machine::controller::RunStatus;
 use val3_vm::{CycleWatch, Vm};
 
 use crate::backwards::{Watcher, fraction};
-use crate::data_breakpoints::NextLines;
 use crate::debugger::Debugger;
 use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
@@ -50,7 +49,6 @@ struct PartWrites {
     seen: Option<Digest>,
     /// Whether a local variable's program has begun within this part.
     has_begun: bool,
-    next: NextLines,
     /// Task names, also of tasks that end within this part.
     names: BTreeMap<TaskNumber, String>,
 }
@@ -82,7 +80,7 @@ impl Debugger {
         {
             let first = (data.digest(&mut self.controller), data.text(&mut self.controller));
             let mut part = PartWrites::new(first.0.clone(), first.1.clone(), count + 1);
-            part.keep_tasks(&self.controller.vm);
+            part.keep_names(&self.controller.vm);
             while let Some(task) = self.replay_line(end) {
                 part.follow(self, data, task);
                 let searched = (present.time - end.time) + (self.controller.now() - start.time);
@@ -131,13 +129,11 @@ impl Debugger {
 
 impl PartWrites {
     fn new(seen: Option<Digest>, initial: String, limit: usize) -> Self {
-        let (next, names) = (NextLines::default(), BTreeMap::new());
-        Self { writes: VecDeque::new(), limit, initial, seen, has_begun: false, next, names }
+        Self { writes: VecDeque::new(), limit, initial, seen, has_begun: false, names: BTreeMap::new() }
     }
 
-    /// Stores the next line and the name of each task.
-    fn keep_tasks(&mut self, vm: &Vm) {
-        self.next.keep(vm);
+    /// Stores the name of each task.
+    fn keep_names(&mut self, vm: &Vm) {
         for task in vm.tasks() {
             self.names.entry(task.id).or_insert_with(|| task.name.clone());
         }
@@ -145,15 +141,15 @@ impl PartWrites {
 
     /// Adds the write of the last line if the data have changed. `task` executed the line.
     fn follow(&mut self, debugger: &mut Debugger, data: &WatchedData, task: Option<TaskNumber>) {
-        let line = task.and_then(|task| self.next.take(task));
-        self.keep_tasks(&debugger.controller.vm);
+        let line = task.and_then(|_| debugger.controller.vm.last_line());
+        self.keep_names(&debugger.controller.vm);
         let controller = &mut debugger.controller;
         let now = data.digest(controller);
         if now == self.seen {
             return;
         }
         let value = data.text(controller);
-        let line = line.and_then(|(frame, op)| task_frame(&controller.vm, &frame, op));
+        let line = line.and_then(|line| task_frame(&controller.vm, &line.frame, line.op));
         let task = task.and_then(|task| self.names.get(&task).cloned());
         self.add(DataWrite { time: controller.now(), task, line, value }, now, data);
     }

@@ -218,6 +218,12 @@ impl TurnContext<'_> {
                 LineMark::CountedSide(counter) => self.space.counts.add(instance.first_counter, program, counter),
                 LineMark::Line | LineMark::Stop | LineMark::CountedLine(_) => {
                     let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(TurnEnd::Busy)) };
+                    if self.watch.is_some() {
+                        if !self.begins_watched_line(thread, frame, at.next) {
+                            return Ok(Leave::Turn(TurnEnd::Busy));
+                        }
+                        nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                    }
                     if step.mark == LineMark::Stop {
                         if self.meets_stop(thread, instance, &frame, at.next) {
                             return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));

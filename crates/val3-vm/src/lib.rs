@@ -7,6 +7,7 @@ mod arithmetic;
 mod calls;
 mod counts;
 mod create_task;
+mod data_watch;
 mod ends;
 mod enter;
 mod evaluate;
@@ -32,6 +33,7 @@ mod values;
 mod vm;
 
 pub use counts::LineCounts;
+pub use data_watch::{BegunLine, DataWatch, FrameOwner, WatchedValue};
 pub use ends::{CycleEnd, TurnEnd};
 pub use evaluate::{FragmentContext, FragmentEnd};
 pub use guards::{GuardedOp, StopGuard};

@@ -48,6 +48,8 @@ pub enum CycleWatch {
     Failures,
     /// Ends of lines, and run-time errors.
     Lines,
+    /// Ends of lines that have changed a [watched value](crate::DataWatch), and run-time errors.
+    Changes,
 }
 
 /// A cycle that has begun.
@@ -135,7 +137,7 @@ impl Schedule {
     fn lines_until_stop(&self, task: TaskNumber, vm: &Vm) -> u32 {
         let most = match self.watch {
             CycleWatch::Lines => u32::from(!vm.is_within_line(task)),
-            CycleWatch::Nothing | CycleWatch::Failures => u32::MAX,
+            CycleWatch::Nothing | CycleWatch::Failures | CycleWatch::Changes => u32::MAX,
         };
         self.limit.map_or(most, |limit| self.lines_until(limit).min(most))
     }
@@ -147,6 +149,7 @@ impl Schedule {
             (_, TurnEnd::Failed(_)) => true,
             (CycleWatch::Failures, _) => false,
             (CycleWatch::Lines, end) => turn.lines > 0 || end == TurnEnd::Busy,
+            (CycleWatch::Changes, _) => turn.has_changed_data,
         };
         if is_seen { CycleFlow::Break(CycleEnd::Seen(task)) } else { CycleFlow::Continue(()) }
     }

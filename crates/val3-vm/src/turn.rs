@@ -13,6 +13,8 @@ pub struct TurnReport {
     pub left: u32,
     /// Whether the task has read the clock.
     pub reads_clock: bool,
+    /// Whether a [watched value](crate::DataWatch) has changed.
+    pub has_changed_data: bool,
 }
 
 /// Lines that a task may execute before it returns to the scheduler.

@@ -1,9 +1,13 @@
 //! State during one turn.
 
+use std::sync::Arc;
+
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{CodePlace, Origin, TaskNumber, Time};
 
+use crate::data_watch::{BegunLine, DataWatch};
 use crate::roster::Roster;
+use crate::task::Thread;
 use crate::{Frame, Grant, Host, Instance, InstanceId, Space};
 
 /// Task, memory and budget of the interpreter during one turn.
@@ -24,6 +28,12 @@ pub(crate) struct TurnContext<'v> {
     pub(crate) line_cost: Time,
     /// Whether the task has read the clock.
     pub(crate) reads_clock: bool,
+    /// Values whose change ends the turn.
+    pub(crate) watch: Option<Arc<DataWatch>>,
+    /// Whether the turn has executed a part of a line, so that a change is the turn's own.
+    pub(crate) has_executed: bool,
+    /// Line that the turn has begun last, while values are watched; at the beginning of the turn the next operation.
+    pub(crate) begun: Option<BegunLine>,
 }
 
 impl TurnContext<'_> {
@@ -33,6 +43,23 @@ impl TurnContext<'_> {
 
     pub(crate) fn now(&self) -> Time {
         self.end - Time::from(self.budget) * self.line_cost
+    }
+
+    /// Whether a watched value has changed.
+    pub(crate) fn has_changed_data(&self, thread: &Thread) -> bool {
+        let watch = self.watch.as_ref();
+        watch.is_some_and(|watch| watch.has_changed(&self.space.memory, self.task, &thread.frames))
+    }
+
+    /// Begins a line while values are watched. Returns `false` instead if the turn has changed one before.
+    #[cold]
+    pub(crate) fn begins_watched_line(&mut self, thread: &Thread, frame: Frame, op: usize) -> bool {
+        if self.has_executed && self.has_changed_data(thread) {
+            return false;
+        }
+        self.has_executed = true;
+        self.begun = Some(BegunLine { frame, op: u32::try_from(op).unwrap_or(u32::MAX) });
+        true
     }
 
     /// Grants more lines to a turn whose lines are used up.

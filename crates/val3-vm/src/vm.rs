@@ -8,6 +8,7 @@ use val3_lang::fault::Fault;
 use val3_lang::memory::Memory;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
+use crate::data_watch::{BegunLine, DataWatch};
 use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, TASK_BYTES, Thread};
@@ -24,6 +25,10 @@ pub struct Vm {
     idle: Option<Box<Thread>>,
     /// Stop marks that the last fragment has passed.
     pub(crate) passed_stops: u32,
+    /// Values whose change ends a turn.
+    watch: Option<Arc<DataWatch>>,
+    /// Line that the last turn has begun last.
+    last_line: Option<BegunLine>,
 }
 
 impl Vm {
@@ -94,13 +99,17 @@ impl Vm {
         line_cost: Time,
         host: &mut dyn Host,
     ) -> TurnReport {
-        let nothing = TurnReport { end: TurnEnd::Waiting(None), lines: 0, left: 0, reads_clock: false };
+        let nothing =
+            TurnReport { end: TurnEnd::Waiting(None), lines: 0, left: 0, reads_clock: false, has_changed_data: false };
+        let (watch, is_within_line) = (self.watch.clone(), self.watch.is_some() && self.is_within_line(id));
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return nothing };
         let stack_size = task.stack_size;
         let mut thread = std::mem::replace(&mut task.thread, self.idle.take().unwrap_or_default());
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         let mut context = self.turn_context(id, grant, now, line_cost, stack_size, host);
+        (context.watch, context.has_executed) = (watch, is_within_line);
+        context.begun = thread.frames.last().map(|frame| BegunLine { frame: *frame, op: thread.next });
         let end = context.interpret(&mut thread).unwrap_or_else(TurnEnd::Failed);
         if let Some(frame) = thread.frames.last() {
             context.ports.origin(context.origin(context.now(), frame, thread.line));
@@ -108,7 +117,9 @@ impl Vm {
         let lines = context.granted - context.budget;
         let is_unfinished = matches!(end, TurnEnd::Busy | TurnEnd::Suspended | TurnEnd::AtStop(_));
         let left = if is_unfinished { grant.left(lines) } else { 0 };
-        let report = TurnReport { end, lines, left, reads_clock: context.reads_clock };
+        let has_changed_data = context.has_changed_data(&thread);
+        let report = TurnReport { end, lines, left, reads_clock: context.reads_clock, has_changed_data };
+        self.last_line = context.begun;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         self.settle(id, thread, end, host);
         report
@@ -136,6 +147,9 @@ impl Vm {
             end: now + Time::from(budget) * line_cost,
             line_cost,
             reads_clock: false,
+            watch: None,
+            has_executed: false,
+            begun: None,
         }
     }
 
@@ -201,6 +215,24 @@ impl Vm {
     /// Replaces all guards of stop marks.
     pub fn set_guards(&mut self, guards: Vec<StopGuard>) {
         self.space.guards = Arc::new(guards);
+    }
+
+    /// Sets the values whose change ends a turn. Evaluations do not watch them.
+    pub fn watch_data(&mut self, watch: Option<Arc<DataWatch>>) {
+        self.watch = watch;
+    }
+
+    /// Whether values are watched.
+    #[must_use]
+    pub fn watches_data(&self) -> bool {
+        self.watch.is_some()
+    }
+
+    /// Returns the line of the last turn: the line that the turn began last while values are watched or if it executed
+    /// a single line.
+    #[must_use]
+    pub fn last_line(&self) -> Option<BegunLine> {
+        self.last_line
     }
 
     /// Returns the number of stop marks that the last [evaluated](Self::evaluate) fragment has passed in called programs

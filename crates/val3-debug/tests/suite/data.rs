@@ -33,7 +33,7 @@ fn watch_access(debugger: &mut Debugger, paths: &[(&str, Option<&str>)], access:
 }
 
 /// Formats a data stop: `task line: old -> new`.
-fn change(debugger: &Debugger, stop: &Stop) -> String {
+pub(crate) fn change(debugger: &Debugger, stop: &Stop) -> String {
     let Stop::Data(stop) = stop else { return shown(debugger, Some(stop.clone())) };
     let DataStop { task, line, changes } = &**stop;
     let name = |id| debugger.controller.vm.tasks().iter().find(|task| task.id == id).map_or("?", |task| &task.name);

@@ -3,6 +3,7 @@
 
 mod control;
 mod data;
+mod data_laws;
 mod debugger;
 mod errors;
 mod motion;

@@ -6,7 +6,7 @@ use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream, UdpSocket};
 use std::thread::{JoinHandle, sleep, spawn};
 use std::time::{Duration, Instant};
 
-use crate::support::{CommandOutput, Folder};
+use crate::support::{CommandOutput, Folder, free_port};
 
 /// Timeout of a peer that waits for the run.
 const TIMEOUT: Duration = Duration::from_secs(20);
@@ -28,11 +28,6 @@ const DATA: &str = r#"
 /// An application with `siHost` linked to `Socket\host`.
 fn application(programs: &str) -> Folder {
     Folder::with(&format!("{programs}\n{DATA}"))
-}
-
-/// A port without a listener.
-fn free_port() -> u16 {
-    TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
 }
 
 /// Runs the application with `Socket\host` at `end`, in real time, so that a server waits for its client.

@@ -1,9 +1,8 @@
 //! A server in VAL 3 and a client in Python exchange ROS-Industrial simple messages over TCP.
 
-use std::net::TcpListener;
 use std::process::{Child, Command, Stdio};
 
-use crate::support::{CommandOutput, Folder, run};
+use crate::support::{CommandOutput, Folder, free_port, run};
 
 const SERVER: &str = include_str!("ros/server.listing");
 const CLIENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/ros/client.py");
@@ -19,7 +18,7 @@ struct Server {
 impl Server {
     fn start() -> Self {
         let folder = Folder::with(SERVER);
-        let [feedback, motion] = free_ports();
+        let [feedback, motion] = [free_port(), free_port()];
         let line = |name: &str, port: u16| format!(r"--line=Socket\{name}=server:{port}");
         let (first, second) = (line("Feedback", feedback), line("Motion", motion));
         let mut command = folder.command(&["run", "usrapp/main", "--time", "real", "--until", "600", &first, &second]);
@@ -33,12 +32,6 @@ impl Drop for Server {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
-}
-
-/// Ports without listeners.
-fn free_ports() -> [u16; 2] {
-    let listeners = [0, 1].map(|_| TcpListener::bind("127.0.0.1:0").unwrap());
-    listeners.map(|listener| listener.local_addr().unwrap().port())
 }
 
 /// Output of the client.

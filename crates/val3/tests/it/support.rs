@@ -2,8 +2,10 @@
 
 use std::fs;
 use std::io::Write as _;
+use std::net::TcpListener;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicU16, Ordering};
 
 use tempfile::TempDir;
 use val3_test::{EMPTY_STOP, Fixture};
@@ -14,6 +16,22 @@ pub(crate) const CLEAN: &str = "num nCount\nnCount=nCount+1\n";
 pub(crate) const FAULTY: &str = "num nCount\nnCuont=1\n";
 /// A program whose only fault is the unusual spelling of a keyword.
 pub(crate) const UNUSUAL: &str = "num nCount\nIF nCount==1\nnCount=2\nendIf\n";
+
+/// Returns a port without a listener, below the ports that the system gives to outgoing connections, so that no other
+/// test gets it before the server under test listens.
+pub(crate) fn free_port() -> u16 {
+    const FIRST: u16 = 12_000;
+    const COUNT: u16 = 18_000;
+    static NEXT: AtomicU16 = AtomicU16::new(0);
+    // Test programs that run at the same time begin at different ports.
+    let begin = std::process::id() * 100;
+    (0..COUNT)
+        .map(|_| u32::from(NEXT.fetch_add(1, Ordering::Relaxed)) + begin)
+        .filter_map(|number| u16::try_from(number % u32::from(COUNT)).ok())
+        .map(|number| FIRST + number)
+        .find(|port| TcpListener::bind(("127.0.0.1", *port)).is_ok())
+        .expect("no free port")
+}
 
 /// A temporary folder with the files of a listing, deleted on drop.
 pub(crate) struct Folder(TempDir);
