@@ -33,7 +33,7 @@ pub use default_run::DefaultRun;
 pub use error::ConfigError;
 pub use format::{CodeLayout, IndentStyle};
 pub use level::Level;
-pub use link_shape::{LengthUnit, LinkShape};
+pub use link_shape::{LengthUnit, LinkShapeFile};
 pub use options::Options;
 pub use patterns::Patterns;
 pub use run_settings::{Licence, Profile, RunSettings};

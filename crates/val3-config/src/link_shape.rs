@@ -33,7 +33,7 @@ struct LinkShapeTable {
 
 /// File with the shape of the base or a link: the path, or a table with the path and the coordinates.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LinkShape {
+pub struct LinkShapeFile {
     /// The file, relative to the folder of the settings file.
     pub file: Utf8PathBuf,
     /// Length unit of the file; `None` for the unit of its format.
@@ -88,13 +88,13 @@ fn origin<'de, D: Deserializer<'de>>(input: D) -> Result<Option<[f64; 3]>, D::Er
     }
 }
 
-impl From<Utf8PathBuf> for LinkShape {
+impl From<Utf8PathBuf> for LinkShapeFile {
     fn from(file: Utf8PathBuf) -> Self {
         Self { file, unit: None, origin_at_zero: None }
     }
 }
 
-impl<'de> Deserialize<'de> for LinkShape {
+impl<'de> Deserialize<'de> for LinkShapeFile {
     fn deserialize<D: Deserializer<'de>>(input: D) -> Result<Self, D::Error> {
         input.deserialize_any(LinkShapeVisitor)
     }
@@ -104,17 +104,17 @@ impl<'de> Deserialize<'de> for LinkShape {
 struct LinkShapeVisitor;
 
 impl<'de> Visitor<'de> for LinkShapeVisitor {
-    type Value = LinkShape;
+    type Value = LinkShapeFile;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "a file, or a table: {{ file = \"link1.stl\", unit = \"m\" }}")
     }
 
-    fn visit_str<E: serde::de::Error>(self, file: &str) -> Result<LinkShape, E> {
-        Ok(LinkShape::from(Utf8PathBuf::from(file)))
+    fn visit_str<E: serde::de::Error>(self, file: &str) -> Result<LinkShapeFile, E> {
+        Ok(LinkShapeFile::from(Utf8PathBuf::from(file)))
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<LinkShape, A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<LinkShapeFile, A::Error> {
         let LinkShapeTable { file, unit, frame, origin } = Deserialize::deserialize(MapAccessDeserializer::new(table))?;
         if file.as_str().is_empty() {
             return Err(A::Error::custom("this table has no `file`: write `{ file = \"link1.stl\", unit = \"m\" }`"));
@@ -126,11 +126,11 @@ impl<'de> Visitor<'de> for LinkShapeVisitor {
                 return Err(A::Error::custom("`origin` needs `frame = \"zero\"`: a link has the origin of its own frame"));
             }
         };
-        Ok(LinkShape { file, unit, origin_at_zero })
+        Ok(LinkShapeFile { file, unit, origin_at_zero })
     }
 }
 
-impl Serialize for LinkShape {
+impl Serialize for LinkShapeFile {
     fn serialize<S: Serializer>(&self, output: S) -> Result<S::Ok, S::Error> {
         let Self { file, unit, origin_at_zero } = self.clone();
         if unit.is_none() && origin_at_zero.is_none() {
@@ -141,9 +141,9 @@ impl Serialize for LinkShape {
     }
 }
 
-impl JsonSchema for LinkShape {
+impl JsonSchema for LinkShapeFile {
     fn schema_name() -> Cow<'static, str> {
-        "LinkShape".into()
+        "LinkShapeFile".into()
     }
 
     fn inline_schema() -> bool {
@@ -165,7 +165,7 @@ mod tests {
     use super::*;
     use crate::ConfigFile;
 
-    fn read(value: &str) -> Result<LinkShape, String> {
+    fn read(value: &str) -> Result<LinkShapeFile, String> {
         let file = ConfigFile::parse(Utf8Path::new("val3.toml"), &format!("[run.shapes]\nbase = {value}\n"));
         file.map(|file| file.config.run.shapes["base"].clone()).map_err(|error| error.to_string())
     }
@@ -178,18 +178,18 @@ mod tests {
     #[test]
     fn a_shape_is_a_path_or_a_table() {
         let file = Utf8PathBuf::from("a.stl");
-        let table = LinkShape { file: file.clone(), unit: Some(LengthUnit::M), origin_at_zero: Some([0.0, 20.0, 375.0]) };
+        let table = LinkShapeFile { file: file.clone(), unit: Some(LengthUnit::M), origin_at_zero: Some([0.0, 20.0, 375.0]) };
         assert_eq!(read("\"a.stl\""), Ok(file.clone().into()));
         assert_eq!(read("{ file = \"a.stl\" }"), Ok(file.clone().into()));
         assert_eq!(
             read("{ file = \"a.stl\", frame = \"zero\" }"),
-            Ok(LinkShape { unit: None, origin_at_zero: Some([0.0; 3]), ..table.clone() })
+            Ok(LinkShapeFile { unit: None, origin_at_zero: Some([0.0; 3]), ..table.clone() })
         );
         assert_eq!(
             read("{ file = \"a.stl\", unit = \"m\", frame = \"zero\", origin = [0, 20, 375] }").as_ref(),
             Ok(&table)
         );
-        assert_eq!(serde_json::to_string(&LinkShape::from(file)).unwrap(), "\"a.stl\"");
+        assert_eq!(serde_json::to_string(&LinkShapeFile::from(file)).unwrap(), "\"a.stl\"");
         assert_eq!(
             serde_json::to_string(&table).unwrap(),
             r#"{"file":"a.stl","unit":"m","frame":"zero","origin":[0.0,20.0,375.0]}"#
