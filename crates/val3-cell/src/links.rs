@@ -84,7 +84,8 @@ fn distance(hull: &Shape, capsules: &[LinkCapsule]) -> Option<f64> {
     let here = IsometryMatrix3::identity();
     let shapes = capsules.iter().filter_map(|capsule| Shape::capsule(capsule.from, capsule.to, capsule.radius).ok());
     let distances = shapes.map(|capsule| {
-        match nearest(PlacedShape { shape: hull, pose: &here }, PlacedShape { shape: &capsule, pose: &here }, f64::MAX) {
+        match nearest(PlacedShape { shape: hull, pose: &here }, PlacedShape { shape: &capsule, pose: &here }, f64::MAX)
+        {
             Nearness::Beyond => f64::INFINITY,
             Nearness::Apart(closest) => closest.distance,
             Nearness::Overlap(_) => 0.0,
@@ -138,8 +139,9 @@ mod tests {
 
     use super::*;
     use crate::contacts::Contacts;
+    use crate::profile::Profile;
     use crate::scene::Scene;
-    use crate::testing::{arm, build};
+    use crate::testing::{arm, build, sight};
 
     /// A cube around the origin with this side.
     fn cube(side: f64) -> Mesh {
@@ -193,7 +195,8 @@ mod tests {
             `a.glb` is 173205.08 mm long: is it in mm? write `{ file = "a.glb", unit = "mm" }`
             `a.stl` is 173205.08 mm long: is it in mm? write `{ file = "a.stl", unit = "mm" }`
             `a.stl` is 173205.08 mm long: it would be larger than any arm: export it in mm
-        "#]].assert_eq(&refused.map(|refused| refused.unwrap_err() + "\n").concat());
+        "#]]
+        .assert_eq(&refused.map(|refused| refused.unwrap_err() + "\n").concat());
     }
 
     #[test]
@@ -206,24 +209,46 @@ mod tests {
         "#]].assert_eq(&refused);
     }
 
-    /// The same mesh in the frame of its link, and in metres in a frame that is parallel to `world` at joint position
-    /// zero.
+    /// Hulls of cubes at all links: in the frames of the links, and in metres in a frame that is parallel to `world`
+    /// while all joints are 0.
+    fn hulls_in_both_frames(arm: &Arm) -> [Vec<Option<LinkHull>>; 2] {
+        let origin = [120.0, -30.0, 410.0];
+        let frame = Trsf::new([origin[0], origin[1], origin[2] - arm.height()], [0.0; 3]).isometry();
+        let parts = arm.parts(&Joints::default());
+        let own = |link: usize| {
+            cube(150.0).placed(&Trsf::new(arm.shapes()[link][0].from.into(), [10.0, 20.0, 30.0]).isometry())
+        };
+        let at_zero = LinkFile { unit: Some(1000.0), origin_at_zero: Some(origin), ..file("a.stl") };
+        let links = 0..parts.len();
+        [
+            links.clone().map(|link| file("a.stl").hull(own(link), arm, link).ok()).collect(),
+            links
+                .map(|link| {
+                    let mesh = own(link).placed(&frame.inv_mul(&parts[link])).scaled(0.001);
+                    at_zero.hull(mesh, arm, link).ok()
+                })
+                .collect(),
+        ]
+    }
+
     #[test]
-    fn both_frames_of_a_mesh_are_the_same_hull() {
-        for name in ["tx2-60l", "rx160", "ts2-60"] {
+    fn a_hull_has_equal_distances_in_both_frames() {
+        let post = "[[object]]\nname = \"post\"\nsphere = { radius = 30 }\nat = [700, 200, 300]\n";
+        for (name, axes) in [("tx2-60l", 6), ("rx160", 6), ("ts2-60", 4)] {
             let arm = arm(name);
-            for (link, at_zero) in arm.parts(&Joints::default()).iter().enumerate() {
-                let capsule = arm.shapes()[link][0];
-                let own = cube(150.0).placed(&Trsf::new(capsule.from.into(), [10.0, 20.0, 30.0]).isometry());
-                let origin = [120.0, -30.0, 410.0];
-                let frame = Trsf::new([origin[0], origin[1], origin[2] - arm.height()], [0.0; 3]).isometry();
-                let other = own.clone().placed(&frame.inv_mul(at_zero)).scaled(0.001);
-                let at_zero = LinkFile { unit: Some(1000.0), origin_at_zero: Some(origin), ..file("a.stl") };
-                let hulls = [(file("a.stl"), own), (at_zero, other)].map(|(file, mesh)| file.hull(mesh, &arm, link).unwrap().0);
-                let here = IsometryMatrix3::identity();
-                let [first, second] = hulls.map(|hull| hull.bounds(&here));
-                let difference = (first.min - second.min).amax().max((first.max - second.max).amax());
-                assert!(difference < 1e-9, "{name} {link}: {difference} mm");
+            let mut profiles = hulls_in_both_frames(&arm).map(|links| {
+                assert!(links.iter().flatten().count() == axes + 1);
+                let cell = build(post, &arm).unwrap().with_links(links);
+                Profile::new(Arc::new(Scene::new(Arc::new(cell), Arc::clone(&arm))))
+            });
+            for cycle in 0..100 {
+                let turned = f64::from(cycle);
+                let joints: Joints = [turned, 80.0 - turned, turned / 2.0, turned, 30.0, turned];
+                let sight = sight(&arm, joints, turned * 0.004);
+                let [first, second] = profiles.each_mut().map(|profile| profile.see(&sight));
+                let distances = [first, second].map(|found| found.map(|found| (found.names, found.distance)));
+                let [Some((first, one)), Some((second, other))] = distances else { panic!("{distances:?}") };
+                assert!(first == second && (one - other).abs() < 1e-6, "{name}: {first:?} {one}, {second:?} {other}");
             }
         }
     }

@@ -82,9 +82,10 @@ fn origin<'de, D: Deserializer<'de>>(input: D) -> Result<Option<[f64; 3]>, D::Er
     match <[f64; 3]>::try_from(origin) {
         Ok(origin) if origin.iter().all(|length| length.is_finite()) => Ok(Some(origin)),
         Ok(_) => Err(D::Error::custom("a coordinate of `origin` is not a number: write `[x, y, z]` in mm")),
-        Err(other) => {
-            Err(D::Error::custom(format!("`origin` has 3 numbers, `[x, y, z]` in mm, and this list has {}", other.len())))
-        }
+        Err(other) => Err(D::Error::custom(format!(
+            "`origin` has 3 numbers, `[x, y, z]` in mm, and this list has {}",
+            other.len()
+        ))),
     }
 }
 
@@ -123,7 +124,9 @@ impl<'de> Visitor<'de> for LinkShapeVisitor {
             (LinkShapeFrame::Zero, origin) => Some(origin.unwrap_or_default()),
             (LinkShapeFrame::Link, None) => None,
             (LinkShapeFrame::Link, Some(_)) => {
-                return Err(A::Error::custom("`origin` needs `frame = \"zero\"`: a link has the origin of its own frame"));
+                return Err(A::Error::custom(
+                    "`origin` needs `frame = \"zero\"`: a link has the origin of its own frame",
+                ));
             }
         };
         Ok(LinkShapeFile { file, unit, origin_at_zero })
@@ -178,7 +181,8 @@ mod tests {
     #[test]
     fn a_shape_is_a_path_or_a_table() {
         let file = Utf8PathBuf::from("a.stl");
-        let table = LinkShapeFile { file: file.clone(), unit: Some(LengthUnit::M), origin_at_zero: Some([0.0, 20.0, 375.0]) };
+        let table =
+            LinkShapeFile { file: file.clone(), unit: Some(LengthUnit::M), origin_at_zero: Some([0.0, 20.0, 375.0]) };
         assert_eq!(read("\"a.stl\""), Ok(file.clone().into()));
         assert_eq!(read("{ file = \"a.stl\" }"), Ok(file.clone().into()));
         assert_eq!(
@@ -198,55 +202,76 @@ mod tests {
 
     #[test]
     fn wrong_coordinates_are_refused_at_their_place() {
-        refused("{ file = \"a.stl\", unit = \"inch\" }", expect![[r#"
+        refused(
+            "{ file = \"a.stl\", unit = \"inch\" }",
+            expect![[r#"
             `run.shapes.base.unit` must be one of mm, m, not "inch"
              --> val3.toml:2
               |
             2 | base = { file = "a.stl", unit = "inch" }
               |                                 ^^^^^^
-        "#]]);
-        refused("{ file = \"a.stl\", frame = \"base\" }", expect![[r#"
+        "#]],
+        );
+        refused(
+            "{ file = \"a.stl\", frame = \"base\" }",
+            expect![[r#"
             `run.shapes.base.frame` must be one of link, zero, not "base"
              --> val3.toml:2
               |
             2 | base = { file = "a.stl", frame = "base" }
               |                                  ^^^^^^
-        "#]]);
-        refused("{ file = \"a.stl\", units = \"m\" }", expect![[r#"
+        "#]],
+        );
+        refused(
+            "{ file = \"a.stl\", units = \"m\" }",
+            expect![[r#"
             there is no setting `run.shapes.base.units`
              --> val3.toml:2
               |
             2 | base = { file = "a.stl", units = "m" }
               |                          ^^^^^
               help: did you mean `unit`?
-        "#]]);
-        refused("{ unit = \"m\" }", expect![[r#"
+        "#]],
+        );
+        refused(
+            "{ unit = \"m\" }",
+            expect![[r#"
             this table has no `file`: write `{ file = "link1.stl", unit = "m" }`
              --> val3.toml:2
               |
             2 | base = { unit = "m" }
               |        ^^^^^^^^^^^^^^
-        "#]]);
-        refused("{ file = \"a.stl\", frame = \"zero\", origin = [0, 0] }", expect![[r#"
+        "#]],
+        );
+        refused(
+            "{ file = \"a.stl\", frame = \"zero\", origin = [0, 0] }",
+            expect![[r#"
             `origin` has 3 numbers, `[x, y, z]` in mm, and this list has 2
              --> val3.toml:2
               |
             2 | base = { file = "a.stl", frame = "zero", origin = [0, 0] }
               |                                                   ^^^^^^
-        "#]]);
-        refused("{ file = \"a.stl\", origin = [0, 0, 0] }", expect![[r#"
+        "#]],
+        );
+        refused(
+            "{ file = \"a.stl\", origin = [0, 0, 0] }",
+            expect![[r#"
             `origin` needs `frame = "zero"`: a link has the origin of its own frame
              --> val3.toml:2
               |
             2 | base = { file = "a.stl", origin = [0, 0, 0] }
               |        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-        "#]]);
-        refused("3", expect![[r#"
+        "#]],
+        );
+        refused(
+            "3",
+            expect![[r#"
             `run.shapes.base` must be a text in quotes or a table, and this is a whole number
              --> val3.toml:2
               |
             2 | base = 3
               |        ^
-        "#]]);
+        "#]],
+        );
     }
 }
