@@ -349,8 +349,10 @@ mod tests {
         check(
             &format!("[[sensor]]\nio = '$0'\n{boards}{data}"),
             expect![[r#"
-            BasicIO-1\%I0 -> BasicIO-1\\%I0
-        "#]],
+                BasicIO-1\%I0 -> BasicIO-1\\%I0
+                FastIO\fOut0 -> FastIO\\fOut0
+                ModbusSrv-0\Modbus-Word\Vacuum -> ModbusSrv-0\\Modbus-Word\\Vacuum
+            "#]],
         );
     }
 
