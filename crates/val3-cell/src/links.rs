@@ -250,7 +250,10 @@ mod tests {
                 let distances = [first, second].map(|found| found.map(|found| (found.names, found.distance)));
                 match distances {
                     [Some((first, one)), Some((second, other))] => {
-                        assert!(first == second && (one - other).abs() < 1e-4, "{name}: {first:?} {one}, {second:?} {other}");
+                        assert!(
+                            first == second && (one - other).abs() < 1e-4,
+                            "{name}: {first:?} {one}, {second:?} {other}"
+                        );
                         compared += 1;
                     }
                     // Beyond the greatest distance of a profile.
