@@ -21,6 +21,7 @@ use crate::ty::Base;
 
 pub use self::faults::cell_faults;
 pub use self::shared_scene::{SharedScene, scene};
+pub use self::signals::signal_paths;
 
 /// Name of the file that is used without a setting.
 pub const FILE_NAME: &str = "cell.toml";

@@ -302,8 +302,8 @@ mod tests {
         refused(
             &mesh("huge.stl", "m"),
             expect![[r#"
-            object[0].mesh: `huge.stl` is 1118033.99 mm long
-            help: is it in mm? remove `unit = "m"`"#]],
+                object[0].mesh: `huge.stl` is 1118033.99 mm long
+                help: is it in mm? set `unit = "mm"`"#]],
         );
         refused(
             &mesh("no.stl", "mm"),

@@ -50,7 +50,7 @@ pub use self::file::{
 };
 pub use self::gripper::{Gripper, GripperCommand, GripperControl, SignalWrite};
 pub use self::handling::{CellOutputs, Handling, HandlingEvent, NearPart};
-pub use self::links::{LinkHull, link_names};
+pub use self::links::{LinkCoordinates, LinkError, LinkFile, LinkHull, check_link_names, link_names};
 pub use self::measure::Measured;
 pub use self::mesh::{Mesh, MeshError};
 pub use self::minima::{Minima, Minimum};

@@ -5,7 +5,7 @@ mod glb;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use val3_geometry::Vector3;
+use val3_geometry::{IsometryMatrix3, Vector3};
 
 /// Maximum number of triangles.
 const MOST_TRIANGLES: usize = 200_000;
@@ -101,6 +101,12 @@ impl Mesh {
     /// Returns the mesh with all coordinates multiplied by a factor.
     pub(crate) fn scaled(mut self, factor: f64) -> Self {
         self.points.iter_mut().for_each(|point| *point *= factor);
+        self
+    }
+
+    /// Returns the mesh in the frame in which its own frame has this pose.
+    pub(crate) fn placed(mut self, pose: &IsometryMatrix3<f64>) -> Self {
+        self.points.iter_mut().for_each(|point| *point = pose.rotation * *point + pose.translation.vector);
         self
     }
 

@@ -16,9 +16,24 @@ const TINY: f64 = 5.0;
 /// Size in mm above which the unit of a mesh is probably not metres.
 const HUGE: f64 = 50_000.0;
 
-/// Whether the diagonal of a mesh in mm has a length of things in a cell.
-pub(crate) fn is_likely_length(extent: f64) -> bool {
-    (TINY..=HUGE).contains(&extent)
+/// Likely unit of a mesh whose size suggests a wrong unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum UnitDoubt {
+    Metres,
+    Millimetres,
+    /// Every unit yields a size that things in a cell do not have.
+    Neither,
+}
+
+/// Returns the likely unit of a mesh if its diagonal, in mm, suggests another unit than the one with this length in mm.
+pub(crate) fn unit_doubt(unit: f64, extent: f64) -> Option<UnitDoubt> {
+    let is_long = unit > 1.0;
+    match extent {
+        _ if extent < TINY && !is_long => Some(UnitDoubt::Metres),
+        _ if extent > HUGE && is_long => Some(UnitDoubt::Millimetres),
+        _ if extent > HUGE => Some(UnitDoubt::Neither),
+        _ => None,
+    }
 }
 
 /// One shape of a thing.
@@ -186,11 +201,11 @@ fn mesh_in_mm(
         .map_err(|message| CellError::new(key, message, "name an existing STL or GLB file of at most 32 MB"))?;
     let mesh = mesh.scaled(unit.length());
     let extent = mesh.extent();
-    let help = match unit {
-        MeshUnit::Mm if extent < TINY => "is it in metres? add `unit = \"m\"`",
-        MeshUnit::M if extent > HUGE => "is it in mm? remove `unit = \"m\"`",
-        _ if extent > HUGE => "it would be larger than any cell: export it in mm",
-        _ => return Ok(mesh),
+    let help = match unit_doubt(unit.length(), extent) {
+        Some(UnitDoubt::Metres) => "is it in metres? add `unit = \"m\"`",
+        Some(UnitDoubt::Millimetres) => "is it in mm? set `unit = \"mm\"`",
+        Some(UnitDoubt::Neither) => "it would be larger than any cell: export it in mm",
+        None => return Ok(mesh),
     };
     Err(CellError::new(key, format!("`{path}` is {extent:.2} mm long"), help))
 }

@@ -2,13 +2,14 @@
 //!
 //! Lengths are in mm. Each shape has its own frame, and a pose places this frame in a common frame. The crate has no
 //! concept of arms, files or time. Equal input yields bit-identical results on every machine: `parry3d-f64`, which
-//! computes all distances except between capsules, is built with its deterministic functions.
+//! computes all distances except from capsules to capsules and surfaces, is built with its deterministic functions.
 
 mod bounds;
 mod capsules;
 mod convert;
 mod convex;
 mod nearest;
+mod segments;
 mod shape;
 mod surfaces;
 #[cfg(test)]

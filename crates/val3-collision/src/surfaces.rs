@@ -3,13 +3,19 @@
 use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::partitioning::{BvhLeafCost, BvhNode};
-use parry3d_f64::shape::{SharedShape, TriMesh};
+use parry3d_f64::shape::{Segment, SharedShape, TriMesh, Triangle};
 
+use crate::convert;
 use crate::convex::{ConvexPair, Found};
+use crate::segments::LineSegment;
 
 /// Returns the nearest points or the overlap of a surface and a shape at a pose, with points in the frame of the
 /// surface. The shape may also be a surface.
 pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit: f64) -> Found {
+    if let Some(Segment { a, b }) = shape.as_segment() {
+        let [from, to] = [*a, *b].map(|end| convert::back(pose.transform_point(end)));
+        return nearest_of_segment(surface, &LineSegment { from, to }, limit);
+    }
     let bounds = shape.compute_aabb(pose);
     let to_box = |node: &BvhNode, _: f64| between(&bounds, node.mins(), node.maxs());
     let to_triangle = |number: u32, limit: f64| {
@@ -26,6 +32,40 @@ pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit
         };
         Some(NearestTriangle(found))
     };
+    search(surface, to_box, to_triangle, limit)
+}
+
+/// Returns the nearest points or the overlap of a surface and a line segment in the frame of the surface.
+fn nearest_of_segment(surface: &TriMesh, segment: &LineSegment, limit: f64) -> Found {
+    let ends = [segment.from, segment.to].map(|end| convert::vector(&end));
+    let bounds = Aabb::from_points(ends);
+    // The box around a long segment is large. The distance from the sphere around the node's box is then the better
+    // lower bound.
+    let to_box = |node: &BvhNode, _: f64| {
+        let (centre, radius) = (convert::back(node.center()), (node.maxs() - node.mins()).length() / 2.0);
+        between(&bounds, node.mins(), node.maxs()).max(segment.distance_to(&centre) - radius)
+    };
+    let to_triangle = |number: u32, limit: f64| {
+        let Triangle { a, b, c } = surface.triangle(number);
+        let points = segment.nearest_of_triangle(&[a, b, c].map(convert::back));
+        Some(NearestTriangle(match points {
+            None => Found::Overlap,
+            Some([on_segment, on_surface]) if (on_surface - on_segment).norm() <= limit => {
+                Found::Apart([on_surface, on_segment].map(|point| convert::vector(&point)))
+            }
+            Some(_) => Found::Beyond,
+        }))
+    };
+    search(surface, to_box, to_triangle, limit)
+}
+
+/// Searches the nearest triangle, with lower bounds of the distances from the boxes of nodes.
+fn search(
+    surface: &TriMesh,
+    to_box: impl Fn(&BvhNode, f64) -> f64,
+    to_triangle: impl Fn(u32, f64) -> Option<NearestTriangle>,
+    limit: f64,
+) -> Found {
     // The library ignores a cost that equals the limit.
     let wanted = limit.next_up();
     surface.bvh().find_best(wanted, to_box, to_triangle).map_or(Found::Beyond, |(_, NearestTriangle(found))| found)

@@ -7,8 +7,8 @@ use schemars::JsonSchema;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::DefaultRun;
 use crate::add_on_stand_in::{self, AddOnStandIn};
+use crate::{DefaultRun, LinkShapeFile};
 
 /// The controller that `val3 run` executes applications on: the table `[run]`. Arguments of the command
 /// take precedence.
@@ -44,9 +44,9 @@ pub struct RunSettings {
     /// Files with the shapes of the arm's base and links, which viewers show, and whose hulls are compared with the things
     /// around the arm. Paths are relative to the folder of this file:
     /// `{ base = "arm/base.stl", link1 = "arm/link1.glb" }`. An STL file is in mm with z up, a GLB file in m with y up,
-    /// both in the frame that the link has in the chain of the arm.
-    #[schemars(with = "BTreeMap<String, String>")]
-    pub shapes: BTreeMap<String, Utf8PathBuf>,
+    /// both in the frame that the link has in the chain of the arm. A table states other coordinates:
+    /// `{ file = "link1.stl", unit = "m", frame = "zero", origin = [0, 0, 375] }`.
+    pub shapes: BTreeMap<String, LinkShapeFile>,
     /// The file with the things around the arm, relative to the folder of this file; `cell.toml` next to this file by
     /// default, and `none` for an empty room.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -70,7 +70,7 @@ impl ConfigFile {
         config.add_ons.iter().for_each(|path| add("add-ons".to_owned(), path));
         config.baseline.iter().for_each(|path| add("baseline".to_owned(), path));
         config.run.cell.iter().filter(|path| *path != "none").for_each(|path| add("run.cell".to_owned(), path));
-        config.run.shapes.iter().for_each(|(link, path)| add(format!("run.shapes.{link}"), path));
+        config.run.shapes.iter().for_each(|(link, shape)| add(format!("run.shapes.{link}"), &shape.file));
         for (name, stand_in) in &config.run.add_ons {
             if let AddOnStandIn::Program(program) = stand_in {
                 add(format!("run.add-ons.{name}"), program.folder());
@@ -144,6 +144,7 @@ replace = { part = "fake/part" }
         let sources = [
             include_str!("add_on_stand_in.rs"),
             include_str!("config.rs"),
+            include_str!("link_shape.rs"),
             include_str!("run_settings.rs"),
             include_str!("default_run.rs"),
             include_str!("suite_settings.rs"),

@@ -2,21 +2,27 @@
 
 use std::sync::Arc;
 
+use val3_geometry::IsometryMatrix3;
+
 /// The shape of a link.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct LinkShape {
     /// File format.
     pub format: ShapeFormat,
     /// Content of the file.
     pub bytes: Arc<[u8]>,
+    /// Length of the file's unit, in mm.
+    pub unit: f64,
+    /// Pose of the file's frame, with z up, in the frame of the link.
+    pub pose: IsometryMatrix3<f64>,
 }
 
 /// File format of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeFormat {
-    /// glTF in one binary file: metres, y up.
+    /// glTF in one binary file, usually in metres: y up.
     Glb,
-    /// Triangles: millimetres, z up.
+    /// Triangles, usually in millimetres: z up.
     Stl,
 }
 

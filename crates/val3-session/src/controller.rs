@@ -52,7 +52,7 @@ pub(crate) fn open(
     }
     merged.apply(&mut devices)?;
     if let Some(file) = file {
-        devices.shapes = shapes::read(file, devices.state.arm.model().axes())?;
+        devices.shapes = shapes::read(file, devices.state.arm.model())?;
     }
     connection::connect(&mut devices.lines, &disk, tape, &merged)?;
     let controller = Controller::new(devices, image, application, merged.line_cost);

@@ -57,7 +57,8 @@ pub(crate) fn place(
     let is_named = choice.is_some() || file.is_some_and(|file| file.config.run.cell.is_some());
     let cell = TableFile::<CellFile>::parse(&path, &text).and_then(|file| build(controller, &file, is_named));
     let cell = cell?;
-    let links = file.map_or(Ok(Vec::new()), |file| shapes::hulls(file, &controller.devices.shapes));
+    let arm = controller.arm().model();
+    let links = file.map_or(Ok(Vec::new()), |file| shapes::hulls(file, &controller.devices.shapes, arm));
     let cell = cell.with_links(links?);
     if !cell.missing.is_empty() {
         let names = cell.missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");

@@ -47,8 +47,9 @@ fn capsule(LinkCapsule { from, to, radius }: &LinkCapsule) -> wire::Capsule {
     wire::Capsule { from: (*from).into(), to: (*to).into(), radius: *radius }
 }
 
-fn described(LinkShape { format, bytes }: &LinkShape) -> wire::LinkShape {
-    wire::LinkShape { format: format.extension().to_owned(), data: BASE64_STANDARD.encode(bytes) }
+fn described(LinkShape { format, bytes, unit, pose }: &LinkShape) -> wire::LinkShape {
+    let (format, data) = (format.extension().to_owned(), BASE64_STANDARD.encode(bytes));
+    wire::LinkShape { format, data, unit: *unit, pose: coordinates(pose) }
 }
 
 #[cfg(test)]

@@ -51,7 +51,7 @@ impl Loader<'_> {
         let settings = configuration.map(|configuration| configuration.file(&self.db).clone());
         for settings in settings.iter() {
             let links = settings.config.run.shapes.values();
-            meshes.extend(links.map(|name| self.mesh(settings.folder(), name)));
+            meshes.extend(links.map(|link| self.mesh(settings.folder(), &link.file)));
         }
         meshes
     }

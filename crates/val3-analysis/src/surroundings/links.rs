@@ -1,14 +1,11 @@
 //! Meshes of the arm's links, which `[run] shapes` of a `val3.toml` names.
 
 use camino::Utf8Path;
-use val3_cell::{LinkHull, Mesh, link_names};
-use val3_config::{ConfigError, ConfigFile};
+use val3_cell::{LinkFile, LinkHull, Mesh, check_link_names, link_names};
+use val3_config::{ConfigError, ConfigFile, LengthUnit};
 
 use crate::arm::arm;
 use crate::db::{Db, Project};
-
-/// Advice for a mesh that cannot be used.
-const HELP: &str = "name a mesh of the link, or remove the setting: the capsules of the arm are then compared";
 
 /// Returns the hulls of the base and the links of an application's arm; `None` for a link without a mesh.
 ///
@@ -21,17 +18,17 @@ pub(super) fn hulls(db: &dyn Db, project: Project) -> Result<Vec<Option<LinkHull
     // An arm that is not known is reported elsewhere.
     let Ok(arm) = arm(db, project) else { return Ok(Vec::new()) };
     let shapes = &file.config.run.shapes;
-    let names: Vec<String> = link_names(arm.model.axes()).collect();
-    if let Some(name) = shapes.keys().find(|name| !names.contains(name)) {
-        let help = format!("its parts are `base` and `link1` to `link{}`", arm.model.axes());
-        return Err(file.fault(&format!("run.shapes.{name}"), format!("the arm has no `{name}`"), help));
-    }
-    let hull = |name: &String| {
-        let Some(path) = shapes.get(name) else { return Ok(None) };
-        let hull = mesh(db, project, file, path).and_then(|mesh| LinkHull::new(path, mesh));
-        hull.map(Some).map_err(|message| file.fault(&format!("run.shapes.{name}"), message, HELP.to_owned()))
+    check_link_names(shapes.keys(), arm.model.axes())
+        .map_err(|error| file.fault(&error.key, error.message, error.help))?;
+    let hull = |(link, name): (usize, String)| {
+        let Some(shape) = shapes.get(&name) else { return Ok(None) };
+        let unit = shape.unit.map(LengthUnit::length);
+        let of = LinkFile { path: &shape.file, unit, origin_at_zero: shape.origin_at_zero };
+        let mesh = mesh(db, project, file, of.path).map_err(Into::into);
+        let hull = mesh.and_then(|mesh| of.hull(mesh, &arm.model, link));
+        hull.map(Some).map_err(|error| file.fault(&format!("run.shapes.{name}"), error.message, error.help))
     };
-    names.iter().map(hull).collect()
+    link_names(arm.model.axes()).enumerate().map(hull).collect()
 }
 
 fn mesh(db: &dyn Db, project: Project, file: &ConfigFile, path: &Utf8Path) -> Result<Mesh, String> {

@@ -67,6 +67,18 @@ impl Signals {
     }
 }
 
+/// Returns the paths of the digital and analog signals that an application can use, with the type of data that are
+/// linked to them: the signals in the configuration of the cell, and the links of the application's data.
+pub fn signal_paths(db: &dyn Db, project: Project) -> Vec<(String, BaseType)> {
+    let known = Signals::of(db, project).known.into_iter();
+    let paths = known.filter_map(|(path, class)| match class {
+        SignalClass::Digital => Some((path, BaseType::Dio)),
+        SignalClass::Analog => Some((path, BaseType::Aio)),
+        SignalClass::Unknown => None,
+    });
+    paths.filter(|(path, _)| !path.is_empty()).collect()
+}
+
 /// Inputs and outputs in the configuration, by path.
 fn configured(io: &CellIo) -> impl Iterator<Item = (String, SignalClass)> {
     io.devices.iter().flat_map(|(device, signals)| {

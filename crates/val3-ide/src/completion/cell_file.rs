@@ -2,12 +2,13 @@
 
 mod cursor;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
+use val3_analysis::surroundings::signal_paths;
 use val3_analysis::system::{PathKind, System};
 use val3_cell::CellFile;
 use val3_config::{SchemaKey, ValueForm, schema_keys, schema_words, table_strings};
@@ -18,7 +19,6 @@ use val3_syntax::{TextRange, TextSize};
 use super::list::{Completion, CompletionKind as Kind, CompletionList};
 use crate::FilePosition;
 use crate::father_paths::father_paths;
-use crate::io_links::io_links;
 use crate::owner::{owner, surrounded};
 use cursor::{TomlCursor, TomlPlace};
 
@@ -236,14 +236,12 @@ fn things(found: &mut CompletionList<'_>, cursor: &TomlCursor, tables: &[&str]) 
     }
 }
 
-/// Signals of the cells of the applications.
+/// Signals in the configuration of the cell, and links of the applications' data.
 fn signals(found: &mut CompletionList<'_>, cursor: &TomlCursor) {
-    for project in surrounded(found.db, found.file) {
-        for ty in [BaseType::Dio, BaseType::Aio] {
-            for link in io_links(found.db, project, ty) {
-                add(found, cursor, &link.path, Kind::Text, ty.name());
-            }
-        }
+    let projects = surrounded(found.db, found.file);
+    let paths: BTreeMap<String, BaseType> = projects.flat_map(|project| signal_paths(found.db, project)).collect();
+    for (path, ty) in paths {
+        add(found, cursor, &path, Kind::Text, ty.name());
     }
 }
 
@@ -333,13 +331,28 @@ mod tests {
     }
 
     #[test]
-    fn signals_are_those_of_the_configuration() {
+    fn signals_are_those_of_the_configuration_and_of_data() {
         let boards = "=== /configs/bio.cfx\n<bio><bioDin index=\"0\" /></bio>\n";
+        let data = r#"=== main/main.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="aiVacuum" access="private" xsi:type="array" type="aio" size="1">
+      <Value key="0" link="ModbusSrv-0\Modbus-Word\Vacuum" />
+    </Data>
+    <Data name="tGrip" access="private" xsi:type="array" type="tool" size="1">
+      <Value key="0" fatherId="flange[0]" ioLink="FastIO\fOut0" />
+    </Data>
+  </Datas>
+</Database>
+"#;
         check(
-            &format!("[[sensor]]\nio = '$0'\n{boards}"),
+            &format!("[[sensor]]\nio = '$0'\n{boards}{data}"),
             expect![[r#"
-            BasicIO-1\%I0 -> BasicIO-1\\%I0
-        "#]],
+                BasicIO-1\%I0 -> BasicIO-1\\%I0
+                FastIO\fOut0 -> FastIO\\fOut0
+                ModbusSrv-0\Modbus-Word\Vacuum -> ModbusSrv-0\\Modbus-Word\\Vacuum
+            "#]],
         );
     }
 

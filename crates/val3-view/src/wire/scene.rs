@@ -123,13 +123,17 @@ pub struct Capsule {
 }
 
 /// Shape of a link as a file.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct LinkShape {
     /// File format: `glb` or `stl`.
     #[schemars(extend("enum" = ["glb", "stl"]))]
     pub format: String,
     /// File content in base64.
     pub data: String,
+    /// Length of the file's unit, in mm.
+    pub unit: f64,
+    /// Pose of the file's frame in the frame of the link. The y axis of a `glb` file is the z axis of this frame.
+    pub pose: Pose,
 }
 
 /// Frame, tool or point.

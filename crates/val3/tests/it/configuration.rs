@@ -128,7 +128,8 @@ licences = { alter = "demo", compliance = "missing" }
 #[test]
 fn viewers_get_shapes_and_units() {
     let config = "[run]\nunits = { 'Rio\\%IF0' = \"bar\" }\n\
-                  shapes = { base = \"arm/base.STL\", link2 = \"arm/upper.glb\" }\n";
+                  [run.shapes]\nbase = \"arm/base.STL\"\n\
+                  link2 = { file = \"arm/upper.glb\", unit = \"mm\", frame = \"zero\", origin = [0, 0, 20] }\n";
     let folder = with_config("program start()\nbegin\nend\naio aiPressure\n", config);
     let data = folder.read("usrapp/main/main.dtx");
     let link = "name=\"aiPressure\" type=\"aio\" size=\"1\"><Value key=\"0\" link=\"Rio\\%IF0\" /></Data>";
@@ -142,8 +143,15 @@ fn viewers_get_shapes_and_units() {
     assert_eq!(scene["signals"][0]["unit"], "bar", "{}", scene["signals"]);
     let shapes = scene["arm"]["shapes"].as_array().unwrap();
     assert_eq!(shapes.len(), 7);
-    assert_eq!(shapes[0], serde_json::json!({ "format": "stl", "data": "c29saWQgYmFzZQplbmRzb2xpZCBiYXNlCg==" }));
-    assert_eq!((&shapes[1], &shapes[2]["format"]), (&serde_json::Value::Null, &serde_json::json!("glb")));
+    let data = "c29saWQgYmFzZQplbmRzb2xpZCBiYXNlCg==";
+    assert_eq!(
+        shapes[0],
+        serde_json::json!({ "format": "stl", "data": data, "unit": 1.0, "pose": [0.0, 0.0, 0.0, 0.0, 0.0, 0.0] })
+    );
+    assert_eq!(shapes[1], serde_json::Value::Null);
+    // The frame of link 2 has its joint axis, which is parallel to y while all joints are 0, as z.
+    assert_eq!((&shapes[2]["format"], &shapes[2]["unit"]), (&serde_json::json!("glb"), &serde_json::json!(1.0)));
+    assert_ne!(shapes[2]["pose"], shapes[0]["pose"]);
 }
 
 #[test]
@@ -156,6 +164,8 @@ fn a_run_refuses_wrong_settings() {
         ("run.shapes.link7 = \"a.stl\"", "the arm has no `link7`"),
         ("run.shapes.link1 = \"a.obj\"", "`a.obj` is not a file of a known form"),
         ("run.shapes.base = \"missing.glb\"", "missing.glb`: it does not exist"),
+        ("run.shapes.link1 = { file = \"a.stl\", origin = [0, 0, 0] }", "`origin` needs `frame = \"zero\"`"),
+        ("run.shapes.link1 = { file = \"a.stl\", unit = \"inch\" }", "must be one of mm, m"),
         ("run.licences.alter = \"trial\"", "must be one of enabled, demo, missing"),
     ] {
         let run = with_config(CLEAN, config).val3(&["run"]);

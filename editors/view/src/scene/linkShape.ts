@@ -1,16 +1,26 @@
-// Shape of a link from a file: STL in mm with z up, glTF in m with y up.
+// Shape of a link from a file: STL with z up, glTF with y up.
 
 import { DoubleSide, Group, Mesh, MeshStandardMaterial, type Object3D } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
+import { frameOf } from "../panels/pendant/pose";
 import type { LinkShape } from "../protocol";
+import { matrixOf } from "./three";
 
-const METRE = 1000;
+/** Units of the formats in mm, for runs of earlier versions. */
+const UNITS = { stl: 1, glb: 1000 };
+
+/** Runs of earlier versions have neither a unit nor a pose. */
+type FileShape = Omit<LinkShape, "unit" | "pose"> & Partial<LinkShape>;
 
 /** Reads a shape in the frame of its link, in mm with z up. STL files contain no colours. */
-export async function readShape({ format, data }: LinkShape, colour: number): Promise<Object3D> {
+export async function readShape({ format, data, unit = UNITS[format], pose = [] }: FileShape, colour: number): Promise<Object3D> {
   const bytes = Uint8Array.from(atob(data), (character) => character.charCodeAt(0)).buffer;
-  const shape = format === "stl" ? stl(bytes, colour) : await glb(bytes);
+  const content = format === "stl" ? stl(bytes, colour) : await glb(bytes);
+  content.scale.setScalar(unit);
+  const shape = new Group();
+  shape.add(content);
+  shape.applyMatrix4(matrixOf(frameOf(pose)));
   shape.traverse((part) => {
     part.castShadow = true;
     part.receiveShadow = true;
@@ -31,6 +41,5 @@ async function glb(bytes: ArrayBuffer): Promise<Object3D> {
   const group = new Group();
   group.add(scene);
   group.rotation.x = Math.PI / 2;
-  group.scale.setScalar(METRE);
   return group;
 }

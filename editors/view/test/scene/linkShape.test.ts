@@ -35,6 +35,13 @@ void test("a GLB file is in m with y up", async () => {
   assert.deepEqual(size(shape), [0, -300, 0, 100, 0, 200]);
 });
 
+void test("a file has a unit and a pose in the frame of its link", async () => {
+  const inMetres = await readShape({ format: "stl", data: btoa(STL), unit: 1000, pose: [1, 2, 3, 0, 0, 90] }, 0xffffff);
+  assert.deepEqual(size(inMetres), [-19999, 2, 3, 1, 10002, 30003]);
+  const shape = await readShape({ format: "glb", data: glb([0, 0, 0, 100, 0, 0, 0, 200, 300]), unit: 1, pose: [0, 0, -5, 0, 0, 0] }, 0xffffff);
+  assert.deepEqual(size(shape), [0, -300, -5, 100, 0, 195]);
+});
+
 void test("files that are no shapes are refused", async () => {
   for (const [format, text] of [["stl", ""], ["stl", "solid"], ["stl", "solid\nendsolid\n"], ["glb", ""], ["glb", "glTF"], ["glb", "{}"]] as const) {
     await assert.rejects(readShape({ format, data: btoa(text) }, 0xffffff), `${format} ${text}`);

@@ -272,6 +272,10 @@ export interface LinkShape {
   data: string;
   /** File format: `glb` or `stl`. */
   format: "glb" | "stl";
+  /** Pose of the file's frame in the frame of the link. The y axis of a `glb` file is the z axis of this frame. */
+  pose: readonly number[];
+  /** Length of the file's unit, in mm. */
+  unit: number;
 }
 
 /** Message of a run to its pages. Times `t` are in seconds on the controller's clock. */
