@@ -18,7 +18,7 @@ pub use image::{ModbusImage, Write};
 pub use map::{ModbusMap, NotServed};
 pub use message::{Message, NotModbus};
 pub use request::respond;
-pub use word::word;
+pub use word::{HIGHEST_WORD, LOWEST_WORD, word};
 
 /// Device name in the links of data: `ModbusSrv-0\Modbus-Bit\bStart`.
 pub const DEVICE: &str = "ModbusSrv-0";

@@ -1,5 +1,11 @@
 //! Conversion of the number of an `aio` variable to a word.
 
+/// Least number that a word can contain, if it is read as a signed number.
+pub const LOWEST_WORD: f64 = -32_768.0;
+
+/// Greatest number that a word can contain.
+pub const HIGHEST_WORD: f64 = 65_535.0;
+
 /// Converts a number to a word: rounded to the nearest integer, and limited to -32768 to 65535. A negative number is
 /// written in two's complement.
 ///
@@ -9,7 +15,7 @@
 /// ```
 #[must_use]
 pub fn word(number: f64) -> u16 {
-    let whole = (number + 0.5).floor().clamp(-32_768.0, 65_535.0);
+    let whole = (number + 0.5).floor().clamp(LOWEST_WORD, HIGHEST_WORD);
     // NaN becomes 0.
     #[expect(clippy::cast_possible_truncation, reason = "-32768 to 65535")]
     let whole = whole as i32;

@@ -4,6 +4,9 @@ use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
 use val3_files::{FileClass, Unreadable};
 use val3_machine::devices::Devices;
+use val3_machine::io::{Direction, IoTable, Signal, SignalKind, SignalRange};
+use val3_modbus::file::Topic;
+use val3_modbus::{DEVICE, Element, HIGHEST_WORD, LOWEST_WORD, ModbusFile, TableKind, Writer};
 use val3_syntax::document;
 
 use crate::arm::ChosenArm;
@@ -13,7 +16,8 @@ use crate::error::SessionError;
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
     let Some(cell) = project.cell(db) else { return };
     let known = &cell.config(db).io;
-    for (device, signals) in &known.devices {
+    let modbus = known.modbus.as_ref().map(|file| ModbusFile::read(&file.text)).filter(ModbusFile::has_all_items);
+    for (device, signals) in known.devices.iter().filter(|(device, _)| modbus.is_none() || *device != DEVICE) {
         let mut signals: Vec<_> = signals.iter().map(|(name, base)| (name.as_str(), *base)).collect();
         signals.sort_unstable_by_key(|(name, _)| *name);
         devices.state.io.declare_device(device, signals);
@@ -21,6 +25,27 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     for (name, path) in &known.names {
         devices.state.io.name_signal(name, path);
     }
+    for element in modbus.iter().flat_map(|file| &file.topics).flat_map(Topic::elements) {
+        declare_element(&mut devices.state.io, element);
+    }
+}
+
+/// Declares a value of the Modbus server. The client, not the name, determines who writes it.
+fn declare_element(io: &mut IoTable, Element { table, writer, link, other_links, .. }: Element) {
+    other_links.iter().for_each(|other| io.name_signal(other, &link));
+    io.declare(Signal {
+        path: link,
+        description: String::new(),
+        kind: match table {
+            TableKind::Bits => SignalKind::Digital,
+            TableKind::Words => SignalKind::Analog(SignalRange::Whole { lowest: LOWEST_WORD, highest: HIGHEST_WORD }),
+        },
+        direction: match writer {
+            Writer::Client => Direction::Input,
+            Writer::Robot => Direction::Output,
+        },
+        protected: false,
+    });
 }
 
 /// Sets the controller's arm and language from the cell around `disk`; the arm in `chosen` has precedence.
