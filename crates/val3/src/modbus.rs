@@ -48,8 +48,8 @@ impl ModbusRun {
             return Err(UserError::new("Modbus clients act in real time, but the time of the run is virtual")
                 .with_help("omit --time virtual"));
         }
-        let map = configuration::map(application)?;
         let io = &controller.devices.state.io;
+        let map = configuration::map(application, io)?;
         let signals = TableKind::ALL.map(|table| {
             let links = map.table(table).iter().map(|element| io.find(&element.as_ref()?.link));
             links.collect()
@@ -68,7 +68,7 @@ impl ModbusRun {
             }
             Ok(())
         });
-        let mut this = Self { server, map, signals, has_reported: false };
+        let this = Self { server, map, signals, has_reported: false };
         this.publish(controller);
         Ok(Some(this))
     }
@@ -98,7 +98,7 @@ impl ModbusRun {
     }
 
     /// Publishes the values at the end of a cycle.
-    pub(crate) fn publish(&mut self, controller: &Controller) {
+    pub(crate) fn publish(&self, controller: &Controller) {
         let io = &controller.devices.state.io;
         self.server.exchange(|image| {
             for table in TableKind::ALL {

@@ -2,13 +2,17 @@
 
 use val3_analysis::cell::CellText;
 use val3_lines::LineIndex;
-use val3_modbus::{FileFault, ModbusFile, ModbusMap, NotServed};
+use val3_machine::io::IoTable;
+use val3_modbus::{DEVICE, FileFault, ModbusFile, ModbusMap, NotServed};
 use val3_session::Application;
 
 use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::UserError;
+
+/// Maximum number of listed links.
+const MOST_LINKS: usize = 20;
 
 /// Help for a file whose topics cannot be served.
 const ONE_TOPIC: &str = "set `Actif` to 1 in the topic that shall be served, and to 0 in all others";
@@ -17,10 +21,10 @@ const ONE_TOPIC: &str = "set `Actif` to 1 in the topic that shall be served, and
 ///
 /// # Errors
 /// The file is missing, or does not determine all addresses.
-pub(super) fn map(application: &Application) -> Result<ModbusMap, UserError> {
+pub(super) fn map(application: &Application, io_table: &IoTable) -> Result<ModbusMap, UserError> {
     let db = application.db();
     let io = application.project().cell(db).map(|cell| &cell.config(db).io);
-    let file = io.and_then(|io| io.modbus.as_ref()).ok_or_else(missing)?;
+    let file = io.and_then(|io| io.modbus.as_ref()).ok_or_else(|| missing(io_table))?;
     let path = Paths::new(&[], &current_folder()?).to_open(&file.path);
     let content = ModbusFile::read(&file.text);
     let map = ModbusMap::of(&content).map_err(|reason| unusable(&path, file, reason))?;
@@ -30,9 +34,21 @@ pub(super) fn map(application: &Application) -> Result<ModbusMap, UserError> {
     Ok(map)
 }
 
-fn missing() -> UserError {
+/// Error of a cell without the file. Links contain no addresses, but show which items the application needs.
+fn missing(io: &IoTable) -> UserError {
+    let paths = io.signals().filter_map(|signal| io.signal(signal)).map(|signal| signal.path.as_str());
+    let linked: Vec<&str> = paths.filter(|path| path.split('\\').next() == Some(DEVICE)).collect();
+    let mut lines: Vec<String> = linked.iter().take(MOST_LINKS).map(|link| format!("  {}", one_line(link))).collect();
+    match linked.len().saturating_sub(MOST_LINKS) {
+        0 => {}
+        more => lines.push(format!("  and {more} more")),
+    }
+    if !lines.is_empty() {
+        lines.insert(0, "  the application has links to these items:".to_owned());
+    }
     UserError::new("the cell has no Modbus server: `usr/applicom/Modbus/modbus.xml` does not exist")
-        .with_help("copy the file from the controller to the folder `applicom` next to `usrapp`; links alone contain no addresses")
+        .with_details(lines.join("\n"))
+        .with_help("copy the file from the controller to `applicom/Modbus` next to `usrapp`: links contain no addresses")
 }
 
 fn unusable(path: &str, file: &CellText, reason: NotServed) -> UserError {

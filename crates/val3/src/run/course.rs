@@ -268,7 +268,7 @@ impl<'a> Course<'a> {
             }
             AdvanceResult::Ran(status) if status.is_within_cycle() && status != RunStatus::Limit => Ok(None),
             AdvanceResult::Ran(status) => {
-                if let Some(modbus) = &mut self.modbus {
+                if let Some(modbus) = &self.modbus {
                     modbus.publish(&self.debugger.controller);
                 }
                 Ok(Some(status))
