@@ -4,6 +4,7 @@ import asyncio
 import importlib.util
 import json
 import re
+import shutil
 import subprocess
 import tempfile
 import time
@@ -46,9 +47,9 @@ PROGRAM = """<?xml version="1.0" encoding="utf-8"?>
   <Program name="start">
     <Code><![CDATA[begin
   while true
-    doReady=diStart
+    doReady=(diStart==true)
     for nItem=0 to 7
-      doOut[nItem]=diIn[nItem]
+      doOut[nItem]=(diIn[nItem]==true)
     endFor
     for nItem=0 to 7
       aioSet(aoOut[nItem],aioGet(aiIn[nItem]))
@@ -245,7 +246,6 @@ class ModbusTest(unittest.IsolatedAsyncioTestCase):
             for client in clients:
                 self.assertTrue(await client.connect())
                 await words(client, 0)
-            _, writer = await asyncio.open_connection("127.0.0.1", run.port)
             reader, writer = await asyncio.open_connection("127.0.0.1", run.port)
             self.assertEqual(await asyncio.wait_for(reader.read(), 10), b"")
             writer.close()
@@ -264,18 +264,19 @@ class ModbusTest(unittest.IsolatedAsyncioTestCase):
                 await client.write_coil(0, True, device_id=1)
                 await client.write_register(1, 77, device_id=1)
                 await until(client, 9, [77])
-                application = run.application
                 kept = Path(folder) / "cell"
-                application.parents[1].rename(kept)
+                shutil.copytree(run.application.parents[1], kept)
             recorded = [json.loads(line) for line in events.read_text(encoding="utf-8").splitlines()]
             acts = [event["keys"]["io"] for event in recorded if event["kind"] == "act"]
             merged = {link: value for act in acts for link, value in act.items()}
             start, word = "ModbusSrv-0\\Modbus-Bit\\bStart", "ModbusSrv-0\\Modbus-Word\\nIn[1]"
             self.assertEqual(merged, {start: True, word: 77.0})
-            record = [val3.find_binary(), "test", str(kept / "usrapp" / "main"), "--record", str(events)]
+            scenario = kept / "usrapp" / "tests" / "plc.toml"
+            scenario.parent.mkdir(exist_ok=True)
+            application = kept / "usrapp" / "main"
+            record = [val3.find_binary(), "test", str(application), "--record", str(events), "--to", str(scenario)]
             done = subprocess.run(record, capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
-            [scenario] = (kept / "usrapp").rglob("*.toml")
             self.assertIn("bStart", scenario.read_text(encoding="utf-8"))
             report = val3.test(kept / "usrapp")
             self.assertEqual((report.passed, report.failed), (1, 0))

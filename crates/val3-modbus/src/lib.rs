@@ -4,8 +4,8 @@
 //! and a [`ModbusImage`] their values, which the run and the clients exchange. [`Message`] splits received bytes, and
 //! [`respond`] executes a request on the image. Requests and responses are encoded by `modbus-core`.
 
-pub mod file;
 mod element;
+pub mod file;
 mod image;
 mod map;
 mod message;
@@ -18,7 +18,7 @@ pub use image::{ModbusImage, Write};
 pub use map::{ModbusMap, NotServed};
 pub use message::{Message, NotModbus};
 pub use request::respond;
-pub use word::{HIGHEST_WORD, LOWEST_WORD, word};
+pub use word::word;
 
 /// Device name in the links of data: `ModbusSrv-0\Modbus-Bit\bStart`.
 pub const DEVICE: &str = "ModbusSrv-0";

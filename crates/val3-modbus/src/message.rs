@@ -72,7 +72,9 @@ mod tests {
 
     #[test]
     fn other_bytes_are_recognised_early() {
-        for bytes in [&[0, 1, 0, 1][..], &[0, 1, 0, 0, 0, 1], &[0, 1, 0, 0, 0, 255], &[0, 1, 0, 0, 0, 2, 1, 0x81], b"GET /"] {
+        for bytes in
+            [&[0, 1, 0, 1][..], &[0, 1, 0, 0, 0, 1], &[0, 1, 0, 0, 0, 255], &[0, 1, 0, 0, 0, 2, 1, 0x81], b"GET /"]
+        {
             assert_eq!(Message::take(&mut bytes.to_vec()), Err(NotModbus), "{bytes:?}");
         }
     }

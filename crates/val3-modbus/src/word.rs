@@ -1,10 +1,10 @@
 //! Conversion of the number of an `aio` variable to a word.
 
 /// Least number that a word can contain, if it is read as a signed number.
-pub const LOWEST_WORD: f64 = -32_768.0;
+const LOWEST_WORD: f64 = -32_768.0;
 
 /// Greatest number that a word can contain.
-pub const HIGHEST_WORD: f64 = 65_535.0;
+const HIGHEST_WORD: f64 = 65_535.0;
 
 /// Converts a number to a word: rounded to the nearest integer, and limited to -32768 to 65535. A negative number is
 /// written in two's complement.

@@ -87,7 +87,11 @@ impl ModbusRun {
             self.has_reported = true;
             let link = self.map.element(table, address).map_or("", |element| element.link.as_str());
             to_stderr(|out| {
-                writeln!(out, "note: a Modbus client writes `{}`, which only the robot writes; such values are discarded", one_line(link))
+                writeln!(
+                    out,
+                    "note: a Modbus client writes `{}`, which only the robot writes; such values are discarded",
+                    one_line(link)
+                )
             });
         }
     }

@@ -58,48 +58,96 @@ fn check(from: &str, to: &str, expected: Expect) {
 
 #[test]
 fn unknown_items_are_faults() {
-    check("</TOPIC>", "", expect![[r#"
+    check(
+        "</TOPIC>",
+        "",
+        expect![[r#"
         3: the XML is not well-formed here (hides items)
-    "#]]);
-    check(FILE, "<LIST/>", expect![[r#"
+    "#]],
+    );
+    check(
+        FILE,
+        "<LIST/>",
+        expect![[r#"
         1: the file has no root element `TOPICSLIST` (hides items)
-    "#]]);
-    check("Name=\"bIn\" ", "", expect![[r#"
+    "#]],
+    );
+    check(
+        "Name=\"bIn\" ",
+        "",
+        expect![[r#"
         6: `ITEM` has no `Name` (hides items)
         7: no item has the addresses 1 to 8 (harmless)
-    "#]]);
-    check("Card=\"0\"", "Card=\"1\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "Card=\"0\"",
+        "Card=\"1\"",
+        expect![[r#"
         3: `Card` is not 0, and it is unknown which links belong to such a topic (hides items)
-    "#]]);
-    check("\"WORD\"", "\"REAL\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "\"WORD\"",
+        "\"REAL\"",
+        expect![[r#"
         8: `IDModule` is `BOOLEAN` or `WORD`, not `REAL` (hides items)
-    "#]]);
-    check("%I9", "%X9", expect![[r#"
+    "#]],
+    );
+    check(
+        "%I9",
+        "%X9",
+        expect![[r#"
         4: `OutputSize` is 10, but the items of the module have 9 bits (harmless)
         7: `Syntaxe` is `%Q` or `%I`, in words `%QW` or `%IW`, with an address up to 65535, such as `%Q1:8`, not `%X9` (hides items)
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn addresses_are_compared() {
-    check("Offset=\"9\"", "Offset=\"8\"", expect![[r#"
+    check(
+        "Offset=\"9\"",
+        "Offset=\"8\"",
+        expect![[r#"
         7: `Offset` of `bReady` is 8, but its `Syntaxe` has the address 9
-    "#]]);
-    check("%Q1:8", "%Q1:9", expect![[r#"
+    "#]],
+    );
+    check(
+        "%Q1:8",
+        "%Q1:9",
+        expect![[r#"
         7: `bReady` and `bIn` have the same address 9
-    "#]]);
-    check("%Q1:8", "%Q1:7", expect![[r#"
+    "#]],
+    );
+    check(
+        "%Q1:8",
+        "%Q1:7",
+        expect![[r#"
         7: no item has the address 8 (harmless)
-    "#]]);
-    check("OutputSize=\"64\"", "OutputSize=\"4\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "OutputSize=\"64\"",
+        "OutputSize=\"4\"",
+        expect![[r#"
         8: `OutputSize` is 4, but the items of the module have 64 bits (harmless)
-    "#]]);
-    check("\"bReady\"", "\"bIn\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "\"bReady\"",
+        "\"bIn\"",
+        expect![[r#"
         7: another item of this table is called `bIn`
-    "#]]);
-    check("ConnectionNumber=\"2\"", "ConnectionNumber=\"0\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "ConnectionNumber=\"2\"",
+        "ConnectionNumber=\"0\"",
+        expect![[r#"
         12: `ConnectionNumber` is a number from 1 to 65535, not `0`
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

@@ -48,7 +48,9 @@ fn missing(io: &IoTable) -> UserError {
     }
     UserError::new("the cell has no Modbus server: `usr/applicom/Modbus/modbus.xml` does not exist")
         .with_details(lines.join("\n"))
-        .with_help("copy the file from the controller to `applicom/Modbus` next to `usrapp`: links contain no addresses")
+        .with_help(
+            "copy the file from the controller to `applicom/Modbus` next to `usrapp`: links contain no addresses",
+        )
 }
 
 fn unusable(path: &str, file: &CellText, reason: NotServed) -> UserError {
@@ -58,10 +60,14 @@ fn unusable(path: &str, file: &CellText, reason: NotServed) -> UserError {
             error("it does not determine all addresses").with_details(listed("  ", path, file, &faults))
         }
         NotServed::NoTopic => error("no topic is active").with_help(ONE_TOPIC),
-        NotServed::Topics(names) => error(&format!("several topics are active: {}", names.join(", "))).with_help(ONE_TOPIC),
-        NotServed::NoClients { topic } => error(&format!("it has no number of clients for `{topic}`")).with_help(format!(
-            "write <GENERAL_PARAMETERS TopicName=\"{topic}\" TCP_Port=\"502\" ConnectionNumber=\"2\"/> at its end"
-        )),
+        NotServed::Topics(names) => {
+            error(&format!("several topics are active: {}", names.join(", "))).with_help(ONE_TOPIC)
+        }
+        NotServed::NoClients { topic } => {
+            error(&format!("it has no number of clients for `{topic}`")).with_help(format!(
+                "write <GENERAL_PARAMETERS TopicName=\"{topic}\" TCP_Port=\"502\" ConnectionNumber=\"2\"/> at its end"
+            ))
+        }
     }
 }
 

@@ -402,7 +402,11 @@ impl<'a> Course<'a> {
 fn pace(args: &RunArgs, observers: &Observers) -> Pace {
     let recorded = observers.recording().and_then(RunRecording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
-    Pace { real_time: args.follows_wall(), until, attended: args.interactive || args.serve.is_some() || args.modbus.is_some() }
+    Pace {
+        real_time: args.follows_wall(),
+        until,
+        attended: args.interactive || args.serve.is_some() || args.modbus.is_some(),
+    }
 }
 
 /// Whether an event is displayed at a terminal.

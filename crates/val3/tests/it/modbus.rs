@@ -24,7 +24,9 @@ fn run(from: &str, to: &str, options: &[&str]) -> String {
     folder.write(TABLE, &MODBUS.replacen(from, to, 1));
     let run = folder.val3(&[&["run", "usrapp/main", "--modbus", "0"], options].concat());
     let messages = run.stderr.split_inclusive('\n').map(|line| match line.split_once("127.0.0.1:") {
-        Some((before, after)) => format!("{before}127.0.0.1:1502{}", after.trim_start_matches(|c: char| c.is_ascii_digit())),
+        Some((before, after)) => {
+            format!("{before}127.0.0.1:1502{}", after.trim_start_matches(|c: char| c.is_ascii_digit()))
+        }
         None => line.to_owned(),
     });
     format!("{}\n{}", run.code, messages.collect::<String>())
@@ -36,35 +38,55 @@ fn check(from: &str, to: &str, expected: Expect) {
 
 #[test]
 fn a_run_states_the_address_and_the_tables() {
-    check("", "", expect![[r#"
+    check(
+        "",
+        "",
+        expect![[r#"
         0
         note: the Modbus server of `Modbus` is at 127.0.0.1:1502: 9 bits, 0 words, at most 2 clients
-    "#]]);
-    check("\"9\"", "\"8\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "\"9\"",
+        "\"8\"",
+        expect![[r#"
         0
         warning: applicom/Modbus/modbus.xml:3: `OutputSize` is 8, but the items of the module have 9 bits
         note: the Modbus server of `Modbus` is at 127.0.0.1:1502: 9 bits, 0 words, at most 2 clients
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn uncertain_addresses_are_not_served() {
-    check("%Q1:8", "%Q0:9", expect![[r#"
+    check(
+        "%Q1:8",
+        "%Q0:9",
+        expect![[r#"
         2
         error: `applicom/Modbus/modbus.xml` cannot be served: it does not determine all addresses
           applicom/Modbus/modbus.xml:5: `bIn` and `bStart` have the same address 0
           applicom/Modbus/modbus.xml:5: `Offset` of `bIn` is 1, but its `Syntaxe` has the address 0
-    "#]]);
-    check("Actif=\"1\"", "Actif=\"0\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "Actif=\"1\"",
+        "Actif=\"0\"",
+        expect![[r#"
         2
         error: `applicom/Modbus/modbus.xml` cannot be served: no topic is active
           help: set `Actif` to 1 in the topic that shall be served, and to 0 in all others
-    "#]]);
-    check(" ConnectionNumber=\"2\"", "", expect![[r#"
+    "#]],
+    );
+    check(
+        " ConnectionNumber=\"2\"",
+        "",
+        expect![[r#"
         2
         error: `applicom/Modbus/modbus.xml` cannot be served: it has no number of clients for `Modbus`
           help: write <GENERAL_PARAMETERS TopicName="Modbus" TCP_Port="502" ConnectionNumber="2"/> at its end
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
