@@ -86,7 +86,8 @@ fn elements(topic: &Topic, table: TableKind) -> Vec<Option<Element>> {
 mod tests {
     use super::*;
 
-    const TOPIC: &str = r#"<TOPIC Name="Modbus" Actif="1"><MODULE IDModule="BOOLEAN"><ITEM Name="bStart" Syntaxe="%Q2"/></MODULE></TOPIC>"#;
+    const TOPIC: &str = r#"<TOPIC Name="Modbus" Actif="1">
+        <MODULE IDModule="BOOLEAN"><ITEM Name="bStart" Syntaxe="%Q2"/></MODULE></TOPIC>"#;
     const PARAMETERS: &str = r#"<GENERAL_PARAMETERS TopicName="Modbus" ConnectionNumber="4"/>"#;
 
     fn of(elements: &[&str]) -> Result<ModbusMap, NotServed> {
