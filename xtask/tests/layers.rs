@@ -182,14 +182,27 @@ fn below_the_editor_features_there_are_no_columns() {
 }
 
 #[test]
+fn modbus_knows_a_file_and_no_signal() {
+    check_only("val3-modbus", &["val3-syntax"], &["salsa", "serde", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn config_knows_the_language_alone() {
     check_only("val3-config", &["val3-lang", "val3-lines"], &["salsa", "rowan", "clap", "tokio"]);
 }
 
 #[test]
 fn analysis_depends_on_syntax_lang_and_config() {
-    let below =
-        ["val3-cell", "val3-files", "val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
+    let below = [
+        "val3-cell",
+        "val3-files",
+        "val3-syntax",
+        "val3-lang",
+        "val3-config",
+        "val3-geometry",
+        "val3-kinematics",
+        "val3-modbus",
+    ];
     check_only("val3-analysis", &below, &["clap", "serde_json", "toml", "tokio"]);
     let below = [&below[..], &["val3-analysis", "val3-motion"]].concat();
     check_only("val3-check", &below, &["clap", "serde_json", "toml", "tokio"]);
@@ -301,6 +314,7 @@ fn every_crate_has_its_place() {
         "val3-lines",
         "val3-files",
         "val3-schema",
+        "val3-modbus",
         "val3-config",
         "val3-test",
         "val3-generate",
@@ -364,6 +378,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-data",
         "val3-lines",
         "val3-schema",
+        "val3-modbus",
         "val3-config",
         "val3-dap",
         "val3-check",

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::add_on::AddOnTable;
@@ -48,6 +49,17 @@ pub struct CellIo {
     pub names: FxHashMap<SmolStr, SmolStr>,
     /// Signals of field buses with bare GUIDs as links; `None` if the cell does not list all of them.
     pub tags: Option<Tags>,
+    /// File of the Modbus server, `applicom/Modbus/modbus.xml`; `None` if it does not exist or cannot be read.
+    pub modbus: Option<CellText>,
+}
+
+/// Text of a file of a cell.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CellText {
+    /// Absolute path, as spelt on the disk.
+    pub path: Utf8PathBuf,
+    /// Content.
+    pub text: Arc<str>,
 }
 
 /// Signals by GUID in lower case, with the type of variable if known.

@@ -272,6 +272,7 @@ impl Controller {
             let start = self.schedule.now;
             self.begin_handling(start);
             self.follow_operator(start);
+            self.devices.apply_received(start);
             self.begin_reactions(start);
             self.follow_script(start);
             self.devices.begin_cycle(start);

@@ -15,6 +15,7 @@ mod motion;
 mod outside;
 mod part_events;
 mod questions;
+mod received;
 mod record;
 mod robot;
 mod saving;
@@ -37,6 +38,7 @@ use crate::controller_state::MessageSeverity;
 use crate::event::{Event, EventKind};
 use crate::files::{FileFault, Roots};
 use crate::inputs::Inputs;
+use crate::io::IoChange;
 use crate::screen::Pendant;
 use crate::shapes::LinkShape;
 
@@ -68,6 +70,8 @@ pub struct Devices {
     /// Libraries that are loaded in place of other libraries.
     pub stand_ins: StandIns,
     signal_reads: SignalReads,
+    /// Values that signals receive at the beginning of the next cycle.
+    received: Vec<IoChange>,
 }
 
 /// Event record and related state, saved while code outside of the run is executed.
@@ -91,6 +95,7 @@ impl Devices {
             shapes: Vec::new(),
             stand_ins: StandIns::default(),
             signal_reads: SignalReads::default(),
+            received: Vec::new(),
         }
     }
 

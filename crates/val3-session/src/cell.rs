@@ -4,6 +4,9 @@ use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
 use val3_files::{FileClass, Unreadable};
 use val3_machine::devices::Devices;
+use val3_machine::io::{Direction, IoTable, Signal, SignalKind, SignalRange};
+use val3_modbus::file::Topic;
+use val3_modbus::{DEVICE, Element, ModbusFile, TableKind, Writer};
 use val3_syntax::document;
 
 use crate::arm::ChosenArm;
@@ -13,7 +16,13 @@ use crate::error::SessionError;
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
     let Some(cell) = project.cell(db) else { return };
     let known = &cell.config(db).io;
+    let modbus = known.modbus.as_ref().map(|file| ModbusFile::read(&file.text)).filter(ModbusFile::has_all_items);
     for (device, signals) in &known.devices {
+        if let Some(file) = modbus.as_ref().filter(|_| device == DEVICE) {
+            let elements = file.topics.iter().flat_map(Topic::elements);
+            elements.for_each(|element| declare_element(&mut devices.state.io, element));
+            continue;
+        }
         let mut signals: Vec<_> = signals.iter().map(|(name, base)| (name.as_str(), *base)).collect();
         signals.sort_unstable_by_key(|(name, _)| *name);
         devices.state.io.declare_device(device, signals);
@@ -21,6 +30,25 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     for (name, path) in &known.names {
         devices.state.io.name_signal(name, path);
     }
+}
+
+/// Declares a value of the Modbus server, whose direction is in the file. Words may have any number, because scripts set
+/// measured values; the server rounds them.
+fn declare_element(io: &mut IoTable, Element { table, writer, link, other_links, .. }: Element) {
+    other_links.iter().for_each(|other| io.name_signal(other, &link));
+    io.declare(Signal {
+        path: link,
+        description: String::new(),
+        kind: match table {
+            TableKind::Bits => SignalKind::Digital,
+            TableKind::Words => SignalKind::Analog(SignalRange::Float),
+        },
+        direction: match writer {
+            Writer::Client => Direction::Input,
+            Writer::Robot => Direction::Output,
+        },
+        protected: false,
+    });
 }
 
 /// Sets the controller's arm and language from the cell around `disk`; the arm in `chosen` has precedence.

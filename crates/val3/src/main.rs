@@ -30,6 +30,7 @@ mod man;
 mod markdown;
 mod mcp;
 mod merge;
+mod modbus;
 mod new;
 mod opening;
 mod output;

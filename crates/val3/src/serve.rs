@@ -35,7 +35,7 @@ use tokio::sync::{Semaphore, watch};
 
 use crate::user_error::UserError;
 use access::{Access, ViewerRole};
-pub(crate) use address::ServeAddress;
+pub(crate) use address::{ServeAddress, socket_address};
 pub(crate) use command::PendingCommand;
 use limits::ServerLimits;
 use log::MessageLog;

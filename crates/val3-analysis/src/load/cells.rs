@@ -13,7 +13,7 @@ use val3_lang::versions::Version;
 use val3_syntax::arm_file::ArmFile;
 use val3_syntax::{document, version_file};
 
-use crate::cell::{CellConfig, UnreadableCellFile};
+use crate::cell::{CellConfig, CellText, UnreadableCellFile};
 use crate::paths::path_key;
 use crate::system::System;
 
@@ -33,7 +33,7 @@ pub(super) fn read(
     let tables = files.tables();
     // An EtherCAT master has additional signals.
     let has_master = MASTERS.iter().any(|folder| files.actual_config(folder).is_some());
-    let modbus = files.text("applicom/modbus/modbus.xml");
+    let modbus = files.file("applicom/modbus/modbus.xml");
     // The check uses no entry of this file, but a damaged file shows that the backup is incomplete.
     files.config("controller.cfx");
     let arm_file = files.config("arm.cfx");
@@ -41,11 +41,12 @@ pub(super) fn read(
     let version = files.config("val3version.xml");
     let version = version.as_deref().and_then(version_file::language).and_then(|text| Version::parse(&text));
     let mut io = devices::read(|name: &str| files.config(name));
-    let is_empty = arm_file.is_none() && version.is_none() && io.devices.is_empty() && tables.is_empty();
+    let is_empty =
+        arm_file.is_none() && version.is_none() && io.devices.is_empty() && tables.is_empty() && modbus.is_none();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
     io.tags = io.tags.filter(|_| !has_master);
-    if let Some(text) = modbus {
-        devices::add_modbus(&text, &mut io);
+    if let Some(file) = modbus {
+        devices::add_modbus(file, &mut io);
     }
     let arm = known_arm.or_else(named);
     // A cell without a known arm is treated as six-axis.
@@ -81,14 +82,21 @@ impl<A: FnMut(&Utf8Path) -> Option<Utf8PathBuf>> CellFiles<'_, A> {
 
     /// Returns the text of a file in `usr/configs`; `None` if it does not exist or is unreadable.
     fn config(&mut self, name: &str) -> Option<String> {
-        self.text(&format!("configs/{name}"))
+        let path = self.actual_config(name)?;
+        self.text(&path)
     }
 
-    /// Returns the text of the file with this path in `usr`; `None` if it does not exist or is unreadable.
-    fn text(&mut self, path: &str) -> Option<String> {
+    /// Returns the file with this path in `usr`; `None` if it does not exist or is unreadable.
+    fn file(&mut self, path: &str) -> Option<CellText> {
         let path = (self.actual)(&self.usr.join(path))?;
-        text(self.system, &path).unwrap_or_else(|reason| {
-            self.add_unreadable(&path, reason);
+        let text = self.text(&path)?.into();
+        Some(CellText { path, text })
+    }
+
+    /// Returns the text of a file; `None` if it does not exist or is unreadable.
+    fn text(&mut self, path: &Utf8Path) -> Option<String> {
+        text(self.system, path).unwrap_or_else(|reason| {
+            self.add_unreadable(path, reason);
             None
         })
     }

@@ -3,11 +3,15 @@
 use proptest::prelude::*;
 use val3_machine::controller::{Controller, OperatorAction};
 use val3_machine::event::Event;
+use val3_machine::io::{IoChange, Signal};
 use val3_machine::sio::{ChannelConfig, LineKind, LineSetting, MemoryLine, Peer};
 
 use crate::cell::{Cell, run};
 
 const CYCLE: u64 = 4_000_000;
+
+/// Signal of a field bus.
+const BUS: &str = r"Bus\%IW0";
 
 const LISTING: &str = r#"
 program start()
@@ -53,6 +57,7 @@ fn connected(cell: &Cell) -> (Controller, Peer) {
         settings: vec![LineSetting::Timeout(0.0)],
     };
     controller.devices.lines.attach(&config, Box::new(line), false).unwrap();
+    controller.devices.state.io.declare(Signal::from_path(BUS, false));
     (controller, peer)
 }
 
@@ -69,6 +74,10 @@ fn outside(controller: &mut Controller, peer: &Peer, last: &mut u64) {
         20 => peer.disconnect(),
         22 => peer.connect(),
         24 => peer.send("four\r"),
+        4 | 5 | 23 => {
+            let signal = controller.devices.state.io.find(BUS).unwrap();
+            controller.devices.receive(vec![IoChange { signal, value: f64::from(u8::from(cycle != 5)) }]);
+        }
         cycle if cycle.is_multiple_of(8) => controller.operate(OperatorAction::Tap(270)),
         _ => {}
     }

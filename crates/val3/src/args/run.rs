@@ -5,6 +5,7 @@ use clap::ValueEnum;
 use val3_machine::script::{ScriptValue, key_codes, typed_keys};
 
 use super::{ControllerArgs, OutputArgs};
+use crate::modbus::ModbusAddress;
 use crate::serve::ServeAddress;
 
 /// Program with which an application starts (2.2.3).
@@ -94,6 +95,10 @@ pub(crate) struct RunArgs {
     /// this machine can connect; port 0 chooses a free one
     #[arg(help_heading = "Operation", long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = "", conflicts_with = "interactive")]
     pub(crate) serve: Option<ServeAddress>,
+    /// Serve the tables in the cell's applicom/Modbus/modbus.xml to Modbus TCP clients, such as a PLC; implies --time real.
+    /// Without an address, only this machine can connect, to port 1502; port 0 chooses a free one
+    #[arg(hide_short_help = true, help_heading = "Operation", long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = "", conflicts_with = "replay")]
+    pub(crate) modbus: Option<ModbusAddress>,
     /// Open the browser with the address of --serve
     #[arg(hide_short_help = true, help_heading = "Operation", long, requires = "serve")]
     pub(crate) open: bool,
@@ -105,7 +110,8 @@ pub(crate) struct RunArgs {
 impl RunArgs {
     /// Whether virtual time follows real time.
     pub(crate) fn follows_wall(&self) -> bool {
-        let is_operated = self.interactive || self.serve.is_some() && self.time.is_none();
+        let is_served = self.serve.is_some() && self.time.is_none();
+        let is_operated = self.interactive || self.modbus.is_some() || is_served;
         self.time == Some(RunTime::Real) || is_operated
     }
 }

@@ -25,6 +25,7 @@ use super::tempo::Tempo;
 use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
 use crate::args::RunArgs;
+use crate::modbus::ModbusRun;
 use crate::signals::Signals;
 use crate::sockets::Announcements;
 use crate::test::report;
@@ -41,6 +42,7 @@ pub(super) struct Course<'a> {
     pub(super) observers: Observers,
     motion: MotionObservers,
     viewers: Option<Viewers>,
+    modbus: Option<ModbusRun>,
     export: Option<Export>,
     result: Option<ResultRecorder>,
     tempo: Tempo,
@@ -58,6 +60,7 @@ impl<'a> Course<'a> {
         let motion = MotionObservers::open(args, &ready.controller)?;
         let export = args.export.as_deref().map(|path| Export::open(path, &ready.controller)).transpose()?;
         let result = ResultRecorder::open(args)?;
+        let modbus = ModbusRun::open(args, &ready.application, &ready.controller)?;
         let tempo = Tempo::new(pace(args, &observers), ready.controller.now());
         let debugger = Debugger::new(ready.controller);
         let evaluator = FrameEvaluator::new(ready.application);
@@ -68,6 +71,7 @@ impl<'a> Course<'a> {
             observers,
             motion,
             viewers: None,
+            modbus,
             export,
             result,
             tempo,
@@ -222,6 +226,9 @@ impl<'a> Course<'a> {
         }
         // Stepping back removes the limit.
         self.debugger.controller.set_limit(self.tempo.pace.until);
+        if let Some(modbus) = &mut self.modbus {
+            modbus.deliver(&mut self.debugger.controller);
+        }
         let progress = self.debugger.advance();
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
@@ -260,7 +267,12 @@ impl<'a> Course<'a> {
                 Ok(None)
             }
             AdvanceResult::Ran(status) if status.is_within_cycle() && status != RunStatus::Limit => Ok(None),
-            AdvanceResult::Ran(status) => Ok(Some(status)),
+            AdvanceResult::Ran(status) => {
+                if let Some(modbus) = &self.modbus {
+                    modbus.publish(&self.debugger.controller);
+                }
+                Ok(Some(status))
+            }
         }
     }
 
@@ -390,7 +402,11 @@ impl<'a> Course<'a> {
 fn pace(args: &RunArgs, observers: &Observers) -> Pace {
     let recorded = observers.recording().and_then(RunRecording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
-    Pace { real_time: args.follows_wall(), until, attended: args.interactive || args.serve.is_some() }
+    Pace {
+        real_time: args.follows_wall(),
+        until,
+        attended: args.interactive || args.serve.is_some() || args.modbus.is_some(),
+    }
 }
 
 /// Whether an event is displayed at a terminal.

@@ -29,15 +29,17 @@ impl FromStr for ServeAddress {
         if text.is_empty() {
             return Ok(Self::default());
         }
-        let local = |port: &str| port.parse().map(|port: u16| SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
-        let address = match text.strip_prefix("localhost:").unwrap_or(text) {
-            port if local(port).is_ok() => local(port).ok(),
-            other => other.parse().ok(),
-        };
-        let address =
-            address.ok_or("write ADDRESS:PORT, for example 127.0.0.1:8303, and the application before --serve")?;
+        let usage = "write ADDRESS:PORT, for example 127.0.0.1:8303, and the application before --serve";
+        let address = socket_address(text).ok_or(usage)?;
         Ok(Self { address, is_given: true })
     }
+}
+
+/// Parses an address with a port. A port without an address is a port of this machine.
+pub(crate) fn socket_address(text: &str) -> Option<SocketAddr> {
+    let text = text.strip_prefix("localhost:").unwrap_or(text);
+    let local = text.parse().map(|port: u16| SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
+    local.ok().or_else(|| text.parse().ok())
 }
 
 impl ServeAddress {

@@ -52,6 +52,7 @@ mod manners;
 mod mcp;
 mod merge;
 mod merge_git;
+mod modbus;
 mod new;
 mod one_disk;
 mod packaging;

@@ -7,7 +7,7 @@ mod virtual_boards;
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 
-use crate::cell::{CellIo, Device};
+use crate::cell::{CellIo, CellText, Device};
 use crate::xml::{self, XmlElement};
 
 /// Boards of a CS8: file in `usr/configs`, device name in links, tag prefix of digital signals.
@@ -36,9 +36,10 @@ pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> CellIo {
     io
 }
 
-/// Adds the tables of the Modbus server from the text of `modbus.xml`.
-pub(super) fn add_modbus(text: &str, io: &mut CellIo) {
-    insert_known(modbus::DEVICE, modbus::read(text).unwrap_or_default(), io);
+/// Adds the file of the Modbus server with its signals.
+pub(super) fn add_modbus(file: CellText, io: &mut CellIo) {
+    insert_known(val3_modbus::DEVICE, modbus::read(&file.text).unwrap_or_default(), io);
+    io.modbus = Some(file);
 }
 
 /// Reads a board: `<bioDin index="3" name="bIn3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.

@@ -1,57 +1,29 @@
-//! Tables in `usr/applicom/Modbus/modbus.xml`, with links of the form `ModbusSrv-0\<Topic>-Bit\<item>`.
+//! Signals of the Modbus server, with links of the form `ModbusSrv-0\<Topic>-Bit\<item>`.
 
 use val3_lang::types::BaseType;
+use val3_modbus::file::Topic;
+use val3_modbus::{DEVICE, ModbusFile, TableKind};
 
 use crate::cell::Device;
-use crate::xml::{self, XmlElement};
-
-/// Device name in the links.
-pub(super) const DEVICE: &str = "ModbusSrv-0";
-
-/// Maximum number of item elements: a table has at most 65,536 addresses.
-const MOST_ELEMENTS: u32 = 0x1_0000;
 
 /// Reads the items of all topics, for example `Modbus-Bit\bStart` and `Modbus-Word\nRecipe[1]`; `None` if the file does
 /// not determine all items. Inactive topics are included, because the file does not show why they are inactive.
 pub(super) fn read(text: &str) -> Option<Device> {
-    let parse = val3_syntax::parse(text);
-    let root = xml::root(parse.view()).filter(|root| root.name() == "TOPICSLIST")?;
-    if !parse.errors().is_empty() {
+    let file = ModbusFile::read(text);
+    if !file.has_all_items() {
         return None;
     }
     let mut device = Device::default();
-    for topic in root.elements().filter(|element| element.name() == "TOPIC") {
-        // One of these values is the number in the device name, but it is unknown which one.
-        if ["Card", "Channel", "Equipment"].iter().any(|name| topic.value(name).is_some_and(|of| of.trim() != "0")) {
-            return None;
-        }
-        let name = topic.value("Name")?;
-        for module in topic.elements().filter(|element| element.name() == "MODULE") {
-            let (table, base) = match module.value("IDModule").as_deref() {
-                Some("BOOLEAN") => ("Bit", BaseType::Dio),
-                Some("WORD") => ("Word", BaseType::Aio),
-                _ => return None,
-            };
-            for item in module.elements().filter(|element| element.name() == "ITEM") {
-                add(item, &format!("{name}-{table}"), base, &mut device)?;
-            }
-        }
+    for element in file.topics.iter().flat_map(Topic::elements) {
+        let base = match element.table {
+            TableKind::Bits => BaseType::Dio,
+            TableKind::Words => BaseType::Aio,
+        };
+        let links = std::iter::once(element.link).chain(element.other_links);
+        let names = links.filter_map(|link| Some(link.strip_prefix(DEVICE)?.strip_prefix('\\')?.to_owned()));
+        device.extend(names.map(|name| (name, base)));
     }
     Some(device)
-}
-
-/// Adds the item's names. In older files, links contain the number of elements: `N1_102:8[0]`.
-fn add(item: XmlElement<'_>, module: &str, base: BaseType, device: &mut Device) -> Option<()> {
-    let (name, syntax) = (item.value("Name")?, item.value("Syntaxe")?);
-    device.insert(format!("{module}\\{name}"), base);
-    if let Some((_, count)) = syntax.split_once(':') {
-        let count: u32 = count.trim().parse().ok().filter(|count| *count <= MOST_ELEMENTS)?;
-        for number in 0..count {
-            device.insert(format!("{module}\\{name}[{number}]"), base);
-            device.insert(format!("{module}\\{name}:{count}[{number}]"), base);
-        }
-    }
-    Some(())
 }
 
 #[cfg(test)]
