@@ -5,6 +5,7 @@
 mod args;
 mod arm;
 mod arm_choice;
+mod backup_files;
 mod baseline;
 mod check;
 mod code_lines;
@@ -24,6 +25,7 @@ mod guide;
 mod history;
 mod in_memory;
 mod internal_error;
+mod log;
 mod loose;
 mod lsp;
 mod man;
@@ -149,6 +151,7 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         CliCommand::Test(test) => test::run(test, args.color),
         CliCommand::Guide => guide::run().map(|()| ExitCode::SUCCESS),
         CliCommand::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        CliCommand::Log(log) => log::run(log, args.color),
         CliCommand::Arm(arm) => arm::run(arm, args.color),
         CliCommand::Lsp(lsp) => lsp::run(lsp),
         CliCommand::Dap(dap) => dap::run(dap),
