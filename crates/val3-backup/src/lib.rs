@@ -5,6 +5,7 @@
 
 mod date_time;
 mod files;
+pub mod info;
 pub mod log;
 
 pub use date_time::DateTime;

@@ -33,25 +33,62 @@ fn check(log: &str, expected: Expect) {
 
 #[test]
 fn s6_has_no_codes() {
-    check(S6, expect![[r#""#]]);
+    check(S6, expect![[r#"
+         1 Start 2012-03-14 09:30:00 - - "--------------------------------"
+         2 Start 2012-03-14 09:30:00 - - "Logger started"
+         3 Message 2012-03-14 09:30:07 INFO - "packer application started"
+         4 Message 2012-03-14 09:31:40 ERROR - "(File pickPart.pgx-line 12) 'nCuont' : invalid name"
+         6 Message 2012-03-14 09:32:00 ERROR - "ERR 10 Division by zero.. packer~."
+    "#]]);
 }
 
 #[test]
 fn s7_has_codes() {
-    check(S7, expect![[r#""#]]);
+    check(S7, expect![[r#"
+         1 Start 2016-01-05 08:00:00 - - "--------------------------------"
+         2 Start 2016-01-05 08:00:00 - - "Logger started"
+         3 Message 2016-01-05 08:00:02 INFO 0x2401 "System: s7.8.3 {00c4ff10}"
+         4 Message 2016-01-05 08:00:30 INFO 0x5402 "packer application started {1b2c3d4e}"
+         5 Message 2016-01-05 08:01:11 INFO 0x5464 "USR:part 7 of 12"
+         6 Message 2016-01-05 08:01:15 ERROR 0x5404 "ERR 123 IO not linked to a hardware input-output.. tGrip."
+         7 Message 2016-01-05 08:01:16 - 0x3B07 "Cannot move: cannot cross singularity in this case."
+         8 Message 2016-01-05 08:01:20 INFO 0x5403 "packer application stopped"
+         9 Message 2016-01-05 08:01:21 - 0x9F01 "A message without a page"
+        10 Unknown - - - "not a message at all"
+    "#]]);
 }
 
 #[test]
 fn s8_has_one_object_a_line() {
-    check(S8, expect![[r#""#]]);
-    check(S8_SYSTEM, expect![[r#""#]]);
+    check(S8, expect![[r#"
+         1 Start 2021-01-05 08:00:00 - - "controller started (log version 3.0.0)"
+         2 Message 2021-01-05 08:00:40 INFO 0x5402 "Application 'packer' started."
+         3 Message 2021-01-05 08:00:50 ERROR 0x5404 "VAL3 runtime error. Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
+         4 Message 2021-01-05 08:00:50 ERROR 0x5404 "ERR 531 Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
+         5 Message 2021-01-05 08:01:30 ERROR 0x5405 "(File start.pgx-line 5) 'pik' : undefined program"
+         6 Message 2021-01-05 08:02:00 INFO 0x5464 "bell \u{7} and\ttab"
+         7 Message 2021-01-05 08:02:10 WARN 0x5401 "Application has ended, pending motion was cancelled."
+    "#]]);
+    check(S8_SYSTEM, expect![[r#"
+         1 Unknown - - - "[01/05/21 07:59: DVM(INFO): Serial Number : F_00_0000000_C_001"
+         2 Continuation 2021-01-05 07:59:58 - - "log continued from the older file (log version 3.0.0)"
+         3 Message 2021-01-05 08:00:01 INFO 0x5B02 "CPU temperature: 50 degC"
+         4 Message 2021-01-05 08:00:45 ERROR 0x1626 "Cannot settle arm power: user stop USIB (J100-5/6)."
+         5 State 2021-01-05 08:01:30 - - "{\"controller\":{\"cpu\":1},\"timestamp\":91.5}"
+         6 Message 2021-01-05 08:01:31 ERROR 0x7807 "Cannot load application 'Disk://packer/packer.pjx' - error in a program (see event logger)"
+         7 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:00\",\"ts\":\"181.0\",\"type\":\"new\",\"val\":\"a type of a later version\"},\"hash\":\"e2b2c3d4e5f6a7b8c9\"}"
+         8 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:01\",\"ts\":\"182.0\",\"type\":\"msg\",\"lvl\":\"INFO\",\"id\":\"0x7E01\",\"val\":\"No application run"
+    "#]]);
 }
 
 #[test]
 fn lines_are_decoded_one_by_one() {
     let mut log = "[01/05/21 08:00:00]: <0x5464> USR:Öffnen\n".as_bytes().to_vec();
     log.extend(b"[01/05/21 08:00:01]: <0x5464> USR:\xd6ffnen\n");
-    expect![[r#""#]].assert_eq(&shown(&log));
+    expect![[r#"
+         1 Message 2021-01-05 08:00:00 INFO 0x5464 "USR:Öffnen"
+         2 Message 2021-01-05 08:00:01 INFO 0x5464 "USR:Öffnen"
+    "#]].assert_eq(&shown(&log));
 }
 
 #[test]
@@ -70,7 +107,15 @@ fn messages_are_explained() {
             writeln!(text, "{:?}: {}", explanation.topic, explanation.meaning).unwrap();
         }
     }
-    expect![[r#""#]].assert_eq(&text);
+    expect![[r#"
+        Name("invalid name"): name not declared
+        RuntimeError(10): division by zero
+        RuntimeError(123): input or output not linked
+        Name("0x3B07"): move refused: singular position
+        RuntimeError(531): point beyond the limits of the axes
+        Name("undefined program"): program not in the project
+        Name("0x5401"): application ended with pending moves
+    "#]].assert_eq(&text);
 }
 
 #[test]
@@ -81,7 +126,18 @@ fn the_running_application_is_known() {
         running.advance(&entry);
         writeln!(text, "{} {}", entry.line, running.only().unwrap_or("-")).unwrap();
     }
-    expect![[r#""#]].assert_eq(&text);
+    expect![[r#"
+        1 -
+        2 -
+        3 -
+        4 packer
+        5 packer
+        6 packer
+        7 packer
+        8 -
+        9 -
+        10 -
+    "#]].assert_eq(&text);
 }
 
 #[test]
@@ -91,7 +147,7 @@ fn logs_are_merged_by_time() {
     };
     let all = merged(vec![log("system.log", S8_SYSTEM), log("user.log", S8)]);
     let shown: Vec<String> = all.iter().map(|logged| format!("{}:{}", logged.file, logged.entry.line)).collect();
-    expect![[r#""#]].assert_eq(&shown.join(" "));
+    expect!["system.log:1 system.log:2 user.log:1 system.log:3 user.log:2 system.log:4 user.log:3 user.log:4 system.log:5 user.log:5 system.log:6 system.log:7 system.log:8 user.log:6 user.log:7"].assert_eq(&shown.join(" "));
 }
 
 fn program(application: &str, line: &str) -> (String, Vec<u8>, Option<val3_backup::DateTime>) {
@@ -113,12 +169,14 @@ fn source_lines(files: &MemoryFiles, message: &str, application: Option<&str>) -
 fn the_line_of_a_program_is_found() {
     let message = "[01/05/21 08:00:00]: (File start.pgx-line 2) 'pik' : undefined program";
     let files = MemoryFiles::new([program("one", "call pik()"), program("two", "call pick()")]);
-    expect![[r#""#]].assert_eq(&source_lines(&files, message, None));
+    expect!["one: usr/usrapp/one/START.pgx:5: call pik()"].assert_eq(&source_lines(&files, message, None));
     let files = MemoryFiles::new([program("one", "call pik()"), program("two", "call pik()")]);
-    expect![[r#""#]].assert_eq(&source_lines(&files, message, None));
-    expect![[r#""#]].assert_eq(&source_lines(&files, message, Some("two")));
+    expect![[r#"
+        one: usr/usrapp/one/START.pgx:5: call pik()
+        two: usr/usrapp/two/START.pgx:5: call pik()"#]].assert_eq(&source_lines(&files, message, None));
+    expect!["two: usr/usrapp/two/START.pgx:5: call pik()"].assert_eq(&source_lines(&files, message, Some("two")));
     let files = MemoryFiles::new([program("one", "call pick()")]);
-    expect![[r#""#]].assert_eq(&source_lines(&files, message, None));
+    expect!["one: usr/usrapp/one/START.pgx:5: call pick() (changed)"].assert_eq(&source_lines(&files, message, None));
     assert_eq!(source_lines(&files, "[01/05/21 08:00:00]: (File start.pgx-line 200) 'a' : b", None), "");
     assert_eq!(source_lines(&files, "[01/05/21 08:00:00]: (File start.pgx-line 0) 'a' : b", None), "");
     assert_eq!(source_lines(&MemoryFiles::default(), message, None), "");

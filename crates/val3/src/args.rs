@@ -7,6 +7,7 @@ mod controller;
 mod coverage;
 mod destination;
 mod diff;
+mod info;
 mod log;
 mod mcp;
 mod merge;
@@ -34,6 +35,7 @@ pub(crate) use check::CheckArgs;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
+pub(crate) use info::{InfoArgs, InfoFormat};
 pub(crate) use log::{LevelArgument, LogArgs, LogFormat, Since};
 pub(crate) use mcp::McpArgs;
 pub(crate) use merge::MergeArgs;
@@ -164,6 +166,9 @@ pub(crate) enum CliCommand {
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a type or another word, or search all pages
     Explain(ExplainArgs),
+    /// Describe a backup of a controller: serial numbers, arm, version, options, applications, signals, users
+    #[command(after_help = info::EXIT_CODES)]
+    Info(InfoArgs),
     /// Show the messages of a controller's logs: what they mean, what to do, and the line of the program
     #[command(after_help = log::EXIT_CODES)]
     Log(LogArgs),

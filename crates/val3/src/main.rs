@@ -24,6 +24,7 @@ mod format;
 mod guide;
 mod history;
 mod in_memory;
+mod info;
 mod internal_error;
 mod log;
 mod loose;
@@ -152,6 +153,7 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         CliCommand::Guide => guide::run().map(|()| ExitCode::SUCCESS),
         CliCommand::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         CliCommand::Log(log) => log::run(log, args.color),
+        CliCommand::Info(info) => info::run(info, args.color),
         CliCommand::Arm(arm) => arm::run(arm, args.color),
         CliCommand::Lsp(lsp) => lsp::run(lsp),
         CliCommand::Dap(dap) => dap::run(dap),

@@ -13,7 +13,7 @@ use val3_lang::versions::Version;
 use val3_syntax::arm_file::ArmFile;
 use val3_syntax::{document, version_file};
 
-use crate::cell::{CellConfig, UnreadableCellFile};
+use crate::cell::{CellConfig, CellIo, UnreadableCellFile};
 use crate::paths::path_key;
 use crate::system::System;
 
@@ -63,6 +63,16 @@ pub(super) fn read(
     }
     let arm_files = [arm_file, cell_file].iter().flatten().map(|text| ArmFile::read(text)).collect();
     Some(CellConfig { arm, version, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
+}
+
+/// Returns the inputs and outputs in the configuration files of a cell. `file` returns the text of a file below `usr`,
+/// for example of `configs/bio.cfx`.
+pub fn cell_io(mut file: impl FnMut(&str) -> Option<String>) -> CellIo {
+    let mut io = devices::read(|name: &str| file(&format!("configs/{name}")));
+    if let Some(text) = file("applicom/modbus/modbus.xml") {
+        devices::add_modbus(&text, &mut io);
+    }
+    io
 }
 
 /// Files below `usr`. Existing files that cannot be read are added to `unreadable`.

@@ -2,7 +2,7 @@
 
 use val3_lang::log_messages::{LogLevel, log_message_of};
 
-use super::subject::Subject;
+use super::subject::{Subject, code_of_text};
 use crate::DateTime;
 
 /// An entry of a log: one line that is not blank.
@@ -57,12 +57,19 @@ impl LogEntry {
     /// Level of the message: as written in the line, otherwise as usual for the code; `None` if neither is known.
     #[must_use]
     pub fn known_level(&self) -> Option<LogLevel> {
-        self.level.or_else(|| log_message_of(self.code.as_deref()?)?.level)
+        self.level.or_else(|| log_message_of(self.known_code()?)?.level)
+    }
+
+    /// Code of the message: as written in the line, otherwise by its text; `None` if neither is known.
+    #[must_use]
+    pub fn known_code(&self) -> Option<&str> {
+        let of_text = || (self.form == LineForm::Message).then(|| code_of_text(&self.text))?;
+        self.code.as_deref().or_else(of_text)
     }
 
     /// What the message refers to.
     #[must_use]
     pub fn subject(&self) -> Subject {
-        Subject::of(self.code.as_deref(), &self.text)
+        Subject::of(self.known_code(), &self.text)
     }
 }

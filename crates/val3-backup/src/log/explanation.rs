@@ -1,9 +1,12 @@
 //! Explanation of a message, from the tables of the language.
 
-use val3_lang::log_messages::{COMPILE_ERROR, Explanation, compile_fault_in, log_message_of};
+use val3_lang::log_messages::{COMPILE_ERROR, Explanation, RUNTIME_ERROR, compile_fault_in, log_message_of};
 use val3_lang::runtime_errors::{self, RuntimeError};
 
 use super::entry::{LineForm, LogEntry};
+
+/// First words of a run-time error's message without a number. s8 writes it in addition to the message with the number.
+const S8_DUPLICATE: &str = "VAL3 runtime error";
 
 /// Explanation of a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -27,7 +30,8 @@ pub enum Topic {
     RuntimeError(u16),
 }
 
-/// Returns the explanation of a message; `None` if its code is unknown.
+/// Returns the explanation of a message; `None` if its code is unknown, or if the next message is
+/// the same with more information.
 #[must_use]
 pub fn explanation(entry: &LogEntry) -> Option<EntryExplanation> {
     if entry.form != LineForm::Message {
@@ -37,8 +41,10 @@ pub fn explanation(entry: &LogEntry) -> Option<EntryExplanation> {
     if let Some(error) = subject.error.and_then(runtime_errors::find) {
         return Some(of_error(error));
     }
-    // s6 has no codes.
-    let code = entry.code.as_deref().or_else(|| subject.code_line.map(|_| COMPILE_ERROR))?;
+    let code = entry.known_code()?;
+    if code.eq_ignore_ascii_case(RUNTIME_ERROR) && entry.text.starts_with(S8_DUPLICATE) {
+        return None;
+    }
     if code.eq_ignore_ascii_case(COMPILE_ERROR)
         && let Some(fault) = compile_fault_in(&entry.text)
     {

@@ -11,7 +11,7 @@ pub struct RunningApplications(Vec<String>);
 impl RunningApplications {
     /// Updates the applications by the next entry.
     pub fn advance(&mut self, entry: &LogEntry) {
-        let has = |known: &str| entry.code.as_deref().is_some_and(|code| code.eq_ignore_ascii_case(known));
+        let has = |known: &str| entry.known_code().is_some_and(|code| code.eq_ignore_ascii_case(known));
         if entry.form == LineForm::Start {
             self.0.clear();
         } else if has(APPLICATION_STARTED) {

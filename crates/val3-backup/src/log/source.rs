@@ -77,9 +77,9 @@ impl Program {
     /// Returns a line of the code, from 1 at `begin`; `None` if the file cannot be read or is shorter.
     fn line(&self, files: &dyn BackupFiles, code_line: usize, token: Option<&str>) -> Option<SourceLine> {
         let text = decode(files.read(&self.path).ok()?).text;
-        let begin = begin(parse(&text).view())?;
+        let (begin, end) = code_range(parse(&text).view())?;
+        let code = text.get(begin..end)?.lines().nth(code_line.checked_sub(1)?)?.trim();
         let line = text.get(..begin)?.matches('\n').count() + code_line;
-        let code = text.lines().nth(line.checked_sub(1)?)?.trim();
         // The controller shortens long tokens.
         let token = token.map(|token| token.trim_end_matches("..."));
         let is_changed = token.is_some_and(|token| !code.to_lowercase().contains(&token.to_lowercase()));
@@ -93,11 +93,14 @@ impl Program {
     }
 }
 
-/// Offset of `begin` in the first code of a file.
-fn begin(node: View<'_>) -> Option<usize> {
+/// Offsets of `begin` and of the end of the first code in a file.
+fn code_range(node: View<'_>) -> Option<(usize, usize)> {
     node.children().find_map(|child| match child.kind() {
-        SyntaxKind::CODE => Some(child.token(SyntaxKind::BEGIN_KW)?.range().start().into()),
-        SyntaxKind::ELEMENT => begin(child),
+        SyntaxKind::CODE => {
+            let begin = child.token(SyntaxKind::BEGIN_KW)?.range().start();
+            Some((begin.into(), child.range().end().into()))
+        }
+        SyntaxKind::ELEMENT => code_range(child),
         _ => None,
     })
 }

@@ -1,6 +1,6 @@
 //! What a message refers to: application, task, program, line, number of a run-time error.
 
-use val3_lang::log_messages::{APPLICATION_STARTED, APPLICATION_STOPPED, NOT_LOADED, RUNTIME_ERROR};
+use val3_lang::log_messages::{APPLICATION_STARTED, APPLICATION_STOPPED, COMPILE_ERROR, NOT_LOADED, RUNTIME_ERROR};
 
 /// What a message refers to, as far as its text states it.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -32,11 +32,23 @@ impl Subject {
         if has(NOT_LOADED) {
             return Self { application: loaded_application(text), ..Self::default() };
         }
-        if has(RUNTIME_ERROR) || code.is_none() && text.starts_with("ERR ") {
+        if has(RUNTIME_ERROR) {
             return runtime_error(text);
         }
         Self::default()
     }
+}
+
+/// Returns the code that a text without a code has in later versions. s6 writes no codes.
+pub(super) fn code_of_text(text: &str) -> Option<&'static str> {
+    if rejected_line(text).is_some() {
+        return Some(COMPILE_ERROR);
+    }
+    if text.strip_prefix("ERR ").is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit())) {
+        return Some(RUNTIME_ERROR);
+    }
+    let endings = [(" application started", APPLICATION_STARTED), (" application stopped", APPLICATION_STOPPED)];
+    endings.into_iter().find(|(ending, _)| text.trim_end().ends_with(ending)).map(|(_, code)| code)
 }
 
 /// Reads `(File start.pgx-line 5) 'pik' : undefined program`. A text without a token is possible.
