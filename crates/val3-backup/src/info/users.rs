@@ -1,6 +1,6 @@
 //! Users of a controller, which are its profiles.
 
-use super::cfx::{TextFiles, joined};
+use super::cfx::{Settings, TextFiles, joined};
 
 /// A user. Passwords are not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,14 +15,14 @@ pub struct User {
     pub denied: Vec<String>,
 }
 
-/// Reads the profiles in `configs`.
+/// Reads the profiles in `configs`. A profile that cannot be read is no user, but an unread file.
 pub(super) fn users(files: &mut TextFiles<'_>, configs: &str, default: Option<&str>) -> Vec<User> {
     let profiles = files.in_folder(&joined(configs, "profiles"));
     let named = profiles.into_iter().filter_map(|(path, name)| Some((path, name.rsplit_once('.')?)));
     let named: Vec<_> = named.filter(|(_, (_, extension))| extension.eq_ignore_ascii_case("cfx")).collect();
     let mut users = Vec::new();
     for (path, (name, _)) in named {
-        let settings = files.settings(path);
+        let Some(settings) = files.text(path).map(|text| Settings::of(&text)) else { continue };
         let rights = |value: &str| {
             let found = settings.iter().filter(|setting| setting.kind == "Bool" && setting.value == value);
             found.map(|setting| setting.name.clone()).collect()

@@ -29,7 +29,7 @@ pub(super) fn missing(place: &Utf8Path, info: &ControllerInfo) -> Vec<String> {
 
 fn missing_arm(info: &ControllerInfo) -> Option<String> {
     match info.arm.as_deref().filter(|_| !info.arm_of_drawing) {
-        None => Some("`arm.cfx` names no arm: name it with --arm".to_owned()),
+        None => Some("the arm is unknown: name it with --arm".to_owned()),
         Some(name) => Arm::by_settings(name, info.length_axis3.as_deref())
             .err()
             .map(|_| format!("the arm `{name}` is unknown: describe it in a file (--arm FILE.toml)")),
