@@ -27,10 +27,22 @@ const PROFILE: &str = r#"<Profile>
 fn s8_is_described() {
     check(
         &[
-            ("C1/usr/configs/arm.cfx", "\u{feff}<arm><String name=\"orderNumber\" value=\"A_001\"/><String name=\"arm\" value=\"tx2_60-S1\"/><String name=\"mount\" value=\"floor\"/></arm>"),
-            ("C1/usr/configs/cell.cfx", "<cell><String name=\"language\" value=\"english\"/><autoStart name=\"packer\" location=\"Disk://packer\"/><String name=\"defaultUser\" value=\"operator\"/></cell>"),
-            ("C1/usr/configs/controller.cfx", "<controller><String name=\"VAL 3\" value=\"Demo\"/><String name=\"serialNumber\" value=\"C_001\"/><Float name=\"powerHourCount\" value=\"94.138545\"/></controller>"),
-            ("C1/usr/configs/val3version.xml", "<Versions><Version name=\"val3\" compatibility=\"11.0\">s8.10.2</Version></Versions>"),
+            (
+                "C1/usr/configs/arm.cfx",
+                "\u{feff}<arm><String name=\"orderNumber\" value=\"A_001\"/><String name=\"arm\" value=\"tx2_60-S1\"/><String name=\"mount\" value=\"floor\"/></arm>",
+            ),
+            (
+                "C1/usr/configs/cell.cfx",
+                "<cell><String name=\"language\" value=\"english\"/><autoStart name=\"packer\" location=\"Disk://packer\"/><String name=\"defaultUser\" value=\"operator\"/></cell>",
+            ),
+            (
+                "C1/usr/configs/controller.cfx",
+                "<controller><String name=\"VAL 3\" value=\"Demo\"/><String name=\"serialNumber\" value=\"C_001\"/><Float name=\"powerHourCount\" value=\"94.138545\"/></controller>",
+            ),
+            (
+                "C1/usr/configs/val3version.xml",
+                "<Versions><Version name=\"val3\" compatibility=\"11.0\">s8.10.2</Version></Versions>",
+            ),
             ("C1/usr/configs/profiles/operator.cfx", PROFILE),
             ("C1/usr/app/val3.Motion.anthro.cfx", ""),
             ("C1/usr/app/val3.Motion.scara.cfx", ""),
@@ -113,8 +125,14 @@ fn s8_is_described() {
 fn s7_has_boards() {
     check(
         &[
-            ("usr/configs/controller.cfx", "<controller><String name=\"testMode\" value=\"\"/><String name=\"valPlast\" value=\"1234-5678\"/><Bool name=\"buildBio\" value=\"true\"/><Bool name=\"buildCio\" value=\"false\"/></controller>"),
-            ("C1.controller", "<LocalController><Version>s7.7.1</Version><Properties><Property><RobotSkin>TX200-HB-L-WS</RobotSkin></Property></Properties></LocalController>"),
+            (
+                "usr/configs/controller.cfx",
+                "<controller><String name=\"testMode\" value=\"\"/><String name=\"valPlast\" value=\"1234-5678\"/><Bool name=\"buildBio\" value=\"true\"/><Bool name=\"buildCio\" value=\"false\"/></controller>",
+            ),
+            (
+                "C1.controller",
+                "<LocalController><Version>s7.7.1</Version><Properties><Property><RobotSkin>TX200-HB-L-WS</RobotSkin></Property></Properties></LocalController>",
+            ),
         ],
         expect![[r#"
             ControllerInfo {
@@ -166,7 +184,10 @@ fn s7_has_boards() {
 fn s6_has_options_in_sys() {
     check(
         &[
-            ("sys/configs/options.cfx", "<options><String name=\"testMode\" value=\"Demo\"/><String name=\"arm\" value=\"ts60-S1\"/><String name=\"orderNumber\" value=\"A6\"/><String name=\"serialNumber\" value=\"C6\"/></options>"),
+            (
+                "sys/configs/options.cfx",
+                "<options><String name=\"testMode\" value=\"Demo\"/><String name=\"arm\" value=\"ts60-S1\"/><String name=\"orderNumber\" value=\"A6\"/><String name=\"serialNumber\" value=\"C6\"/></options>",
+            ),
             ("usr/usrapp/io/io.pjx", "<project/>"),
         ],
         expect![[r#"
@@ -219,7 +240,9 @@ fn s6_has_options_in_sys() {
 
 #[test]
 fn damaged_files_are_named() {
-    check(&[("usr/configs/arm.cfx", "<arm><String"), ("usr/configs/profiles/a.cfx", "")], expect![[r#"
+    check(
+        &[("usr/configs/arm.cfx", "<arm><String"), ("usr/configs/profiles/a.cfx", "")],
+        expect![[r#"
         ControllerInfo {
             serial: None,
             version: None,
@@ -255,7 +278,8 @@ fn damaged_files_are_named() {
                 },
             ],
         }
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

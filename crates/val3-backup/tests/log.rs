@@ -7,7 +7,8 @@ use std::fmt::Write as _;
 use expect_test::{Expect, expect};
 use proptest::prelude::*;
 use val3_backup::log::{
-    LineForm, LoggedEntry, ProgramSources, RunningApplications, entries, explanation, foreign_content, line_entry, merged,
+    LineForm, LoggedEntry, ProgramSources, RunningApplications, entries, explanation, foreign_content, line_entry,
+    merged,
 };
 use val3_backup::{BackupFiles as _, MemoryFiles};
 
@@ -33,18 +34,23 @@ fn check(log: &str, expected: Expect) {
 
 #[test]
 fn s6_has_no_codes() {
-    check(S6, expect![[r#"
+    check(
+        S6,
+        expect![[r#"
          1 Start 2012-03-14 09:30:00 - - "--------------------------------"
          2 Start 2012-03-14 09:30:00 - - "Logger started"
          3 Message 2012-03-14 09:30:07 INFO - "packer application started"
          4 Message 2012-03-14 09:31:40 ERROR - "(File pickPart.pgx-line 12) 'nCuont' : invalid name"
          6 Message 2012-03-14 09:32:00 ERROR - "ERR 10 Division by zero.. packer~."
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn s7_has_codes() {
-    check(S7, expect![[r#"
+    check(
+        S7,
+        expect![[r#"
          1 Start 2016-01-05 08:00:00 - - "--------------------------------"
          2 Start 2016-01-05 08:00:00 - - "Logger started"
          3 Message 2016-01-05 08:00:02 INFO 0x2401 "System: s7.8.3 {00c4ff10}"
@@ -55,12 +61,15 @@ fn s7_has_codes() {
          8 Message 2016-01-05 08:01:20 INFO 0x5403 "packer application stopped"
          9 Message 2016-01-05 08:01:21 - 0x9F01 "A message without a page"
         10 Unknown - - - "not a message at all"
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn s8_has_one_object_a_line() {
-    check(S8, expect![[r#"
+    check(
+        S8,
+        expect![[r#"
          1 Start 2021-01-05 08:00:00 - - "controller started (log version 3.0.0)"
          2 Message 2021-01-05 08:00:40 INFO 0x5402 "Application 'packer' started."
          3 Message 2021-01-05 08:00:50 ERROR 0x5404 "VAL3 runtime error. Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
@@ -68,8 +77,11 @@ fn s8_has_one_object_a_line() {
          5 Message 2021-01-05 08:01:30 ERROR 0x5405 "(File start.pgx-line 5) 'pik' : undefined program"
          6 Message 2021-01-05 08:02:00 INFO 0x5464 "bell \u{7} and\ttab"
          7 Message 2021-01-05 08:02:10 WARN 0x5401 "Application has ended, pending motion was cancelled."
-    "#]]);
-    check(S8_SYSTEM, expect![[r#"
+    "#]],
+    );
+    check(
+        S8_SYSTEM,
+        expect![[r#"
          1 Unknown - - - "[01/05/21 07:59: DVM(INFO): Serial Number : F_00_0000000_C_001"
          2 Continuation 2021-01-05 07:59:58 - - "log continued from the older file (log version 3.0.0)"
          3 Message 2021-01-05 08:00:01 INFO 0x5B02 "CPU temperature: 50 degC"
@@ -78,7 +90,8 @@ fn s8_has_one_object_a_line() {
          6 Message 2021-01-05 08:01:31 ERROR 0x7807 "Cannot load application 'Disk://packer/packer.pjx' - error in a program (see event logger)"
          7 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:00\",\"ts\":\"181.0\",\"type\":\"new\",\"val\":\"a type of a later version\"},\"hash\":\"e2b2c3d4e5f6a7b8c9\"}"
          8 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:01\",\"ts\":\"182.0\",\"type\":\"msg\",\"lvl\":\"INFO\",\"id\":\"0x7E01\",\"val\":\"No application run"
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -88,7 +101,8 @@ fn lines_are_decoded_one_by_one() {
     expect![[r#"
          1 Message 2021-01-05 08:00:00 INFO 0x5464 "USR:Öffnen"
          2 Message 2021-01-05 08:00:01 INFO 0x5464 "USR:Öffnen"
-    "#]].assert_eq(&shown(&log));
+    "#]]
+    .assert_eq(&shown(&log));
 }
 
 #[test]
@@ -115,7 +129,8 @@ fn messages_are_explained() {
         RuntimeError(531): point beyond the limits of the axes
         Name("undefined program"): program not in the project
         Name("0x5401"): application ended with pending moves
-    "#]].assert_eq(&text);
+    "#]]
+    .assert_eq(&text);
 }
 
 #[test]
@@ -137,7 +152,8 @@ fn the_running_application_is_known() {
         8 -
         9 -
         10 -
-    "#]].assert_eq(&text);
+    "#]]
+    .assert_eq(&text);
 }
 
 #[test]
@@ -151,7 +167,9 @@ fn logs_are_merged_by_time() {
 }
 
 fn program(application: &str, line: &str) -> (String, Vec<u8>, Option<val3_backup::DateTime>) {
-    let code = format!("<Programs>\n<Program name=\"start\">\n<Code><![CDATA[\nbegin\n  {line}\nend\n]]></Code></Program></Programs>\n");
+    let code = format!(
+        "<Programs>\n<Program name=\"start\">\n<Code><![CDATA[\nbegin\n  {line}\nend\n]]></Code></Program></Programs>\n"
+    );
     (format!("usr/usrapp/{application}/START.pgx"), code.into_bytes(), None)
 }
 
@@ -173,7 +191,8 @@ fn the_line_of_a_program_is_found() {
     let files = MemoryFiles::new([program("one", "call pik()"), program("two", "call pik()")]);
     expect![[r#"
         one: usr/usrapp/one/START.pgx:5: call pik()
-        two: usr/usrapp/two/START.pgx:5: call pik()"#]].assert_eq(&source_lines(&files, message, None));
+        two: usr/usrapp/two/START.pgx:5: call pik()"#]]
+    .assert_eq(&source_lines(&files, message, None));
     expect!["two: usr/usrapp/two/START.pgx:5: call pik()"].assert_eq(&source_lines(&files, message, Some("two")));
     let files = MemoryFiles::new([program("one", "call pick()")]);
     expect!["one: usr/usrapp/one/START.pgx:5: call pick() (changed)"].assert_eq(&source_lines(&files, message, None));

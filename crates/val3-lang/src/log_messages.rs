@@ -161,7 +161,10 @@ mod tests {
     fn codes_have_the_form_of_the_log() {
         for message in log_messages() {
             let digits = message.code.strip_prefix("0x").unwrap();
-            assert!(digits.len() == 4 && digits.bytes().all(|digit| b"0123456789ABCDEF".contains(&digit)), "{message:?}");
+            assert!(
+                digits.len() == 4 && digits.bytes().all(|digit| b"0123456789ABCDEF".contains(&digit)),
+                "{message:?}"
+            );
         }
     }
 

@@ -5,12 +5,12 @@ use val3_syntax::version_file;
 use val3_syntax::view::View;
 use val3_syntax::xml::{self, XmlElement};
 
+use super::UnreadFile;
 use super::applications::{ApplicationInfo, applications};
 use super::cfx::{Settings, TextFiles, joined};
 use super::options::{ControllerOption, options};
 use super::roots::ControllerRoot;
 use super::users::{User, users};
-use super::UnreadFile;
 use crate::BackupFiles;
 
 /// Description of a controller. A missing entry is missing in the backup.
@@ -53,7 +53,8 @@ pub struct ControllerInfo {
 }
 
 /// Settings of `controller.cfx` that state whether a board exists, and the names of the boards.
-const BOARDS: [(&str, &str); 4] = [("buildBio", "bio"), ("buildBio2", "bio2"), ("buildMio", "mio"), ("buildCio", "cio")];
+const BOARDS: [(&str, &str); 4] =
+    [("buildBio", "bio"), ("buildBio2", "bio2"), ("buildMio", "mio"), ("buildCio", "cio")];
 
 /// Reads the files of the controller with this root.
 pub(super) fn read(files: &dyn BackupFiles, root: &ControllerRoot) -> ControllerInfo {
@@ -69,7 +70,8 @@ pub(super) fn read(files: &dyn BackupFiles, root: &ControllerRoot) -> Controller
     let arm_file = ArmFile::read(&arm_text);
     let version = texts.text(&joined(&configs, "val3version.xml")).and_then(|text| version_file::language(&text));
     let emulator = emulator(&mut texts, &root.path);
-    let [controller_version, drawing] = emulator.map(|text| [content(&text, "Version"), content(&text, "RobotSkin")]).unwrap_or_default();
+    let [controller_version, drawing] =
+        emulator.map(|text| [content(&text, "Version"), content(&text, "RobotSkin")]).unwrap_or_default();
     let first = |name: &str| controller.value(name).or_else(|| system.value(name)).map(str::to_owned);
     let named_arm = arm_file.model.or_else(|| system.value("arm").map(str::to_owned));
     let mut options_found = options(&controller);

@@ -62,7 +62,10 @@ mod tests {
 
     #[test]
     fn controllers_are_found_at_any_depth() {
-        assert_eq!(roots(&["usr/usrapp/a/a.pjx", "usr/configs/arm.cfx", "sys/configs/options.cfx"]), pairs(&[("", "usr")]));
+        assert_eq!(
+            roots(&["usr/usrapp/a/a.pjx", "usr/configs/arm.cfx", "sys/configs/options.cfx"]),
+            pairs(&[("", "usr")])
+        );
         assert_eq!(roots(&["usrapp/a/a.pjx"]), pairs(&[("", "")]));
         let two = roots(&["x/C1/usr/configs/arm.cfx", "x/C2/USR/Configs/arm.cfx"]);
         assert_eq!(two, pairs(&[("x/C1", "x/C1/usr"), ("x/C2", "x/C2/USR")]));

@@ -21,7 +21,8 @@ pub(super) fn entry(line: &str) -> Option<LogEntry> {
 }
 
 fn is_code(text: &str) -> bool {
-    text.strip_prefix("0x").is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_hexdigit()))
+    text.strip_prefix("0x")
+        .is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_hexdigit()))
 }
 
 fn is_rule(text: &str) -> bool {

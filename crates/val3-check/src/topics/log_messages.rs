@@ -1,8 +1,6 @@
 //! Pages of messages in the controller's event log, and of the faults that its compiler reports there.
 
-use val3_lang::log_messages::{
-    COMPILE_ERROR, CompileFault, Explanation, LogMessage, compile_faults, log_messages,
-};
+use val3_lang::log_messages::{COMPILE_ERROR, CompileFault, Explanation, LogMessage, compile_faults, log_messages};
 
 use super::topic::{Topic, TopicKind};
 

@@ -100,7 +100,8 @@ impl FromStr for Since {
             number.parse::<u32>().ok()?.checked_mul(factor)
         };
         let time = DateTime::parse(text).map(Self::At);
-        time.or_else(|| seconds().map(Self::BeforeLast)).ok_or("write a date (2021-01-05 or 2021-01-05T08:00) or 30m, 2h, 3d")
+        time.or_else(|| seconds().map(Self::BeforeLast))
+            .ok_or("write a date (2021-01-05 or 2021-01-05T08:00) or 30m, 2h, 3d")
     }
 }
 

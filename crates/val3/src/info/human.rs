@@ -53,7 +53,8 @@ fn section(title: &str, lines: Vec<String>, out: &mut dyn WriteColor) -> io::Res
 fn identity(info: &ControllerInfo) -> Vec<(&'static str, String)> {
     let known = |value: &Option<String>| value.clone().unwrap_or_else(|| "unknown".to_owned());
     let options = info.options.iter().map(|option| format!("{} ({})", option.name, option.state.word()));
-    let mut lines = vec![("serial number", known(&info.serial)), ("software", known(&info.version)), ("arm", arm(info))];
+    let mut lines =
+        vec![("serial number", known(&info.serial)), ("software", known(&info.version)), ("arm", arm(info))];
     let hours = info.power_hours.map(|hours| format!("{hours:.1} h"));
     let more = [
         ("simulation", info.simulation.clone()),
@@ -93,7 +94,8 @@ fn applications(applications: &[ApplicationInfo]) -> Vec<String> {
 }
 
 fn boards(info: &ControllerInfo, devices: &[DeviceInfo]) -> Vec<String> {
-    let absent = info.boards.iter().filter(|(_, exists)| !exists).map(|(name, _)| format!("{name}: not in the controller"));
+    let absent =
+        info.boards.iter().filter(|(_, exists)| !exists).map(|(name, _)| format!("{name}: not in the controller"));
     devices.iter().map(device).chain(absent).collect()
 }
 

@@ -91,12 +91,12 @@ impl Position {
 /// Writes the records. Returns whether the output is still read.
 fn write(records: &[MessageRecord], format: LogFormat, human: &mut HumanLog, color: Color) -> Result<bool, UserError> {
     match format {
-        LogFormat::Human => to_reader(OutputContent::Words, color, |out| {
-            records.iter().try_for_each(|record| human.write(record, out))
-        }),
-        LogFormat::Json | LogFormat::JsonLines => to_reader(OutputContent::Json, color, |out| {
-            records.iter().try_for_each(|record| write_line(record, out))
-        }),
+        LogFormat::Human => {
+            to_reader(OutputContent::Words, color, |out| records.iter().try_for_each(|record| human.write(record, out)))
+        }
+        LogFormat::Json | LogFormat::JsonLines => {
+            to_reader(OutputContent::Json, color, |out| records.iter().try_for_each(|record| write_line(record, out)))
+        }
     }
 }
 

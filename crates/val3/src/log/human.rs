@@ -61,10 +61,7 @@ fn headline(record: &MessageRecord, out: &mut dyn WriteColor) -> io::Result<()> 
 
 /// Application, task and program, as far as the text does not name them.
 fn place(record: &MessageRecord) -> Option<String> {
-    let parts = [
-        ("application", &record.application),
-        ("program", &record.program),
-    ];
+    let parts = [("application", &record.application), ("program", &record.program)];
     let is_new = |name: &str| !record.text.contains(name) && record.sources.is_empty();
     let known = parts.into_iter().filter_map(|(kind, name)| Some((kind, name.as_deref().filter(|name| is_new(name))?)));
     let known: Vec<String> = known.map(|(kind, name)| format!("{kind} `{}`", one_line(name))).collect();

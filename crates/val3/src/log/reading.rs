@@ -26,7 +26,8 @@ pub(super) fn read(path: &Utf8Path, paths: &Paths) -> Result<ReadLog, UserError>
     if path.is_dir() || is_archive_name(path) {
         return read_backup(path, paths);
     }
-    let bytes = val3_files::read(path, FileClass::Record).map_err(|reason| unreadable(path, &reason.to_string(), paths))?;
+    let bytes =
+        val3_files::read(path, FileClass::Record).map_err(|reason| unreadable(path, &reason.to_string(), paths))?;
     let logged = file_entries(&bytes, path, paths)?;
     let folder = path.parent().unwrap_or(path).to_owned();
     Ok(ReadLog { logged, folder, backup: None })

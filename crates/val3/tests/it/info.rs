@@ -68,7 +68,11 @@ fn an_archive_is_described() {
 fn other_folders_are_refused() {
     let folder = Folder::empty();
     folder.write("a/readme.txt", "");
-    for (path, message) in [("a", "contains neither applications nor settings"), ("a/readme.txt", "neither a folder nor a zip"), ("b", "does not exist")] {
+    for (path, message) in [
+        ("a", "contains neither applications nor settings"),
+        ("a/readme.txt", "neither a folder nor a zip"),
+        ("b", "does not exist"),
+    ] {
         let run = folder.val3(&["info", path]);
         assert!(run.code == 2 && run.stderr.contains(message), "{path}: {run:?}");
     }

@@ -16,7 +16,8 @@ const S8_SYSTEM: &str = include_str!("../../../val3-backup/tests/logs/s8-system.
 fn cell() -> Folder {
     let folder = Folder::empty();
     let code = "begin\n  cls()\n  cls()\n  cls()\n  call pik()\nend\n";
-    let program = format!("<Programs>\n<Program name=\"start\">\n<Code><![CDATA[{code}]]></Code>\n</Program>\n</Programs>\n");
+    let program =
+        format!("<Programs>\n<Program name=\"start\">\n<Code><![CDATA[{code}]]></Code>\n</Program>\n</Programs>\n");
     folder.write("usr/usrapp/packer/start.pgx", &program);
     folder.write("usr/usrapp/packer/packer.pjx", "<Project/>\n");
     folder.write("log/user.log", S8);
@@ -105,12 +106,7 @@ fn files_that_are_no_log_are_refused() {
     folder.write("a/log/user.log", "");
     folder.write("b/log/user.log", "");
     folder.write("c/readme.txt", "");
-    let messages = [
-        ("errors.log", "UTF-16"),
-        ("none.log", "no such file"),
-        ("c", "there is no log in `c`"),
-        ("a", ""),
-    ];
+    let messages = [("errors.log", "UTF-16"), ("none.log", "no such file"), ("c", "there is no log in `c`"), ("a", "")];
     for (path, message) in messages {
         let run = folder.val3(&["log", path]);
         assert_eq!(run.code, if message.is_empty() { 0 } else { 2 }, "{path}: {run:?}");
