@@ -1,5 +1,4 @@
-//! What a backup of a controller contains beside its applications: the messages of its logs, and a description of the
-//! controller itself.
+//! Contents of a controller backup beside the applications: log messages, and a description of the controller.
 //!
 //! The files come from a [`BackupFiles`]: a folder, an archive or a controller. This crate opens nothing itself.
 

@@ -21,5 +21,5 @@ pub use lines::{entries, foreign_content, line_entry};
 pub use log_files::{LogFolder, log_folders};
 pub use merged::{LoggedEntry, merged};
 pub use running::RunningApplications;
-pub use source::{ProgramSources, SourceLine};
+pub use source::{FoundLines, ProgramSources, SourceLine};
 pub use subject::Subject;

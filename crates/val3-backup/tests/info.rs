@@ -243,42 +243,35 @@ fn damaged_files_are_named() {
     check(
         &[("usr/configs/arm.cfx", "<arm><String"), ("usr/configs/profiles/a.cfx", "")],
         expect![[r#"
-        ControllerInfo {
-            serial: None,
-            version: None,
-            arm: None,
-            arm_of_drawing: false,
-            arm_serial: None,
-            mount: None,
-            length_axis3: None,
-            simulation: None,
-            power_hours: None,
-            language: None,
-            auto_start: None,
-            options: [],
-            add_ons: [],
-            applications: [],
-            boards: [],
-            users: [
-                User {
-                    name: "a",
-                    is_default: false,
-                    rights: [],
-                    denied: [],
-                },
-            ],
-            unread: [
-                UnreadFile {
-                    path: "usr/configs/arm.cfx",
-                    reason: "line 1: an element is not closed; the file is cut off or damaged",
-                },
-                UnreadFile {
-                    path: "usr/configs/profiles/a.cfx",
-                    reason: "it is empty; copy it again",
-                },
-            ],
-        }
-    "#]],
+            ControllerInfo {
+                serial: None,
+                version: None,
+                arm: None,
+                arm_of_drawing: false,
+                arm_serial: None,
+                mount: None,
+                length_axis3: None,
+                simulation: None,
+                power_hours: None,
+                language: None,
+                auto_start: None,
+                options: [],
+                add_ons: [],
+                applications: [],
+                boards: [],
+                users: [],
+                unread: [
+                    UnreadFile {
+                        path: "usr/configs/arm.cfx",
+                        reason: "line 1: an element is not closed; the file is cut off or damaged",
+                    },
+                    UnreadFile {
+                        path: "usr/configs/profiles/a.cfx",
+                        reason: "it is empty; copy it again",
+                    },
+                ],
+            }
+        "#]],
     );
 }
 

@@ -37,12 +37,12 @@ fn s6_has_no_codes() {
     check(
         S6,
         expect![[r#"
-         1 Start 2012-03-14 09:30:00 - - "--------------------------------"
-         2 Start 2012-03-14 09:30:00 - - "Logger started"
-         3 Message 2012-03-14 09:30:07 INFO - "packer application started"
-         4 Message 2012-03-14 09:31:40 ERROR - "(File pickPart.pgx-line 12) 'nCuont' : invalid name"
-         6 Message 2012-03-14 09:32:00 ERROR - "ERR 10 Division by zero.. packer~."
-    "#]],
+             1 Start 2012-03-14 09:30:00 - - "--------------------------------"
+             2 Start 2012-03-14 09:30:00 - - "Logger started"
+             3 Message 2012-03-14 09:30:07 INFO - "packer application started"
+             4 Message 2012-03-14 09:31:40 ERROR - "(File pickPart.pgx-line 12) 'nCuont' : invalid name"
+             6 Message 2012-03-14 09:32:00 ERROR - "ERR 10 Division by zero.. packer~."
+        "#]],
     );
 }
 
@@ -70,27 +70,27 @@ fn s8_has_one_object_a_line() {
     check(
         S8,
         expect![[r#"
-         1 Start 2021-01-05 08:00:00 - - "controller started (log version 3.0.0)"
-         2 Message 2021-01-05 08:00:40 INFO 0x5402 "Application 'packer' started."
-         3 Message 2021-01-05 08:00:50 ERROR 0x5404 "VAL3 runtime error. Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
-         4 Message 2021-01-05 08:00:50 ERROR 0x5404 "ERR 531 Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
-         5 Message 2021-01-05 08:01:30 ERROR 0x5405 "(File start.pgx-line 5) 'pik' : undefined program"
-         6 Message 2021-01-05 08:02:00 INFO 0x5464 "bell \u{7} and\ttab"
-         7 Message 2021-01-05 08:02:10 WARN 0x5401 "Application has ended, pending motion was cancelled."
-    "#]],
+             1 Start 2021-01-05 08:00:00 - - "controller started (log version 3.0.0)"
+             2 Message 2021-01-05 08:00:40 INFO 0x5402 "Application 'packer' started."
+             3 Message 2021-01-05 08:00:50 ERROR 0x5404 "VAL3 runtime error. Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
+             4 Message 2021-01-05 08:00:50 ERROR 0x5404 "ERR 531 Cartesian position out of joint limits.. first.btnPark.click_clkPark. "
+             5 Message 2021-01-05 08:01:30 ERROR 0x5405 "(File start.pgx-line 5) 'pik' : undefined program"
+             6 Message 2021-01-05 08:02:00 INFO 0x5464 "bell \u{7} and\ttab"
+             7 Message 2021-01-05 08:02:10 WARN 0x5401 "Application has ended, pending motion was cancelled."
+        "#]],
     );
     check(
         S8_SYSTEM,
         expect![[r#"
-         1 Unknown - - - "[01/05/21 07:59: DVM(INFO): Serial Number : F_00_0000000_C_001"
-         2 Continuation 2021-01-05 07:59:58 - - "log continued from the older file (log version 3.0.0)"
-         3 Message 2021-01-05 08:00:01 INFO 0x5B02 "CPU temperature: 50 degC"
-         4 Message 2021-01-05 08:00:45 ERROR 0x1626 "Cannot settle arm power: user stop USIB (J100-5/6)."
-         5 State 2021-01-05 08:01:30 - - "{\"controller\":{\"cpu\":1},\"timestamp\":91.5}"
-         6 Message 2021-01-05 08:01:31 ERROR 0x7807 "Cannot load application 'Disk://packer/packer.pjx' - error in a program (see event logger)"
-         7 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:00\",\"ts\":\"181.0\",\"type\":\"new\",\"val\":\"a type of a later version\"},\"hash\":\"e2b2c3d4e5f6a7b8c9\"}"
-         8 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:01\",\"ts\":\"182.0\",\"type\":\"msg\",\"lvl\":\"INFO\",\"id\":\"0x7E01\",\"val\":\"No application run"
-    "#]],
+             1 Unknown - - - "[01/05/21 07:59: DVM(INFO): Serial Number : F_00_0000000_C_001"
+             2 Continuation 2021-01-05 07:59:58 - - "log continued from the older file (log version 3.0.0)"
+             3 Message 2021-01-05 08:00:01 INFO 0x5B02 "CPU temperature: 50 degC"
+             4 Message 2021-01-05 08:00:45 ERROR 0x1626 "Cannot settle arm power: user stop USIB (J100-5/6)."
+             5 State 2021-01-05 08:01:30 - - "{\"controller\":{\"cpu\":1},\"timestamp\":91.5}"
+             6 Message 2021-01-05 08:01:31 ERROR 0x7807 "Cannot load application 'Disk://packer/packer.pjx' - error in a program (see event logger)"
+             7 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:00\",\"ts\":\"181.0\",\"type\":\"new\",\"val\":\"a type of a later version\"},\"hash\":\"e2b2c3d4e5f6a7b8c9\"}"
+             8 Unknown - - - "{\"entry\":{\"date\":\"2021-01-05T08:03:01\",\"ts\":\"182.0\",\"type\":\"msg\",\"lvl\":\"INFO\",\"id\":\"0x7E01\",\"val\":\"No application run"
+        "#]],
     );
 }
 
@@ -176,7 +176,7 @@ fn program(application: &str, line: &str) -> (String, Vec<u8>, Option<val3_backu
 fn source_lines(files: &MemoryFiles, message: &str, application: Option<&str>) -> String {
     let entry = line_entry(1, message.as_bytes()).unwrap();
     let found = ProgramSources::new(files.files()).lines(files, &entry.subject(), application);
-    let shown = found.iter().map(|line| {
+    let shown = found.lines.iter().map(|line| {
         let changed = if line.is_changed { " (changed)" } else { "" };
         format!("{}: {}:{}: {}{changed}", line.application, line.path, line.line, line.text)
     });

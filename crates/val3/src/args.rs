@@ -36,7 +36,7 @@ pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use info::{InfoArgs, InfoFormat};
-pub(crate) use log::{LevelArgument, LogArgs, LogFormat, Since};
+pub(crate) use log::{LogArgs, LogFormat, Since};
 pub(crate) use mcp::McpArgs;
 pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};

@@ -48,7 +48,7 @@ pub struct ControllerInfo {
     pub boards: Vec<(String, bool)>,
     /// Users.
     pub users: Vec<User>,
-    /// Files that cannot be read. What they contain is missing above.
+    /// Files that cannot be read. Their entries are missing above.
     pub unread: Vec<UnreadFile>,
 }
 

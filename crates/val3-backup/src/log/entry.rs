@@ -67,7 +67,7 @@ impl LogEntry {
         self.code.as_deref().or_else(of_text)
     }
 
-    /// What the message refers to.
+    /// Subject of the message.
     #[must_use]
     pub fn subject(&self) -> Subject {
         Subject::of(self.known_code(), &self.text)

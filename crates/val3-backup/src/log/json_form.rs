@@ -20,7 +20,7 @@ pub(super) fn entry(line: &str) -> Option<LogEntry> {
     let text = |key: &str| entry.get(key).and_then(Value::as_str);
     let (form, message) = match text("type")? {
         "msg" => (LineForm::Message, shown(entry.get("val")?)),
-        "key" => (LineForm::Message, filled(entry, 0)),
+        "key" => (LineForm::Message, filled(entry, 0)?),
         "state" => (LineForm::State, shown(entry.get("val")?)),
         "run" => (LineForm::Start, start("controller started", text("version"))),
         "swap" => (LineForm::Continuation, start("log continued from the older file", text("version"))),
@@ -42,8 +42,9 @@ fn start(what: &str, version: Option<&str>) -> String {
 }
 
 /// Inserts the values of `data` in the pattern of `val`. Values without a place in the pattern are appended.
-fn filled(entry: &Value, depth: usize) -> String {
-    let pattern = entry.get("val").map(shown).unwrap_or_default();
+/// `None` if there is no pattern.
+fn filled(entry: &Value, depth: usize) -> Option<String> {
+    let pattern = shown(entry.get("val")?);
     let data = entry.get("data").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
     let mut values = data.iter().map(|value| value_text(value, depth));
     let mut text = String::with_capacity(pattern.len());
@@ -61,15 +62,14 @@ fn filled(entry: &Value, depth: usize) -> String {
         text.push(' ');
         text.push_str(&value);
     }
-    text
+    Some(text)
 }
 
 /// Text of a value, which can be a pattern with values itself.
 fn value_text(value: &Value, depth: usize) -> String {
-    if value.get("data").is_some() && depth < DEPTH {
-        return filled(value, depth + 1);
-    }
-    shown(value.get("val").unwrap_or(value))
+    let is_pattern = value.get("data").is_some() && depth < DEPTH;
+    let filled = is_pattern.then(|| filled(value, depth + 1)).flatten();
+    filled.unwrap_or_else(|| shown(value.get("val").unwrap_or(value)))
 }
 
 /// Splits a text at its first place for a value, such as `%s`, `%5.2f` or `%lu`.

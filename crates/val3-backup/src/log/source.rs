@@ -36,12 +36,22 @@ pub struct SourceLine {
     pub is_changed: bool,
 }
 
+/// Lines to which a message may refer.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FoundLines {
+    /// Lines.
+    pub lines: Vec<SourceLine>,
+    /// Paths of programs that cannot be read, with the reason.
+    pub unread: Vec<(String, String)>,
+}
+
 impl ProgramSources {
-    /// Collects the programs in a backup. They are only read when a message refers to them.
+    /// Collects the programs in `usrapp`, or all programs if the backup has no such folder. They are only read when a message refers to them.
     #[must_use]
     pub fn new(files: &[BackupFile]) -> Self {
         let mut programs: BTreeMap<String, Vec<Program>> = BTreeMap::new();
-        for file in files {
+        let has_applications = files.iter().any(|file| is_of_application(&file.path));
+        for file in files.iter().filter(|file| !has_applications || is_of_application(&file.path)) {
             let mut parts = file.path.rsplit('/');
             let name = parts.next().and_then(|name| name.rsplit_once('.'));
             let Some((name, _)) = name.filter(|(_, extension)| extension.eq_ignore_ascii_case("pgx")) else { continue };
@@ -51,19 +61,30 @@ impl ProgramSources {
         Self(programs)
     }
 
-    /// Returns the lines that a message may refer to. Several applications can have a program of the name: lines with
+    /// Returns the lines to which a message may refer. Several applications can have a program of the name: lines with
     /// the token in the message have precedence, then lines of `application`.
     #[must_use]
-    pub fn lines(&self, files: &dyn BackupFiles, subject: &Subject, application: Option<&str>) -> Vec<SourceLine> {
-        let (Some(program), Some(code_line)) = (&subject.program, subject.code_line) else { return Vec::new() };
-        let programs = self.0.get(&program.to_lowercase()).map(Vec::as_slice).unwrap_or_default();
-        let found = programs.iter().filter_map(|program| program.line(files, code_line, subject.token.as_deref()));
-        let mut found: Vec<SourceLine> = found.collect();
-        retain_if_any(&mut found, |line| !line.is_changed);
+    pub fn lines(&self, files: &dyn BackupFiles, subject: &Subject, application: Option<&str>) -> FoundLines {
+        let (Some(program), Some(code_line)) = (&subject.program, subject.code_line) else {
+            return FoundLines::default();
+        };
+        let mut found = FoundLines::default();
+        for program in self.0.get(&program.to_lowercase()).into_iter().flatten() {
+            match files.read(&program.path) {
+                Ok(bytes) => found.lines.extend(program.line(bytes, code_line, subject.token.as_deref())),
+                Err(reason) => found.unread.push((program.path.clone(), reason)),
+            }
+        }
+        retain_if_any(&mut found.lines, |line| !line.is_changed);
         let application = subject.application.as_deref().or(application);
-        retain_if_any(&mut found, |line| Some(line.application.as_str()) == application);
+        retain_if_any(&mut found.lines, |line| Some(line.application.as_str()) == application);
         found
     }
+}
+
+/// Whether the file is in `usrapp`. Programs in other folders are templates.
+fn is_of_application(path: &str) -> bool {
+    path.split('/').any(|part| part.eq_ignore_ascii_case("usrapp"))
 }
 
 /// Retains the lines for which `is_better` holds, if there are any.
@@ -74,9 +95,9 @@ fn retain_if_any(lines: &mut Vec<SourceLine>, is_better: impl Fn(&SourceLine) ->
 }
 
 impl Program {
-    /// Returns a line of the code, from 1 at `begin`; `None` if the file cannot be read or is shorter.
-    fn line(&self, files: &dyn BackupFiles, code_line: usize, token: Option<&str>) -> Option<SourceLine> {
-        let text = decode(files.read(&self.path).ok()?).text;
+    /// Returns a line of the code in the file's content, from 1 at `begin`; `None` if the code is shorter.
+    fn line(&self, content: Vec<u8>, code_line: usize, token: Option<&str>) -> Option<SourceLine> {
+        let text = decode(content).text;
         let (begin, end) = code_range(parse(&text).view())?;
         let code = text.get(begin..end)?.lines().nth(code_line.checked_sub(1)?)?.trim();
         let line = text.get(..begin)?.matches('\n').count() + code_line;

@@ -1,8 +1,8 @@
-//! What a message refers to: application, task, program, line, number of a run-time error.
+//! Subject of a message: application, task, program, line, run-time error.
 
 use val3_lang::log_messages::{APPLICATION_STARTED, APPLICATION_STOPPED, COMPILE_ERROR, NOT_LOADED, RUNTIME_ERROR};
 
-/// What a message refers to, as far as its text states it.
+/// Subject of a message. Each field is `None` if the text does not contain it.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Subject {
     /// Name of the application.

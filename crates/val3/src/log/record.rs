@@ -89,7 +89,7 @@ impl<'a> Recorder<'a> {
         let subject = entry.subject();
         let explanation = explanation(entry);
         let running = self.running.only().filter(|_| is_of_program(entry, subject.error));
-        let sources = self.sources.lines(entry, self.running.only());
+        let sources = self.sources.lines(entry, self.running.latest());
         let only_source = match sources.as_slice() {
             [(_, line)] => Some(line.application.clone()),
             _ => None,

@@ -1,7 +1,10 @@
 //! Programs to which messages refer.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_backup::log::{LogEntry, ProgramSources, SourceLine};
+use val3_backup::log::{FoundLines, LogEntry, ProgramSources, SourceLine};
 
 use crate::backup_files::{OpenedBackup, open};
 use crate::user_error::UserError;
@@ -10,7 +13,11 @@ use crate::user_error::UserError;
 const LEVELS: usize = 4;
 
 /// Programs of the applications at hand.
-pub(super) struct Sources(Option<(OpenedBackup, ProgramSources)>);
+pub(super) struct Sources {
+    opened: Option<(OpenedBackup, ProgramSources)>,
+    /// Programs that could not be read, with the reason.
+    unread: RefCell<BTreeMap<Utf8PathBuf, String>>,
+}
 
 impl Sources {
     /// Opens the folder or archive of `--sources`, otherwise the backup that contains the logs, otherwise the cell
@@ -27,23 +34,29 @@ impl Sources {
                 None => applications_around(logs).map(|folder| open(&folder)).transpose()?,
             },
         };
-        Ok(Self(opened.map(|backup| {
+        let with_programs = |backup: OpenedBackup| {
             let programs = ProgramSources::new(backup.files.files());
             (backup, programs)
-        })))
+        };
+        Ok(Self { opened: opened.map(with_programs), unread: RefCell::default() })
     }
 
     /// Returns the lines to which a message may refer, with their absolute paths.
     pub(super) fn lines(&self, entry: &LogEntry, application: Option<&str>) -> Vec<(Utf8PathBuf, SourceLine)> {
-        let Some((backup, programs)) = &self.0 else { return Vec::new() };
-        let lines = programs.lines(backup.files.as_ref(), &entry.subject(), application);
+        let Some((backup, programs)) = &self.opened else { return Vec::new() };
+        let FoundLines { lines, unread } = programs.lines(backup.files.as_ref(), &entry.subject(), application);
+        let unread = unread.into_iter().map(|(path, reason)| (backup.root.join(path), reason));
+        self.unread.borrow_mut().extend(unread);
         lines.into_iter().map(|line| (backup.root.join(&line.path), line)).collect()
     }
 
-    /// Returns notes about folders that were not searched.
+    /// Returns notes about folders that were not searched, and about programs that could not be read.
     pub(super) fn unread(&self) -> Vec<String> {
-        let unread = self.0.iter().flat_map(|(backup, _)| &backup.unread);
-        unread.map(|(path, reason)| format!("no programs are searched in `{path}`: {reason}")).collect()
+        let folders = self.opened.iter().flat_map(|(backup, _)| &backup.unread);
+        let folders = folders.map(|(path, reason)| format!("no programs are searched in `{path}`: {reason}"));
+        let programs = self.unread.borrow();
+        let programs = programs.iter().map(|(path, reason)| format!("cannot read `{path}`: {reason}"));
+        folders.chain(programs).collect()
     }
 }
 
