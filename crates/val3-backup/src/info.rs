@@ -13,6 +13,7 @@ mod users;
 use crate::BackupFiles;
 
 pub use applications::ApplicationInfo;
+pub use cfx::{TextFiles, joined};
 pub use controller::ControllerInfo;
 pub use options::{ControllerOption, OptionState};
 pub use roots::{ControllerRoot, controller_roots};

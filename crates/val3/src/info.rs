@@ -58,15 +58,14 @@ pub(crate) fn run(args: &InfoArgs, color: Color) -> Result<ExitCode, UserError> 
 fn describe(backup: &OpenedBackup, root: &ControllerRoot, paths: &Paths) -> DescribedController {
     let place = backup.root.join(&root.path);
     let info = controller_info(backup.files.as_ref(), root);
-    let (devices, faults) = devices(backup.files.as_ref(), &root.usr);
+    let (devices, unread_devices) = devices(backup.files.as_ref(), &root.usr);
     let logs = log_folders(backup.files.files()).into_iter();
     let logs = logs.filter(|folder| Utf8Path::new(&folder.path).starts_with(&root.path));
     let mut unread: Vec<(String, String)> =
         backup.unread.iter().map(|(path, reason)| (paths.to_open(path), reason.clone())).collect();
     let of_backup = |path: &str| paths.to_open(&backup.root.join(path));
-    unread.extend(info.unread.iter().map(|file| (of_backup(&file.path), file.reason.clone())));
-    unread.extend(faults.into_iter().map(|(path, reason)| (of_backup(&path), reason)));
-    unread.dedup();
+    let files = info.unread.iter().chain(&unread_devices);
+    unread.extend(files.map(|file| (of_backup(&file.path), file.reason.clone())));
     DescribedController {
         path: paths.to_open(&place),
         logs: logs.map(|folder| of_backup(&folder.path)).collect(),

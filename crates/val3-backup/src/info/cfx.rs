@@ -50,21 +50,22 @@ fn setting(element: XmlElement<'_>) -> Option<Setting> {
     Some(Setting { kind: element.name().to_owned(), name: name.into_owned(), value: value.trim().to_owned() })
 }
 
-/// Reads text files, and notes those that cannot be read.
-pub(super) struct TextFiles<'f> {
+/// Reads XML files of a backup, and stores the files that cannot be read.
+pub struct TextFiles<'f> {
     files: &'f dyn BackupFiles,
     /// Files that exist but cannot be read.
-    pub(super) unread: Vec<UnreadFile>,
+    pub unread: Vec<UnreadFile>,
 }
 
 impl<'f> TextFiles<'f> {
     /// Creates a reader of these files.
-    pub(super) fn new(files: &'f dyn BackupFiles) -> Self {
+    #[must_use]
+    pub fn new(files: &'f dyn BackupFiles) -> Self {
         Self { files, unread: Vec::new() }
     }
 
     /// Returns the text of the XML file at this path, in any letter case; `None` if it does not exist or cannot be read.
-    pub(super) fn text(&mut self, path: &str) -> Option<String> {
+    pub fn text(&mut self, path: &str) -> Option<String> {
         let file = self.files.files().iter().find(|file| file.path.eq_ignore_ascii_case(path))?;
         let bytes = self.files.read(&file.path);
         let text = bytes.and_then(|bytes| document::text(bytes).map_err(|fault| fault.to_string()));
@@ -94,6 +95,7 @@ impl<'f> TextFiles<'f> {
 }
 
 /// Joins paths of a backup; an empty folder is the root.
-pub(super) fn joined(folder: &str, path: &str) -> String {
+#[must_use]
+pub fn joined(folder: &str, path: &str) -> String {
     if folder.is_empty() { path.to_owned() } else { format!("{folder}/{path}") }
 }

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use val3_analysis::cell::{CellIo, Device};
 use val3_analysis::load::cell_io;
 use val3_backup::BackupFiles;
-use val3_syntax::document;
+use val3_backup::info::{TextFiles, UnreadFile, joined};
+use val3_lang::types::BaseType;
 
 /// A device with its signals.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,24 +61,18 @@ impl SignalDirection {
 }
 
 /// Returns the devices with a supported configuration file, sorted by name, and the files that cannot be read.
-pub(super) fn devices(files: &dyn BackupFiles, usr: &str) -> (Vec<DeviceInfo>, Vec<(String, String)>) {
-    let mut faults = Vec::new();
-    let io = cell_io(|path| {
-        let path = if usr.is_empty() { path.to_owned() } else { format!("{usr}/{path}") };
-        let file = files.files().iter().find(|file| file.path.eq_ignore_ascii_case(&path))?;
-        let bytes = files.read(&file.path);
-        let text = bytes.and_then(|bytes| document::text(bytes).map_err(|fault| fault.to_string()));
-        text.map_err(|reason| faults.push((file.path.clone(), reason))).ok()
-    });
+pub(super) fn devices(files: &dyn BackupFiles, usr: &str) -> (Vec<DeviceInfo>, Vec<UnreadFile>) {
+    let mut texts = TextFiles::new(files);
+    let io = cell_io(|path| texts.text(&joined(usr, path)));
     let CellIo { devices, names, .. } = &io;
     let names: BTreeMap<&str, &str> = names.iter().map(|(name, link)| (link.as_str(), name.as_str())).collect();
     let mut found: Vec<DeviceInfo> = devices.iter().map(|(name, device)| info(name, device, &names)).collect();
     found.sort_by(|one, next| one.name.cmp(&next.name));
-    (found, faults)
+    (found, texts.unread)
 }
 
 fn info(name: &str, device: &Device, names: &BTreeMap<&str, &str>) -> DeviceInfo {
-    let signal = |(address, ty): (&String, &val3_lang::types::BaseType)| {
+    let signal = |(address, ty): (&String, &BaseType)| {
         let link = format!("{name}\\{address}");
         let name = names.get(link.as_str()).map(|&name| name.to_owned());
         SignalInfo { link, ty: ty.name(), name, direction: SignalDirection::of(address) }
