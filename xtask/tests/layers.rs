@@ -220,6 +220,12 @@ fn merging_knows_trees_and_values() {
 }
 
 #[test]
+fn backups_know_trees_and_the_tables_of_the_language() {
+    let forbidden = ["salsa", "rowan", "clap", "tokio", "camino"];
+    check_only("val3-backup", &["val3-syntax", "val3-lang"], &forbidden);
+}
+
+#[test]
 fn layout_knows_trees_and_settings() {
     check_only("val3-fmt", &["val3-syntax", "val3-config"], &["salsa", "clap", "tokio"]);
 }
@@ -316,6 +322,7 @@ fn every_crate_has_its_place() {
         "val3-schema",
         "val3-modbus",
         "val3-config",
+        "val3-backup",
         "val3-test",
         "val3-generate",
         "val3-tests",
@@ -380,6 +387,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-schema",
         "val3-modbus",
         "val3-config",
+        "val3-backup",
         "val3-dap",
         "val3-check",
         "val3-diff",

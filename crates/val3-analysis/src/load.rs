@@ -25,6 +25,7 @@ use smol_str::SmolStr;
 use val3_config::ConfigError;
 use val3_files::ProcessLimits;
 
+pub use self::cells::cell_io;
 pub use self::configuration::{nearest_configuration, request_configuration};
 pub use self::error::{LoadError, NO_APPLICATION};
 pub use self::outside::{cell_around, is_below_tests, leads_outside, refused_link};

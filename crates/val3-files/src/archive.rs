@@ -68,6 +68,28 @@ pub fn archive_entries(path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, ArchiveFault
     Ok(files.map(Utf8PathBuf::from).collect())
 }
 
+/// Date and time of an entry's last change: year, month, day, hour, minute, second, in an unknown time zone.
+pub type EntryDate = [u16; 6];
+
+/// Dates of the files in the archive at `path`, by their paths in the archive. Only its directory is read.
+///
+/// # Errors
+/// If the archive cannot be read, or has too many entries.
+pub fn archive_dates(path: &Utf8Path) -> Result<Vec<(Utf8PathBuf, EntryDate)>, ArchiveFault> {
+    let file = open_regular(path).map_err(ArchiveFault::Unreadable)?;
+    let mut archive = open(BufReader::new(file))?;
+    let mut dates = Vec::new();
+    for index in 0..archive.len() {
+        let raw = archive.by_index_raw(index).map_err(|_| ArchiveFault::Damaged)?;
+        let Some(date) = raw.last_modified().filter(|_| !raw.is_dir()) else { continue };
+        let name = inner_path(&raw.name().map_err(|_| ArchiveFault::Damaged)?)?;
+        let [month, day, hour, minute, second] =
+            [date.month(), date.day(), date.hour(), date.minute(), date.second()].map(u16::from);
+        dates.push((name, [date.year(), month, day, hour, minute, second]));
+    }
+    Ok(dates)
+}
+
 /// Files in the archive at `path` for which `wanted` returns true, by their paths in the archive.
 ///
 /// # Errors
@@ -202,6 +224,19 @@ mod tests {
         std::fs::write(&path, "text").unwrap();
         assert_eq!(archive_entries(&path), Err(ArchiveFault::NoArchive));
         assert_eq!(archive_entries(&folder), Err(ArchiveFault::Unreadable(Unreadable::Folder)));
+    }
+
+    #[test]
+    fn the_dates_of_an_archive_are_listed() {
+        let (_kept, folder) = folder();
+        let path = folder.join("backup.zip");
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        let date = zip::DateTime::from_date_and_time(2021, 1, 5, 8, 30, 2).unwrap();
+        writer.add_directory("log", SimpleFileOptions::default()).unwrap();
+        writer.start_file("log/user.log", SimpleFileOptions::default().last_modified_time(date)).unwrap();
+        std::fs::write(&path, writer.finish().unwrap().into_inner()).unwrap();
+        assert_eq!(archive_dates(&path).unwrap(), [("log/user.log".into(), [2021, 1, 5, 8, 30, 2])]);
+        assert_eq!(archive_dates(&folder), Err(ArchiveFault::Unreadable(Unreadable::Folder)));
     }
 
     #[test]

@@ -18,11 +18,11 @@ mod testing;
 mod unreadable;
 mod unwritable;
 
-pub use archive::{ArchiveFault, archive_entries, is_archive_name, unpack};
+pub use archive::{ArchiveFault, EntryDate, archive_dates, archive_entries, is_archive_name, unpack};
 pub use class::{FileClass, ProcessLimits};
 pub use existing::replace_unchanged;
 pub use new_file::{NewFile, replace};
 pub use output_file::{LogFile, OutputFile};
-pub use read::{read, read_head, read_stream, read_text};
+pub use read::{read, read_from, read_head, read_stream, read_text};
 pub use unreadable::Unreadable;
 pub use unwritable::Unwritable;

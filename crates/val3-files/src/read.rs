@@ -1,7 +1,7 @@
 //! Reads regular files up to their class limit.
 
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{Read, Seek as _, SeekFrom};
 
 use camino::Utf8Path;
 
@@ -28,6 +28,18 @@ pub fn read_head(path: &Utf8Path, count: u64) -> Result<Vec<u8>, Unreadable> {
     let mut bytes = Vec::new();
     open_regular(path)?.take(count).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// Reads a regular file from an offset to its end. If the file is shorter, it was replaced, and it is read from its
+/// start. Returns the offset from which it was read, and the bytes.
+///
+/// # Errors
+/// Like [`read`]; the limit applies to the bytes from the offset on.
+pub fn read_from(path: &Utf8Path, offset: u64, class: FileClass) -> Result<(u64, Vec<u8>), Unreadable> {
+    let mut file = open_regular(path)?;
+    let offset = if file.metadata()?.len() < offset { 0 } else { offset };
+    file.seek(SeekFrom::Start(offset))?;
+    Ok((offset, read_stream(file, class)?))
 }
 
 /// Reads a regular file as UTF-8 text.
@@ -101,6 +113,17 @@ mod tests {
         expect!["it has 1048577 bytes, and at most 1048576 bytes are read; --max-file-size raises the limit"]
             .assert_eq(&reason(&path));
         assert_eq!(read(&path, FileClass::Cell).unwrap().len(), (1 << 20) + 1);
+    }
+
+    #[test]
+    fn a_file_is_read_from_an_offset_and_a_shorter_one_from_its_start() {
+        let (_kept, folder) = folder();
+        let path = folder.join("user.log");
+        fs::write(&path, "first\nsecond\n").unwrap();
+        assert_eq!(read_from(&path, 6, FileClass::Record), Ok((6, b"second\n".to_vec())));
+        assert_eq!(read_from(&path, 13, FileClass::Record), Ok((13, Vec::new())));
+        fs::write(&path, "new\n").unwrap();
+        assert_eq!(read_from(&path, 13, FileClass::Record), Ok((0, b"new\n".to_vec())));
     }
 
     #[test]

@@ -173,7 +173,7 @@ pub fn find(number: u16) -> Option<&'static RuntimeError> {
 
 /// All run-time errors, ascending.
 #[rustfmt::skip]
-pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
+pub static RUNTIME_ERRORS: [RuntimeError; 50] = [
     row(10, "division by zero", "The right side of / or % is 0. Test it before, or keep it away from 0."),
     row(11, "invalid numeric value", "The instruction is not defined for this number: the root or logarithm of a \
         negative number, asin or acos beyond 1, or a result too large. Limit the argument before."),
@@ -190,6 +190,8 @@ pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
         name."),
     row(32, "too many periods", "All synchronous tasks together may have two different periods. Give the new task \
         one of them."),
+    row(35, "another task moves the arm", "Another task is recording moves for this arm (s8). Let one task record all \
+        moves, or protect the moves with a mutex."),
     row(40, "out of data memory", "There is no memory left for data. Reduce arrays and libraries, or stop making \
         containers larger in a loop."),
     row(41, "out of task memory", "The stack of the task is full: calls nested too deeply, or too many and too \
@@ -249,6 +251,12 @@ pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
     row(270, "bad file path", "The path of the file names no reachable place."),
     row(271, "file cannot be read", "The file is missing, damaged or in use."),
     row(290, "bad trajectory id", "No trajectory has this id."),
+    row(520, "joint position out of limits", "A joint position is beyond the software limits of an axis (s8). Correct \
+        the position or the limits; val3 check --motion reports such positions."),
+    row(531, "point beyond the limits of the axes", "The arm would reach the point only with axes beyond their limits \
+        (s8). Correct the point, its frame or its tool; val3 check --motion reports such points."),
+    row(534, "orientation not reachable", "No configuration of this arm reaches the orientation of the point (s8). \
+        Correct the orientation of the point, its frame or its tool; val3 check --motion reports such points."),
     row(999, "other fault", "A fault without a number of its own. The event log tells more."),
 ];
 
@@ -261,7 +269,7 @@ mod tests {
         10, 11, 20, 21, 29, 30, 31, 32, 40, 41, 60, 61, 70, 80, 81, 82, 90, 100, 101, 102, 103, 104, 105, 106, 122,
         123, 124, 125, 150, 153, 154, 160, 161, 162, 163, 164,
     ];
-    const MESSAGES: [u16; 11] = [50, 165, 170, 171, 200, 250, 270, 271, 290, 999, 41];
+    const MESSAGES: [u16; 15] = [35, 50, 165, 170, 171, 200, 250, 270, 271, 290, 520, 531, 534, 999, 41];
 
     #[test]
     fn every_known_number_is_explained() {

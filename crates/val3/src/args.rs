@@ -7,6 +7,8 @@ mod controller;
 mod coverage;
 mod destination;
 mod diff;
+mod info;
+mod log;
 mod mcp;
 mod merge;
 mod new;
@@ -33,6 +35,8 @@ pub(crate) use check::CheckArgs;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
+pub(crate) use info::{InfoArgs, InfoFormat};
+pub(crate) use log::{LogArgs, LogFormat, Since};
 pub(crate) use mcp::McpArgs;
 pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};
@@ -162,6 +166,12 @@ pub(crate) enum CliCommand {
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a type or another word, or search all pages
     Explain(ExplainArgs),
+    /// Describe a backup of a controller: serial numbers, arm, version, options, applications, signals, users
+    #[command(after_help = info::EXIT_CODES)]
+    Info(InfoArgs),
+    /// Show the messages of a controller's logs: what they mean, what to do, and the line of the program
+    #[command(after_help = log::EXIT_CODES)]
+    Log(LogArgs),
     /// Print a short primer of VAL 3 and of these commands, for people and for the instructions of an agent
     Guide,
     /// List arms, print their files, and measure the times of yours
@@ -236,7 +246,8 @@ pub(crate) struct EvalArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct ExplainArgs {
     /// A code (V0203), the name of a rule, an instruction, a keyword, a type, a field, an operator, a word of the field
-    /// (father, world) or the number of a run-time error. Other words, and several, are searched in all pages; without
+    /// (father, world), the number of a run-time error, the code of a message in a controller's log (0x5405) or a message
+    /// of its compiler (undefined program). Other words, and several, are searched in all pages; without
     /// any, all pages are listed
     #[arg(value_name = "WORDS")]
     pub(crate) words: Vec<String>,

@@ -5,6 +5,7 @@
 mod args;
 mod arm;
 mod arm_choice;
+mod backup_files;
 mod baseline;
 mod check;
 mod code_lines;
@@ -23,7 +24,9 @@ mod format;
 mod guide;
 mod history;
 mod in_memory;
+mod info;
 mod internal_error;
+mod log;
 mod loose;
 mod lsp;
 mod man;
@@ -150,6 +153,8 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         CliCommand::Test(test) => test::run(test, args.color),
         CliCommand::Guide => guide::run().map(|()| ExitCode::SUCCESS),
         CliCommand::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        CliCommand::Log(log) => log::run(log, args.color),
+        CliCommand::Info(info) => info::run(info, args.color),
         CliCommand::Arm(arm) => arm::run(arm, args.color),
         CliCommand::Lsp(lsp) => lsp::run(lsp),
         CliCommand::Dap(dap) => dap::run(dap),

@@ -13,9 +13,12 @@ use val3_lang::versions::Version;
 use val3_syntax::arm_file::ArmFile;
 use val3_syntax::{document, version_file};
 
-use crate::cell::{CellConfig, CellText, UnreadableCellFile};
+use crate::cell::{CellConfig, CellIo, CellText, UnreadableCellFile};
 use crate::paths::path_key;
 use crate::system::System;
+
+/// File of the Modbus server, below `usr`.
+const MODBUS: &str = "applicom/modbus/modbus.xml";
 
 /// Folders of EtherCAT masters in `usr/configs`.
 const MASTERS: [&str; 2] = ["J206_EtherCAT", "ecat"];
@@ -33,7 +36,7 @@ pub(super) fn read(
     let tables = files.tables();
     // An EtherCAT master has additional signals.
     let has_master = MASTERS.iter().any(|folder| files.actual_config(folder).is_some());
-    let modbus = files.file("applicom/modbus/modbus.xml");
+    let modbus = files.file(MODBUS);
     // The check uses no entry of this file, but a damaged file shows that the backup is incomplete.
     files.config("controller.cfx");
     let arm_file = files.config("arm.cfx");
@@ -64,6 +67,16 @@ pub(super) fn read(
     }
     let arm_files = [arm_file, cell_file].iter().flatten().map(|text| ArmFile::read(text)).collect();
     Some(CellConfig { arm, version, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
+}
+
+/// Returns the inputs and outputs in the configuration files of a cell. `file` returns the text of a file below `usr`,
+/// for example of `configs/bio.cfx`.
+pub fn cell_io(mut file: impl FnMut(&str) -> Option<String>) -> CellIo {
+    let mut io = devices::read(|name: &str| file(&format!("configs/{name}")));
+    if let Some(text) = file(MODBUS) {
+        devices::add_modbus(CellText { path: MODBUS.into(), text: text.into() }, &mut io);
+    }
+    io
 }
 
 /// Files below `usr`. Existing files that cannot be read are added to `unreadable`.

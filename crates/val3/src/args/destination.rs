@@ -2,7 +2,7 @@
 
 use camino::Utf8Path;
 
-use super::{ArmAction, CheckArgs, CliCommand, DiffFormat, FmtArgs};
+use super::{ArmAction, CheckArgs, CliCommand, DiffFormat, FmtArgs, InfoFormat, LogFormat};
 use crate::format::ReportFormat;
 use crate::output::file_kind::OutputFileKind;
 use crate::user_error::UserError;
@@ -20,6 +20,8 @@ impl CliCommand {
             Self::Run(args) => (&args.output, if args.scene { OutputFileKind::Json } else { OutputFileKind::Text }),
             Self::Eval(args) => (&args.output, OutputFileKind::Text),
             Self::Explain(args) => (&args.output, OutputFileKind::Text),
+            Self::Info(args) => (&args.output, kind_of_info(args.format)),
+            Self::Log(args) => (&args.output, kind_of_log(args.format)),
             Self::Schema(args) => (&args.output, OutputFileKind::Json),
             Self::Completions(args) => (&args.output, OutputFileKind::Text),
             Self::Arm(args) => match &args.action {
@@ -54,6 +56,20 @@ const fn kind_of_diff(format: DiffFormat) -> OutputFileKind {
         DiffFormat::Json => OutputFileKind::Json,
         DiffFormat::Html => OutputFileKind::Html,
         DiffFormat::Human | DiffFormat::Markdown => OutputFileKind::Text,
+    }
+}
+
+const fn kind_of_info(format: InfoFormat) -> OutputFileKind {
+    match format {
+        InfoFormat::Json => OutputFileKind::Json,
+        InfoFormat::Human => OutputFileKind::Text,
+    }
+}
+
+const fn kind_of_log(format: LogFormat) -> OutputFileKind {
+    match format {
+        LogFormat::Json | LogFormat::JsonLines => OutputFileKind::Json,
+        LogFormat::Human => OutputFileKind::Text,
     }
 }
 

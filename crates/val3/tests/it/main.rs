@@ -40,12 +40,14 @@ mod git;
 mod hostile;
 mod hostile_cell;
 mod idle_lines;
+mod info;
 mod io_errors;
 mod io_library;
 mod io_links;
 mod killed;
 #[cfg(unix)]
 mod live;
+mod log;
 mod loose_files;
 mod lsp;
 mod manners;

@@ -1,0 +1,71 @@
+//! Log files in a backup.
+
+use std::collections::BTreeMap;
+
+use crate::BackupFile;
+
+/// Logs that a controller writes, by name without extension. The files end in `.log`; their predecessors, after a file
+/// has reached its maximum size, end in `.old`.
+const LOGS: [&str; 3] = ["errors", "system", "user"];
+
+/// Extensions of a log's files, oldest file first.
+const EXTENSIONS: [&str; 2] = ["old", "log"];
+
+/// Folder with the logs of one controller.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LogFolder {
+    /// Path in the backup; empty for the root.
+    pub path: String,
+    /// Logs, each with the paths of its files, oldest file first.
+    pub logs: Vec<Vec<String>>,
+}
+
+/// Returns the folders with logs, the uppermost folders first.
+#[must_use]
+pub fn log_folders(files: &[BackupFile]) -> Vec<LogFolder> {
+    let mut found: BTreeMap<(usize, &str), BTreeMap<usize, Vec<(usize, &str)>>> = BTreeMap::new();
+    for file in files {
+        let (folder, name) = file.path.rsplit_once('/').unwrap_or(("", &file.path));
+        let Some((log, age)) = log_and_age(name) else { continue };
+        let depth = if folder.is_empty() { 0 } else { 1 + folder.matches('/').count() };
+        found.entry((depth, folder)).or_default().entry(log).or_default().push((age, &file.path));
+    }
+    let folder = |((_, path), logs): ((usize, &str), BTreeMap<usize, Vec<(usize, &str)>>)| LogFolder {
+        path: path.to_owned(),
+        logs: logs.into_values().map(by_age).collect(),
+    };
+    found.into_iter().map(folder).collect()
+}
+
+/// Number of the log and of its extension, if the file is part of a log.
+fn log_and_age(name: &str) -> Option<(usize, usize)> {
+    let name = name.to_ascii_lowercase();
+    let (stem, extension) = name.rsplit_once('.')?;
+    let position = |names: &[&str], name| names.iter().position(|known| *known == name);
+    Some((position(&LOGS, stem)?, position(&EXTENSIONS, extension)?))
+}
+
+fn by_age(mut files: Vec<(usize, &str)>) -> Vec<String> {
+    files.sort_unstable();
+    files.into_iter().map(|(_, path)| path.to_owned()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logs_are_found_with_their_predecessors() {
+        let paths = ["a/log/b/user.log", "a/log/arm.json", "a/log/system.log", "a/log/SYSTEM.OLD", "a/log/user.log"];
+        let files = paths.map(|path| BackupFile { path: path.to_owned(), size: 0, modified: None });
+        let folders = log_folders(&files);
+        assert_eq!(folders.iter().map(|folder| folder.path.as_str()).collect::<Vec<_>>(), ["a/log", "a/log/b"]);
+        assert_eq!(folders[0].logs, [vec!["a/log/SYSTEM.OLD", "a/log/system.log"], vec!["a/log/user.log"]]);
+    }
+
+    #[test]
+    fn a_file_in_the_root_is_a_log() {
+        let files = [BackupFile { path: "errors.log".to_owned(), size: 0, modified: None }];
+        assert_eq!(log_folders(&files)[0].path, "");
+    }
+}
