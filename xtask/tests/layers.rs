@@ -105,6 +105,11 @@ fn schemas_know_no_crate_of_the_project() {
 }
 
 #[test]
+fn soap_knows_messages_alone() {
+    check_only("val3-soap", &[], &["salsa", "rowan", "clap", "tokio", "camino", "axum", "hyper"]);
+}
+
+#[test]
 fn lang_knows_no_tree() {
     check_only("val3-lang", &["val3-geometry", "val3-kinematics", "val3-moves"], &["salsa", "rowan", "clap", "tokio"]);
 }
@@ -301,6 +306,7 @@ fn every_crate_has_its_place() {
         "val3-lines",
         "val3-files",
         "val3-schema",
+        "val3-soap",
         "val3-config",
         "val3-test",
         "val3-generate",
@@ -364,6 +370,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-data",
         "val3-lines",
         "val3-schema",
+        "val3-soap",
         "val3-config",
         "val3-dap",
         "val3-check",
