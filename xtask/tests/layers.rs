@@ -18,7 +18,7 @@ const ANALYSIS: &[&str] =
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
 
 /// Crates that connect both.
-const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-service", "val3-suite", "val3-dap", "val3"];
 
 /// Packages that implement a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] =
@@ -147,6 +147,22 @@ fn the_adapter_knows_runs_and_no_transport() {
         "val3-vm",
     ];
     check_only("val3-dap", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
+fn the_service_knows_runs_and_no_transport() {
+    let below = [
+        "val3-bytecode",
+        "val3-debug",
+        "val3-geometry",
+        "val3-kinematics",
+        "val3-lang",
+        "val3-machine",
+        "val3-session",
+        "val3-soap",
+        "val3-vm",
+    ];
+    check_only("val3-service", &below, &["salsa", "rowan", "clap", "tokio", "camino", "quick-xml"]);
 }
 
 #[test]

@@ -52,6 +52,18 @@ impl SoapElement {
         write::write(self)
     }
 
+    /// Creates an element without name space, for a document in a message.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self::plain(name)
+    }
+
+    /// Element with these attributes without name space: names and values.
+    #[must_use]
+    pub fn with_attributes(self, attributes: &[(&str, &str)]) -> Self {
+        attributes.iter().fold(self, |element, (name, value)| element.with_attribute("", name, value))
+    }
+
     /// Creates an element without name space.
     pub(crate) fn plain(name: &str) -> Self {
         Self { name: name.to_owned(), ..Self::default() }

@@ -1,5 +1,7 @@
 //! Faults: the answer to a request that the controller rejects.
 
+use std::fmt::Display;
+
 use crate::document::{SoapElement, XML};
 use crate::envelope::SoapVersion;
 use crate::error::SoapError;
@@ -122,25 +124,25 @@ enumeration! {
 const EXCEPTION: &str = "ServerException";
 
 impl SoapFault {
-    /// Fault with a code of the controller. The reason is the code.
+    /// Fault with a code of the controller. The reason contains the explanation, and the detail only the code, because
+    /// some clients compare the text of the entire detail with the codes.
     #[must_use]
-    pub fn exception(code: ExceptionCode, description: Option<String>) -> Self {
-        let exception = ServerException { code, description };
-        Self { culprit: Culprit::Client, reason: code.text().to_owned(), exception: Some(exception) }
+    pub fn exception(code: ExceptionCode, explanation: impl Display) -> Self {
+        let exception = ServerException { code, description: None };
+        Self { culprit: Culprit::Client, reason: format!("{}: {explanation}", code.text()), exception: Some(exception) }
     }
 
     /// Fault for a message that cannot be read.
     #[must_use]
     pub fn of_error(error: &SoapError) -> Self {
-        let description = Some(error.to_string());
         let culprit = match error {
             SoapError::UnknownOperation { .. } => {
-                return Self::exception(ExceptionCode::InvalidSoapHandler, description);
+                return Self::exception(ExceptionCode::InvalidSoapHandler, error);
             }
             SoapError::Missing { .. }
             | SoapError::Repeated { .. }
             | SoapError::Qualified { .. }
-            | SoapError::WrongValue { .. } => return Self::exception(ExceptionCode::InvalidParameters, description),
+            | SoapError::WrongValue { .. } => return Self::exception(ExceptionCode::InvalidParameters, error),
             SoapError::OtherVersion { .. } => Culprit::Version,
             SoapError::UnknownHeader(_) => Culprit::Header,
             _ => Culprit::Client,

@@ -22,6 +22,15 @@ impl Default for ServeAddress {
     }
 }
 
+/// Parses an address with a port, or a port of this machine.
+pub(crate) fn parse(text: &str) -> Option<SocketAddr> {
+    let local = |port: &str| port.parse().map(|port: u16| SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
+    match text.strip_prefix("localhost:").unwrap_or(text) {
+        port if local(port).is_ok() => local(port).ok(),
+        other => other.parse().ok(),
+    }
+}
+
 impl FromStr for ServeAddress {
     type Err = String;
 
@@ -29,13 +38,8 @@ impl FromStr for ServeAddress {
         if text.is_empty() {
             return Ok(Self::default());
         }
-        let local = |port: &str| port.parse().map(|port: u16| SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
-        let address = match text.strip_prefix("localhost:").unwrap_or(text) {
-            port if local(port).is_ok() => local(port).ok(),
-            other => other.parse().ok(),
-        };
         let address =
-            address.ok_or("write ADDRESS:PORT, for example 127.0.0.1:8303, and the application before --serve")?;
+            parse(text).ok_or("write ADDRESS:PORT, for example 127.0.0.1:8303, and the application before --serve")?;
         Ok(Self { address, is_given: true })
     }
 }
@@ -59,7 +63,7 @@ impl ServeAddress {
 }
 
 /// Address at which this machine can reach the server.
-pub(super) fn reachable(address: SocketAddr) -> SocketAddr {
+pub(crate) fn reachable(address: SocketAddr) -> SocketAddr {
     match address.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => (Ipv4Addr::LOCALHOST, address.port()).into(),
         IpAddr::V6(ip) if ip.is_unspecified() => (std::net::Ipv6Addr::LOCALHOST, address.port()).into(),
