@@ -100,7 +100,7 @@ fn the_state_of_the_moves_is_that_of_the_arm() {
     // The application has recorded a move, which waits for the power.
     client.run(1);
     let (is_empty, robot) = state(&mut client);
-    assert_eq!((is_empty, robot.settled), (false, false));
+    assert_eq!((is_empty, robot.settled), (false, true));
     assert!((robot.position.px - forward(&mut client, &JOINTS).0.px).abs() < 1e-9);
     let external = SoapRequest::SetSchedulingMode(SetSchedulingMode { mode: SchedulingMode::External });
     assert_eq!(client.code(external), ExceptionCode::SchedulingMode);
