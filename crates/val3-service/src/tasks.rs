@@ -24,6 +24,20 @@ impl ServiceTarget<'_> {
         task.ok_or_else(|| refused(ExceptionCode::TaskNotFound, "getTasks lists the tasks with their creators"))
     }
 
+    /// Checks that a client can continue a task: only a client or a breakpoint holds it.
+    ///
+    /// # Errors
+    /// The application has suspended the task, or an error has stopped it.
+    pub(crate) fn check_resumable(&self, task: TaskNumber) -> Result<(), SoapFault> {
+        let state = self.debugger.controller.vm.tasks().iter().find(|known| known.id == task).map(|task| task.state);
+        let reason = match state {
+            Some(val3_vm::TaskState::Halted) => "the application has suspended the task".to_owned(),
+            Some(val3_vm::TaskState::Failed(fault)) => format!("error {} has stopped the task", fault.0),
+            _ => return Ok(()),
+        };
+        Err(refused(ExceptionCode::Unknown, &format!("{reason}, and only the application resumes it")))
+    }
+
     /// Project that has created a task.
     fn creator(&self, task: &Task) -> Option<String> {
         self.debugger.controller.vm.space.instance(task.owner).map(applications::project_name)

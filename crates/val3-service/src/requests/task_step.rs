@@ -9,6 +9,7 @@ use crate::service::Context;
 /// Answers the request.
 pub(super) fn answer(request: &TaskStep, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {
     let task = context.target.task(request.task.as_deref(), request.created_by.as_deref())?;
+    context.target.check_resumable(task)?;
     context.debug()?;
     let debugger = &mut *context.target.debugger;
     debugger.stop_tasks_alone(true);

@@ -100,6 +100,17 @@ fn a_suspended_task_stops_alone() {
 }
 
 #[test]
+fn a_task_that_the_application_has_suspended_is_not_resumed() {
+    let mut client = Client::logged_in();
+    client.run(1);
+    assert_eq!(execute(&mut client, "", "taskSuspend(\"supervisor\")").0, ExecutionResult::NoError);
+    assert_eq!(task(&mut client, "supervisor").0, TaskState::Stopped);
+    let fault = client.fault(resume("supervisor"));
+    let reason = "UNKNOWN-CODE: the application has suspended the task, and only the application resumes it";
+    assert_eq!(fault.reason, reason);
+}
+
+#[test]
 fn a_breakpoint_holds_the_task() {
     let mut client = Client::logged_in();
     let at = line("start", 4, "taskCreate \"supervisor\",10,supervisor()");
