@@ -13,10 +13,10 @@ mod envelope;
 mod error;
 mod fault;
 pub mod operations;
-#[cfg(test)]
-mod samples;
 mod server;
 mod structure;
+#[cfg(test)]
+mod tests;
 mod value;
 
 pub mod multipart;
