@@ -18,7 +18,7 @@ const ANALYSIS: &[&str] =
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
 
 /// Crates that connect both.
-const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-service", "val3-suite", "val3-dap", "val3"];
 
 /// Packages that implement a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] =
@@ -105,6 +105,11 @@ fn schemas_know_no_crate_of_the_project() {
 }
 
 #[test]
+fn soap_knows_messages_alone() {
+    check_only("val3-soap", &[], &["salsa", "rowan", "clap", "tokio", "camino", "axum", "hyper"]);
+}
+
+#[test]
 fn lang_knows_no_tree() {
     check_only("val3-lang", &["val3-geometry", "val3-kinematics", "val3-moves"], &["salsa", "rowan", "clap", "tokio"]);
 }
@@ -142,6 +147,22 @@ fn the_adapter_knows_runs_and_no_transport() {
         "val3-vm",
     ];
     check_only("val3-dap", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
+fn the_service_knows_runs_and_no_transport() {
+    let below = [
+        "val3-bytecode",
+        "val3-debug",
+        "val3-geometry",
+        "val3-kinematics",
+        "val3-lang",
+        "val3-machine",
+        "val3-session",
+        "val3-soap",
+        "val3-vm",
+    ];
+    check_only("val3-service", &below, &["salsa", "rowan", "clap", "tokio", "camino", "quick-xml"]);
 }
 
 #[test]
@@ -321,6 +342,7 @@ fn every_crate_has_its_place() {
         "val3-files",
         "val3-schema",
         "val3-modbus",
+        "val3-soap",
         "val3-config",
         "val3-backup",
         "val3-test",
@@ -386,6 +408,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-lines",
         "val3-schema",
         "val3-modbus",
+        "val3-soap",
         "val3-config",
         "val3-backup",
         "val3-dap",

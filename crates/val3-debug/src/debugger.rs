@@ -226,6 +226,12 @@ impl Debugger {
         tasks.find(|task| task.id == step.task && task.thread.wait.is_some()).map(|task| task.id)
     }
 
+    /// Task of the current step.
+    #[must_use]
+    pub fn stepped_task(&self) -> Option<TaskNumber> {
+        self.step.map(|step| step.task)
+    }
+
     /// Cancels the current step.
     pub fn abandon_step(&mut self) {
         self.step = None;

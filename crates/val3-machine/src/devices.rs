@@ -14,6 +14,7 @@ mod media_cost;
 mod motion;
 mod outside;
 mod part_events;
+mod projects;
 mod questions;
 mod received;
 mod record;

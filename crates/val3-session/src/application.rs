@@ -16,6 +16,7 @@ use val3_check::diagnostic::Diagnostic;
 use val3_compile::{CodeForm, CompileError};
 use val3_machine::controller::Controller;
 
+use crate::cell_profiles::{self, CellProfile};
 use crate::connection::Tape;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
@@ -153,6 +154,16 @@ impl Application {
     /// Message about the missing library `io`, and its help. `None` if the application does not use it.
     pub fn missing_io_library(&self) -> Option<(String, String)> {
         io_library::missing(self.db(), self.project)
+    }
+
+    /// Profiles in the files of the application's cell, with their rights.
+    ///
+    /// # Errors
+    /// If a file exists but cannot be read.
+    pub fn cell_profiles(&self, system: &dyn System) -> Result<Vec<CellProfile>, SessionError> {
+        let application = folder(self.db(), self.project);
+        let disk = self.project.disk(self.db()).or(application.parent()).unwrap_or(application);
+        cell_profiles::read(system, disk)
     }
 
     /// Opens a controller with `image` in memory and the cell's inputs, outputs, lines and folders. No task runs yet.

@@ -13,6 +13,7 @@ mod target;
 use std::iter;
 
 use val3_analysis::body::{StmtKind, body};
+use val3_analysis::db::Database;
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{FragmentScope, compile_expression, compile_statements};
@@ -62,6 +63,11 @@ impl FrameEvaluator {
     #[must_use]
     pub fn new(application: Application) -> Self {
         Self { targets: Targets::new(application) }
+    }
+
+    /// Database of the running application.
+    pub(crate) fn db(&self) -> &Database {
+        self.targets.application(0).db()
     }
 
     /// Evaluates code. Tasks, clock and arm are stopped during the evaluation, and no run-time error stops a task.

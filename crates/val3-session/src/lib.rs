@@ -10,6 +10,8 @@ mod add_on_programs;
 mod application;
 mod arm;
 mod cell;
+mod cell_profiles;
+mod code_lines;
 mod connection;
 mod controller;
 mod error;
@@ -31,6 +33,8 @@ mod surroundings;
 
 pub use application::Application;
 pub use arm::{ArmFile, request_arm};
+pub use cell_profiles::{CellProfile, ProfileRights};
+pub use code_lines::CodeLine;
 pub use connection::{Connection, Tape};
 pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};

@@ -1,6 +1,7 @@
 //! `val3 run`: runs an application on the embedded controller.
 
 mod again;
+mod clients;
 mod console;
 mod course;
 mod debug;
@@ -41,6 +42,7 @@ pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
 pub(crate) use outside::{check_script, read_script, unusable_script};
 
+use clients::Clients;
 use course::Course;
 use debug::{open_port, run_attended};
 use guide::NoDebugger;
@@ -78,7 +80,11 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         to_stdout_as(OutputContent::Json, Color::Never, |out| writeln!(out, "{message}"))?;
         return Ok(ExitCode::SUCCESS);
     }
+    let clients = args.soap.map(|address| Clients::open(address, &ready)).transpose()?;
     let mut course = Course::open(args, ready, Observers::open(args, recording, color)?)?;
+    if let Some(clients) = clients {
+        course.attend_clients(clients);
+    }
     if let Some(address) = args.serve {
         let viewers = Viewers::open(address, args, &course.debugger.controller)?;
         course.serve(viewers);

@@ -4,14 +4,14 @@
 //! in the log, so a viewer that does not read costs nothing.
 
 mod access;
-mod address;
+pub(crate) mod address;
 pub(crate) mod browser;
 mod command;
 mod connections;
 mod limits;
 mod log;
 mod page;
-mod quota;
+pub(crate) mod quota;
 mod shared;
 #[cfg(test)]
 mod tests {

@@ -55,6 +55,12 @@ impl Profiles {
         Self { known, active }
     }
 
+    /// All profiles that `setProfile` can activate.
+    #[must_use]
+    pub fn known(&self) -> &[Profile] {
+        &self.known
+    }
+
     /// The active profile; its name is the result of `getProfile`.
     #[must_use]
     pub fn active(&self) -> &Profile {

@@ -50,11 +50,7 @@ impl<'s> Saving<'s> {
     ) -> Result<(), FileFault> {
         time.access(0);
         let origin = LibraryPath::new(&controller_path("", self.path(self.saved))?)?;
-        let loaded = loaded.files(self.saved.0).ok_or(FileFault::NotFound)?;
-        if data_bytes(self.space, self.saved) > self.limit {
-            return Err(FileFault::DiskFull);
-        }
-        let new = loaded.with_data(&self.saver().ok_or(FileFault::NoLibrary)?.all());
+        let new = self.current(loaded)?;
         time.access(new.size());
         match to {
             Some(to) => {
@@ -68,6 +64,15 @@ impl<'s> Saving<'s> {
                 origin.save(&media.roots, &old, &new, &mut Uninterrupted)
             }),
         }
+    }
+
+    /// Returns the files as loaded, with the current values.
+    pub(super) fn current(&self, loaded: &LoadedProjects) -> Result<LibraryFiles, FileFault> {
+        let loaded = loaded.files(self.saved.0).ok_or(FileFault::NotFound)?;
+        if data_bytes(self.space, self.saved) > self.limit {
+            return Err(FileFault::DiskFull);
+        }
+        Ok(loaded.with_data(&self.saver().ok_or(FileFault::NoLibrary)?.all()))
     }
 
     fn path(&self, id: InstanceId) -> &'s str {

@@ -71,6 +71,12 @@ impl LibraryPath {
         }
     }
 
+    /// Path of the project file, or of the archive: `Disk://name/name.pjx`.
+    #[must_use]
+    pub fn project(&self) -> ControllerPath {
+        self.manifest.as_ref().map_or_else(|| self.folder.clone(), |manifest| self.folder.child(manifest))
+    }
+
     /// The folder, or the archive.
     #[must_use]
     pub fn folder(&self) -> &ControllerPath {

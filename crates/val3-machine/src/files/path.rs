@@ -67,7 +67,7 @@ impl ControllerPath {
     }
 
     /// Appends `name`, which is a valid name.
-    pub(super) fn child(&self, name: &str) -> Self {
+    pub(crate) fn child(&self, name: &str) -> Self {
         let mut path = self.clone();
         path.parts.push(name.into());
         path

@@ -7,6 +7,7 @@ use val3_machine::script::{ScriptValue, key_codes, typed_keys};
 use super::{ControllerArgs, OutputArgs};
 use crate::modbus::ModbusAddress;
 use crate::serve::ServeAddress;
+use crate::soap::SoapAddress;
 
 /// Program with which an application starts (2.2.3).
 pub(crate) const START: &str = "start";
@@ -21,7 +22,7 @@ pub(crate) struct RunArgs {
     /// The program to start with
     #[arg(long, value_name = "NAME", default_value = START)]
     pub(crate) program: String,
-    /// Run as fast as possible, or in real time [default: virtual, with --serve real]
+    /// Run as fast as possible, or in real time [default: virtual, with --serve or --controller real]
     #[arg(help_heading = "Time", long, value_name = "TIME")]
     pub(crate) time: Option<RunTime>,
     /// End the run after this many seconds of the controller's clock
@@ -54,7 +55,7 @@ pub(crate) struct RunArgs {
     pub(crate) times: Option<Option<Utf8PathBuf>>,
     /// Print a summary of the run instead of its output: why it ended, errors, printed lines, screen, moves, waits, signals, and
     /// what to do next
-    #[arg(help_heading = "Output", long, value_name = "FORMAT", num_args = 0..=1, require_equals = true, default_missing_value = "text", conflicts_with_all = ["interactive", "serve", "debug_port", "screen"])]
+    #[arg(help_heading = "Output", long, value_name = "FORMAT", num_args = 0..=1, require_equals = true, default_missing_value = "text", conflicts_with_all = ["interactive", "serve", "soap", "debug_port", "screen"])]
     pub(crate) summary: Option<SummaryFormat>,
     /// Write the summary of the run to a file, as JSON with up to 1,000 entries in each list
     #[arg(help_heading = "Output", long, value_name = "FILE.json")]
@@ -99,6 +100,10 @@ pub(crate) struct RunArgs {
     /// Without an address, only this machine can connect, to port 1502; port 0 chooses a free one
     #[arg(hide_short_help = true, help_heading = "Operation", long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = "", conflicts_with = "replay")]
     pub(crate) modbus: Option<ModbusAddress>,
+    /// Answer clients of the SOAP interface as a CS8 or CS9 does, until Ctrl-C; implies --time real. Without an address
+    /// only this machine can connect, to port 5653; port 0 chooses a free one
+    #[arg(help_heading = "Operation", long = "controller", value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = "", conflicts_with_all = ["replay", "debug_port"])]
+    pub(crate) soap: Option<SoapAddress>,
     /// Open the browser with the address of --serve
     #[arg(hide_short_help = true, help_heading = "Operation", long, requires = "serve")]
     pub(crate) open: bool,
@@ -110,9 +115,14 @@ pub(crate) struct RunArgs {
 impl RunArgs {
     /// Whether virtual time follows real time.
     pub(crate) fn follows_wall(&self) -> bool {
-        let is_served = self.serve.is_some() && self.time.is_none();
+        let is_served = (self.serve.is_some() || self.soap.is_some()) && self.time.is_none();
         let is_operated = self.interactive || self.modbus.is_some() || is_served;
         self.time == Some(RunTime::Real) || is_operated
+    }
+
+    /// Whether an operator or a client may act at any time.
+    pub(crate) fn is_attended(&self) -> bool {
+        self.interactive || self.serve.is_some() || self.modbus.is_some() || self.soap.is_some()
     }
 }
 

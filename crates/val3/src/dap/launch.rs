@@ -14,7 +14,7 @@ pub(super) const TEST: &str = "test";
 /// Configuration keys that exclude a test.
 const UNFIT_FOR_TESTS: [&str; 4] = [START_PROGRAM, "script", "keys", "startAtEnd"];
 /// Options of `val3 run` that a debugged run does not support, with the reason.
-const UNFIT: [(&str, &str); 9] = [
+const UNFIT: [(&str, &str); 10] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
     ("screen", "needs a terminal, which a debugged run does not have"),
     ("output", "is for runs without a client, which shows the output"),
@@ -23,6 +23,7 @@ const UNFIT: [(&str, &str); 9] = [
     ("debug-wait", "is for runs that begin without a debugger"),
     ("serve", "is for runs that begin without a debugger"),
     ("modbus", "is for runs that begin without a debugger"),
+    ("controller", "is for runs that begin without a debugger"),
     ("open", "is for runs that begin without a debugger"),
 ];
 

@@ -8,10 +8,12 @@ use val3_debug::{AdvanceResult, Debugger};
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::RunStatus;
 use val3_machine::event::{EndReason, EventKind};
+use val3_service::ServiceTarget;
 use val3_session::{Delay, FrameEvaluator, Pace};
 use val3_suite::{Stages, Transition};
 use val3_view::wire::Pace as NewPace;
 
+use super::clients::Clients;
 use super::end::{End, EndedRun};
 use super::export::Export;
 use super::guide::{ATTENTION, Guide};
@@ -43,6 +45,7 @@ pub(super) struct Course<'a> {
     motion: MotionObservers,
     viewers: Option<Viewers>,
     modbus: Option<ModbusRun>,
+    clients: Option<Clients>,
     export: Option<Export>,
     result: Option<ResultRecorder>,
     tempo: Tempo,
@@ -72,6 +75,7 @@ impl<'a> Course<'a> {
             motion,
             viewers: None,
             modbus,
+            clients: None,
             export,
             result,
             tempo,
@@ -87,6 +91,11 @@ impl<'a> Course<'a> {
         let pace = NewPace { is_paused: None, speed: viewers.speed() };
         self.tempo.change(&pace, self.debugger.controller.now());
         self.viewers = Some(viewers);
+    }
+
+    /// Adds clients of the controller. Then the run continues after the end of its application.
+    pub(super) fn attend_clients(&mut self, clients: Clients) {
+        self.clients = Some(clients);
     }
 
     /// Runs the controller until the run ends, and sends all events to the observers and the debug client.
@@ -133,7 +142,7 @@ impl<'a> Course<'a> {
                 Transition::Started => continue,
                 Transition::Over => break Ok(End::Controller(RunStatus::Finished)),
             }
-            if matches!(status, RunStatus::Finished | RunStatus::Stopped | RunStatus::Unsupported) {
+            if self.ends_with(status) {
                 if self.stop_at_end(status, guide) {
                     continue;
                 }
@@ -153,15 +162,34 @@ impl<'a> Course<'a> {
             };
             self.note_waits(guide);
             let time = self.tempo.wait_time(delay);
-            if !time.is_zero() {
-                guide.wait(time);
-            }
+            self.wait(time, guide);
             if let Some(end) = self.end_of_time() {
                 if guide.session().is_some_and(|session| session.stop_at_recorded_end(&mut self.target())) {
                     continue;
                 }
                 break Ok(end);
             }
+        }
+    }
+
+    /// Whether a status ends the run. A controller with clients remains after the end of its application.
+    fn ends_with(&self, status: RunStatus) -> bool {
+        match status {
+            RunStatus::Finished | RunStatus::Stopped => self.clients.is_none(),
+            RunStatus::Unsupported => true,
+            _ => false,
+        }
+    }
+
+    /// Waits for this time, or until a debugger or a client sends a request.
+    fn wait(&mut self, time: Duration, guide: &mut dyn Guide) {
+        match &mut self.clients {
+            _ if time.is_zero() => {}
+            Some(clients) => {
+                let (debugger, evaluator) = (&mut self.debugger, &mut self.evaluator);
+                clients.wait(time, ServiceTarget { debugger, evaluator });
+            }
+            None => guide.wait(time),
         }
     }
 
@@ -172,7 +200,8 @@ impl<'a> Course<'a> {
 
     /// Explains why time is real and where tasks wait, unless the controller or a debugger is visible to the user.
     fn note_waits(&mut self, guide: &mut dyn Guide) {
-        if self.observers.is_live() || self.viewers.is_some() || guide.session().is_some() {
+        let has_clients = self.viewers.is_some() || self.clients.is_some();
+        if self.observers.is_live() || has_clients || guide.session().is_some() {
             return;
         }
         let controller = &self.debugger.controller;
@@ -209,7 +238,9 @@ impl<'a> Course<'a> {
                 Some(Delay::For(ATTENTION))
             }
             RunStatus::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
-            RunStatus::Stuck => pace.wait_for_operator(&mut debugger.controller),
+            RunStatus::Stuck | RunStatus::Finished | RunStatus::Stopped => {
+                pace.wait_for_operator(&mut debugger.controller)
+            }
             _ => Some(pace.follow(&debugger.controller)),
         }
     }
@@ -279,6 +310,7 @@ impl<'a> Course<'a> {
     /// Waits for a request or a command while the controller's clock is stopped.
     fn wait_for_outside(&mut self, guide: &mut dyn Guide) {
         match &mut self.viewers {
+            _ if self.clients.is_some() => self.wait(SHARED_ATTENTION, guide),
             Some(viewers) if self.args.debug_port.is_none() => viewers.wait(ATTENTION),
             Some(_) => guide.wait(SHARED_ATTENTION),
             None => guide.wait(ATTENTION),
@@ -290,6 +322,9 @@ impl<'a> Course<'a> {
     fn broken_off(&mut self, signals: &Signals) -> Result<Option<End>, UserError> {
         if let Some(viewers) = &mut self.viewers {
             viewers.attend(&mut self.debugger.controller, &mut self.tempo);
+        }
+        if let Some(clients) = &mut self.clients {
+            clients.attend(ServiceTarget { debugger: &mut self.debugger, evaluator: &mut self.evaluator });
         }
         let wish = self.observers.attend(&mut self.debugger.controller)?;
         Ok(match () {
@@ -402,11 +437,7 @@ impl<'a> Course<'a> {
 fn pace(args: &RunArgs, observers: &Observers) -> Pace {
     let recorded = observers.recording().and_then(RunRecording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
-    Pace {
-        real_time: args.follows_wall(),
-        until,
-        attended: args.interactive || args.serve.is_some() || args.modbus.is_some(),
-    }
+    Pace { real_time: args.follows_wall(), until, attended: args.is_attended() }
 }
 
 /// Whether an event is displayed at a terminal.

@@ -82,7 +82,8 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     }
     let application = Application::of(session.into_workspace(), project);
     application.check_readable()?;
-    let is_debugged = matches!(reader, AnnouncementReader::Debugger) || args.debug_port.is_some();
+    let is_debugged =
+        matches!(reader, AnnouncementReader::Debugger) || args.debug_port.is_some() || args.soap.is_some();
     let form = if is_debugged { CodeForm::Debugged } else { CodeForm::Plain };
     let image = match application.compile_as(form) {
         Ok(image) => image,

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use super::quota::RateLimits;
+
 /// Server limits.
 #[derive(Debug, Clone)]
 pub(super) struct ServerLimits {
@@ -23,12 +25,8 @@ pub(super) struct ServerLimits {
     pub(super) farewell_time: Duration,
     /// Maximum size of a viewer's message, in bytes.
     pub(super) message_bytes: usize,
-    /// Sustained number of commands per second from a viewer.
-    pub(super) commands_per_second: u16,
-    /// Maximum number of commands in a burst from a viewer.
-    pub(super) commands_at_once: u16,
-    /// Number of consecutive rejected commands after which a viewer is disconnected.
-    pub(super) refused_commands: u32,
+    /// Rate of a viewer's commands.
+    pub(super) commands: RateLimits,
     /// Maximum size of the log, in bytes.
     pub(super) log_bytes: usize,
 }
@@ -45,9 +43,7 @@ impl Default for ServerLimits {
             silence: Duration::from_secs(15),
             farewell_time: Duration::from_secs(1),
             message_bytes: 64 << 10,
-            commands_per_second: 100,
-            commands_at_once: 200,
-            refused_commands: 1000,
+            commands: RateLimits { per_second: 100, at_once: 200, refused: 1000 },
             log_bytes: 256 << 20,
         }
     }

@@ -1,13 +1,22 @@
-//! Rate limit for a viewer's commands.
+//! Rate limit for commands.
 
 use std::time::{Duration, Instant};
 
-use super::limits::ServerLimits;
+/// Limits of a rate.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RateLimits {
+    /// Sustained number of commands per second.
+    pub(crate) per_second: u16,
+    /// Maximum number of commands in a burst.
+    pub(crate) at_once: u16,
+    /// Number of consecutive rejected commands after which the sender is disconnected.
+    pub(crate) refused: u32,
+}
 
-/// Token bucket for a viewer's commands.
+/// Token bucket for a sender's commands.
 #[derive(Debug)]
-pub(super) struct Quota {
-    /// Number of commands that the viewer may send immediately.
+pub(crate) struct Quota {
+    /// Number of commands that the sender may send immediately.
     left: f64,
     /// Time at which `left` was computed.
     at: Instant,
@@ -20,24 +29,24 @@ pub(super) struct Quota {
 
 /// Decision on a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Admission {
+pub(crate) enum Admission {
     /// The command is passed to the run.
     Granted,
     /// The command is rejected with an error.
     Refused,
-    /// The viewer continues to send too many commands and is disconnected.
+    /// The sender continues to send too many commands and is disconnected.
     Expelled,
 }
 
 impl Quota {
     /// Creates a full quota.
-    pub(super) fn new(limits: &ServerLimits, now: Instant) -> Self {
-        let (per_second, burst) = (f64::from(limits.commands_per_second), f64::from(limits.commands_at_once));
-        Self { left: burst, at: now, refused: 0, per_second, burst, patience: limits.refused_commands }
+    pub(crate) fn new(limits: RateLimits, now: Instant) -> Self {
+        let (per_second, burst) = (f64::from(limits.per_second), f64::from(limits.at_once));
+        Self { left: burst, at: now, refused: 0, per_second, burst, patience: limits.refused }
     }
 
     /// Decides on a command that arrives now.
-    pub(super) fn admit(&mut self, now: Instant) -> Admission {
+    pub(crate) fn admit(&mut self, now: Instant) -> Admission {
         let passed = now.saturating_duration_since(self.at);
         self.left = (self.left + passed.as_secs_f64() * self.per_second).min(self.burst);
         self.at = now;
@@ -59,14 +68,9 @@ mod tests {
 
     #[test]
     fn a_flood_is_refused_and_then_ended() {
-        let limits = ServerLimits {
-            commands_per_second: 10,
-            commands_at_once: 20,
-            refused_commands: 5,
-            ..ServerLimits::default()
-        };
+        let limits = RateLimits { per_second: 10, at_once: 20, refused: 5 };
         let start = Instant::now();
-        let mut quota = Quota::new(&limits, start);
+        let mut quota = Quota::new(limits, start);
         let mut at = |milliseconds: u64| quota.admit(start + Duration::from_millis(milliseconds));
         assert!((0..20).all(|_| at(0) == Admission::Granted));
         assert_eq!(at(0), Admission::Refused);

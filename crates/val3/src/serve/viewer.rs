@@ -48,7 +48,7 @@ pub(super) struct Viewer {
 pub(super) async fn attend(socket: WebSocket, role: ViewerRole, shared: Arc<Shared>) {
     let (answers, inbox) = mpsc::channel(OPEN_COMMANDS);
     let now = Instant::now();
-    let quota = Quota::new(&shared.limits, now);
+    let quota = Quota::new(shared.limits.commands, now);
     let mut viewer = Viewer { shared, role, socket, cursor: 0, quota, heard: now, answers };
     if let Err(Some((code, reason))) = viewer.run(inbox).await {
         viewer.close(Frame::Close(Some(CloseFrame { code, reason: reason.into() }))).await;

@@ -15,6 +15,8 @@ mod check_contacts;
 mod check_motion;
 mod configuration;
 #[cfg(unix)]
+mod controller;
+#[cfg(unix)]
 mod damage;
 mod dap;
 mod dap_client;

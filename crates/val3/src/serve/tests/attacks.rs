@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::super::limits::ServerLimits;
+use super::super::quota::RateLimits;
 use super::client::{exchange, get, next, next_json, open, open_from, parts, send, server, stream, text};
 
 /// Whether a response is the 404 for requests without a secret.
@@ -99,7 +100,7 @@ fn guests_cannot_operate() {
 #[test]
 fn a_flood_of_commands_is_refused_and_then_ended() {
     let limits =
-        ServerLimits { commands_at_once: 20, commands_per_second: 1, refused_commands: 50, ..ServerLimits::default() };
+        ServerLimits { commands: RateLimits { per_second: 1, at_once: 20, refused: 50 }, ..ServerLimits::default() };
     let server = server(limits);
     let mut viewer = open(server.operator_page()).unwrap();
     for id in 0..200 {
@@ -118,7 +119,10 @@ fn a_flood_of_commands_is_refused_and_then_ended() {
 /// The slot for the response is reserved before a command is passed to the run.
 #[test]
 fn commands_that_are_not_answered_are_bounded() {
-    let limits = ServerLimits { commands_at_once: 1000, ..ServerLimits::default() };
+    let limits = ServerLimits {
+        commands: RateLimits { per_second: 100, at_once: 1000, refused: 1000 },
+        ..ServerLimits::default()
+    };
     let server = server(limits);
     let mut viewer = open(server.operator_page()).unwrap();
     for id in 0..100 {

@@ -1,0 +1,47 @@
+//! Answers that no source states. Each is a choice, which a real controller may contradict (docs/fidelity.md).
+
+use val3_soap::ExceptionCode;
+use val3_soap::v0::ControllerParameter;
+
+/// Version of the interface. Clients parse a number, and know that the servers V2 and V3 exist from 1.2.
+pub(crate) const INTERFACE_VERSION: &str = "1.2";
+
+/// Number of the session in the answer to a rejected login. Clients test for 0.
+pub(crate) const NO_SESSION: i32 = 0;
+
+/// Time without a request after which a session ends, in seconds: `sessionTimeout` in the files of cells.
+pub(crate) const SESSION_SECONDS: u64 = 3600;
+
+/// Maximum number of simultaneous sessions. Real controllers have a limit, but no source states it.
+pub(crate) const MOST_SESSIONS: usize = 32;
+
+/// Parameter with the serial number of the controller. The keys of real controllers are unknown.
+pub(crate) fn serial_number(value: &str) -> ControllerParameter {
+    let text = |text: &str| Some(text.to_owned());
+    ControllerParameter { key: text("serial"), name: text("Serial number"), value: text(value) }
+}
+
+/// Version with which the language is compatible: its first number, as `compatibility` in `val3version.xml`.
+pub(crate) fn compatibility(version: &str) -> Option<String> {
+    let number: String = version.trim_start_matches('s').chars().take_while(char::is_ascii_digit).collect();
+    Some(number).filter(|number| !number.is_empty())
+}
+
+/// Value above which a digital signal is on, as a client reads it.
+pub(crate) const DIGITAL_THRESHOLD: f64 = 0.1;
+
+/// Maximum number of signals in a request. A client states this limit; the answer to a larger request is a choice.
+pub(crate) const MOST_SIGNALS: usize = 10;
+
+/// Code of a breakpoint that was set or removed. The enumeration has no value for a success.
+pub(crate) const BREAKPOINT_SET: ExceptionCode = ExceptionCode::Unknown;
+
+/// Type of a signal in the list of all signals.
+pub(crate) const fn signal_type(is_digital: bool, is_input: bool) -> &'static str {
+    match (is_digital, is_input) {
+        (true, true) => "din",
+        (true, false) => "dout",
+        (false, true) => "ain",
+        (false, false) => "aout",
+    }
+}

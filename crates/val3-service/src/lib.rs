@@ -1,0 +1,37 @@
+//! A controller that answers clients of its SOAP interface.
+//!
+//! A [`Service`] receives the requests of `val3-soap` between the cycles of a run and executes them on its controller:
+//! sessions with the rights of profiles, units, and the faults of a real controller. Connections and the clock belong
+//! to the binary.
+//!
+//! The interface is known from clients only. All answers that are inferred are in `inferred.rs`.
+
+mod accounts;
+mod applications;
+mod debugging;
+mod inferred;
+mod kinematics;
+mod lines;
+mod requests;
+mod service;
+mod sessions;
+mod signals;
+mod tasks;
+mod units;
+
+#[cfg(test)]
+mod tests {
+    //! Requests to a controller with a small application.
+
+    mod arms;
+    mod client;
+    mod data;
+    mod debugging;
+    mod kinematics;
+    mod rights;
+    mod sessions;
+    mod signals;
+}
+
+pub use accounts::Accounts;
+pub use service::{Service, ServiceAnswer, ServiceCall, ServiceTarget};

@@ -1,0 +1,29 @@
+//! `getAllPhysicalIos`: the signals of the cell as a document. The form is inferred from the clients that read it.
+
+use val3_machine::io::{Direction, SignalKind};
+use val3_soap::v2::{GetAllPhysicalIos, GetAllPhysicalIosAnswer, MimeData};
+use val3_soap::{Binary, SoapElement, SoapFault};
+
+use crate::inferred::signal_type;
+use crate::service::Context;
+
+/// Answers the request.
+pub(super) fn answer(
+    _: &GetAllPhysicalIos,
+    context: &mut Context<'_, '_>,
+) -> Result<GetAllPhysicalIosAnswer, SoapFault> {
+    let io = &context.controller().devices.state.io;
+    let mut list = SoapElement::named("physicalIos");
+    for signal in io.signals().filter_map(|id| io.signal(id)) {
+        let is_digital = matches!(signal.kind, SignalKind::Digital);
+        let attributes = [
+            ("name", signal.path.as_str()),
+            ("desc", signal.description.as_str()),
+            ("type", signal_type(is_digital, signal.direction == Direction::Input)),
+            ("lockable", "true"),
+        ];
+        list.children.push(SoapElement::named("physicalIo").with_attributes(&attributes));
+    }
+    let data = Binary(list.write().into_bytes());
+    Ok(GetAllPhysicalIosAnswer { data: MimeData { content_type: Some("text/xml".to_owned()), data } })
+}

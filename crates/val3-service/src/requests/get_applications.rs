@@ -1,0 +1,20 @@
+//! `getApplications`: the projects on `Disk`, and all projects in memory.
+
+use val3_soap::v1::{GetApplications, GetApplicationsAnswer, ListedApplication};
+use val3_soap::{ExceptionCode, SoapFault};
+
+use crate::applications;
+use crate::service::{Context, refused};
+
+/// Answers the request.
+pub(super) fn answer(_: &GetApplications, context: &mut Context<'_, '_>) -> Result<GetApplicationsAnswer, SoapFault> {
+    let controller = context.controller();
+    let unreadable = |_| refused(ExceptionCode::FileNotFound, "the medium Disk cannot be read");
+    let mut names = applications::stored(controller).map_err(unreadable)?;
+    let loaded: Vec<String> = applications::loaded(controller).map(|(_, name)| name).collect();
+    let is_in = |names: &[String], name: &str| names.iter().any(|known| known.eq_ignore_ascii_case(name));
+    let others: Vec<String> = loaded.iter().filter(|name| !is_in(&names, name)).cloned().collect();
+    names.extend(others);
+    let application = |name: String| ListedApplication { loaded: is_in(&loaded, &name), name: Some(name) };
+    Ok(GetApplicationsAnswer { applications: names.into_iter().map(application).collect() })
+}

@@ -1,0 +1,16 @@
+//! `getSoapServerVersion`.
+
+use val3_soap::SoapFault;
+use val3_soap::v0::{GetSoapServerVersion, GetSoapServerVersionAnswer, InterfaceVersion};
+
+use crate::inferred::INTERFACE_VERSION;
+use crate::service::Context;
+
+/// Answers the request.
+pub(super) fn answer(
+    _: &GetSoapServerVersion,
+    _: &mut Context<'_, '_>,
+) -> Result<GetSoapServerVersionAnswer, SoapFault> {
+    let version = Some(INTERFACE_VERSION.to_owned());
+    Ok(GetSoapServerVersionAnswer { server: InterfaceVersion { version } })
+}

@@ -1,0 +1,17 @@
+//! `logout`: also removes the breakpoints of the session. Held tasks stay held.
+
+use val3_soap::v0::Logout;
+use val3_soap::{Empty, SoapFault};
+
+use crate::service::Context;
+
+/// Answers the request.
+pub(super) fn answer(_: &Logout, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {
+    if let Some((session, _)) = context.session {
+        context.service.sessions.close(session);
+        if context.service.debugging.owner.take_if(|owner| *owner == session).is_some() {
+            context.service.debugging.clear_all(context.target.debugger);
+        }
+    }
+    Ok(Empty)
+}

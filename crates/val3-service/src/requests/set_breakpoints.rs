@@ -1,0 +1,23 @@
+//! `setBreakpoints`: a task that arrives at a line is held; other tasks continue.
+
+use val3_soap::SoapFault;
+use val3_soap::v2::{ProgramLine, SetBreakpoints, SetBreakpointsAnswer};
+
+use crate::debugging::breakpoint_responses;
+use crate::service::Context;
+
+/// Answers the request.
+pub(super) fn answer(
+    request: &SetBreakpoints,
+    context: &mut Context<'_, '_>,
+) -> Result<SetBreakpointsAnswer, SoapFault> {
+    context.debug()?;
+    let lines = request.breakpoints.iter().map(|reference| &reference.line);
+    let results: Vec<_> = lines.map(|line| set(line, context)).collect();
+    Ok(SetBreakpointsAnswer { responses: breakpoint_responses(results) })
+}
+
+fn set(line: &ProgramLine, context: &mut Context<'_, '_>) -> Result<(), SoapFault> {
+    let at = context.target.find_line(line)?;
+    context.service.debugging.set(at, line.clone(), context.target.debugger)
+}

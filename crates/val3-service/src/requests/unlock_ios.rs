@@ -1,0 +1,18 @@
+//! `unlockIos`: returns signals to programs and devices.
+
+use val3_soap::SoapFault;
+use val3_soap::v2::{UnlockIos, UnlockIosAnswer, UnlockedSignal};
+
+use crate::service::Context;
+use crate::signals::{SignalChange, change, check_number, state};
+
+/// Answers the request.
+pub(super) fn answer(request: &UnlockIos, context: &mut Context<'_, '_>) -> Result<UnlockIosAnswer, SoapFault> {
+    check_number(&request.paths)?;
+    let controller = context.controller();
+    let unlock = |path: &String| UnlockedSignal {
+        response: change(controller, path, SignalChange::Unlock),
+        state: state(controller, path, request.with_description),
+    };
+    Ok(UnlockIosAnswer { responses: request.paths.iter().map(unlock).collect() })
+}

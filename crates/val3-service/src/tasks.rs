@@ -1,0 +1,77 @@
+//! Tasks by the names of the interface.
+
+use val3_lang::ports::TaskNumber;
+use val3_lang::runtime_errors;
+use val3_soap::v2::{TaskState, TaskStatus};
+use val3_soap::{ExceptionCode, SoapFault};
+use val3_vm::{Rate, Task};
+
+use crate::applications;
+use crate::service::{ServiceTarget, refused};
+
+impl ServiceTarget<'_> {
+    /// Finds a task by its name and by the project that has created it.
+    ///
+    /// # Errors
+    /// There is no such task.
+    pub(crate) fn task(&self, name: Option<&str>, created_by: Option<&str>) -> Result<TaskNumber, SoapFault> {
+        let (name, created_by) = (name.unwrap_or_default(), created_by.unwrap_or_default());
+        let mut tasks = self.debugger.controller.vm.tasks().iter();
+        let is_asked = |task: &Task| {
+            task.name == name && self.creator(task).is_some_and(|creator| creator.eq_ignore_ascii_case(created_by))
+        };
+        let task = tasks.find(|task| is_asked(task)).map(|task| task.id);
+        task.ok_or_else(|| refused(ExceptionCode::TaskNotFound, "getTasks lists the tasks with their creators"))
+    }
+
+    /// Checks that a client can continue a task: only a client or a breakpoint holds it.
+    ///
+    /// # Errors
+    /// The application has suspended the task, or an error has stopped it.
+    pub(crate) fn check_resumable(&self, task: TaskNumber) -> Result<(), SoapFault> {
+        let state = self.debugger.controller.vm.tasks().iter().find(|known| known.id == task).map(|task| task.state);
+        let reason = match state {
+            Some(val3_vm::TaskState::Halted) => "the application has suspended the task".to_owned(),
+            Some(val3_vm::TaskState::Failed(fault)) => format!("error {} has stopped the task", fault.0),
+            _ => return Ok(()),
+        };
+        Err(refused(ExceptionCode::Unknown, &format!("{reason}, and only the application resumes it")))
+    }
+
+    /// Project that has created a task.
+    fn creator(&self, task: &Task) -> Option<String> {
+        self.debugger.controller.vm.space.instance(task.owner).map(applications::project_name)
+    }
+
+    /// State of all tasks.
+    pub(crate) fn task_statuses(&self) -> Vec<TaskStatus> {
+        self.debugger.controller.vm.tasks().iter().map(|task| self.status(task)).collect()
+    }
+
+    fn status(&self, task: &Task) -> TaskStatus {
+        let error = match task.state {
+            val3_vm::TaskState::Failed(fault) => fault.0,
+            _ => 0,
+        };
+        TaskStatus {
+            name: Some(task.name.clone()),
+            state: self.state(task),
+            priority: match task.rate {
+                Rate::Priority(priority) => i32::try_from(priority).unwrap_or(i32::MAX),
+                Rate::Period { .. } => 0,
+            },
+            created_by: self.creator(task),
+            error: error.into(),
+            error_description: Some(runtime_errors::find(error).map_or_else(String::new, |row| row.short.to_owned())),
+            line: self.line_of_task(task.id),
+        }
+    }
+
+    fn state(&self, task: &Task) -> TaskState {
+        match task.state {
+            val3_vm::TaskState::Running if self.debugger.stepped_task() == Some(task.id) => TaskState::Stepping,
+            val3_vm::TaskState::Running if !task.is_held => TaskState::Running,
+            _ => TaskState::Stopped,
+        }
+    }
+}

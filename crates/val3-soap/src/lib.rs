@@ -1,0 +1,35 @@
+//! Messages of the SOAP interface of CS8 and CS9 controllers: requests, answers and faults as typed structs.
+//!
+//! A message is a [`Envelope`]: a SOAP version, a session and a body. The body of a request is a [`SoapRequest`], the
+//! body of an answer a [`SoapAnswer`] or a [`SoapFault`]. Each operation is one file, and [`operations`] lists all of
+//! them.
+//!
+//! Names and types are facts of the stubs of public clients. The folder `tests/samples` contains one request and one
+//! answer for each operation.
+
+mod base64_value;
+mod document;
+mod envelope;
+mod error;
+mod fault;
+pub mod operations;
+mod server;
+mod structure;
+#[cfg(test)]
+mod tests;
+mod value;
+
+pub mod multipart;
+pub mod v0;
+pub mod v1;
+pub mod v2;
+pub mod v3;
+
+pub use base64_value::Binary;
+pub use document::SoapElement;
+pub use envelope::{Envelope, SessionHeader, SoapVersion};
+pub use error::SoapError;
+pub use fault::{Culprit, ExceptionCode, ServerException, SoapFault};
+pub use operations::{SoapAnswer, SoapRequest};
+pub use server::SoapServer;
+pub use value::{Empty, Operation, SoapValue};

@@ -1,0 +1,49 @@
+//! Data with a content type.
+
+use crate::base64_value::Binary;
+use crate::document::SoapElement;
+use crate::error::SoapError;
+use crate::value::{SoapField as _, SoapValue};
+
+/// Name spaces of the content type, which differ between stubs. The first is written.
+const NAMESPACES: [&str; 2] = ["http://www.w3.org/2004/11/xmlmime", "http://tempuri.org/xmlmime.xsd"];
+
+/// Name of the attribute.
+const CONTENT_TYPE: &str = "contentType";
+
+/// Name of the element with the bytes.
+const DATA: &str = "data";
+
+/// Bytes with a content type.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MimeData {
+    /// Content type, for example `text/xml`.
+    pub content_type: Option<String>,
+    /// Bytes.
+    pub data: Binary,
+}
+
+impl SoapValue for MimeData {
+    fn read(element: &SoapElement) -> Result<Self, SoapError> {
+        let data = Binary::read_field(element, DATA)?;
+        let attribute = |of: &SoapElement| {
+            NAMESPACES
+                .iter()
+                .chain(&[""])
+                .find_map(|namespace| of.attribute(namespace, CONTENT_TYPE))
+                .map(str::to_owned)
+        };
+        let content_type = attribute(element).or_else(|| element.child("", DATA).and_then(attribute));
+        Ok(Self { content_type, data })
+    }
+
+    fn write(&self, element: &mut SoapElement) {
+        let mut child = SoapElement::plain(DATA);
+        if let Some(content_type) = &self.content_type {
+            let [namespace, _] = NAMESPACES;
+            child = child.with_attribute(namespace, CONTENT_TYPE, content_type);
+        }
+        self.data.write(&mut child);
+        element.children.push(child);
+    }
+}

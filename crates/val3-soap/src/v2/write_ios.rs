@@ -1,0 +1,24 @@
+//! `writeIos`: sets signals.
+
+use super::SignalResponse;
+use crate::structure::{operation, structure};
+
+structure! {
+    /// Request `writeIos`.
+    WriteIos {
+        /// Signals, for example `BasicIO-1\%Q0`.
+        paths: Vec<String> = "ios" of "PhysicalPath",
+        /// Values, in the order of the signals; a digital signal has 0 or 1.
+        values: Vec<f64> = "values" of "PhysicalIoValue",
+    }
+}
+
+structure! {
+    /// Answer of `writeIos`.
+    WriteIosAnswer {
+        /// Results, in the order of the request.
+        responses: Vec<SignalResponse> = "out" of "PhysicalIoResponse",
+    }
+}
+
+operation!(WriteIos: V2 "writeIos" => WriteIosAnswer, "writeIosResponse");

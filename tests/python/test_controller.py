@@ -1,0 +1,216 @@
+"""Tests of `val3 run --controller` with a client of the standard library: the samples of the interface, and a session."""
+
+import base64
+import math
+import re
+import subprocess
+import unittest
+import urllib.error
+import urllib.request
+from pathlib import Path
+from typing import ClassVar
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+import val3
+
+ROOT = Path(__file__).parents[2]
+PALLETISER = ROOT / "examples/palletiser/usr/usrapp/palletiser"
+SAMPLES = ROOT / "crates/val3-soap/tests/samples"
+
+SOAP = "http://www.w3.org/2003/05/soap-envelope"
+OLD_SOAP = "http://schemas.xmlsoap.org/soap/envelope/"
+V0 = "CS8ServerV0"
+
+#: Samples whose request is not offered.
+NOT_OFFERED = {
+    "getStackFrame", "getWatches", "setCurrentInstruction", "replaceLine", "setProjectAsModified", "getProject",
+    "subscribeToControllerEvents", "unsubscribeToControllerEvents", "moveJJ", "moveJC", "moveL", "moveC", "resetMotion",
+    "stopMotion", "restartMotion",
+}
+#: Samples that name an application, task or recording of another cell.
+OTHER_CELL = {
+    "getApplicationDatas": "APPLICATION-NOT-FOUND",
+    "getRecord": "FILE-NOT-FOUND-CODE",
+    "getCallStack": "TASK-NOT-FOUND",
+    "execVal3": "TASK-NOT-FOUND",
+    "taskKill": "TASK-NOT-FOUND",
+    "taskResume": "TASK-NOT-FOUND",
+    "taskStep": "TASK-NOT-FOUND",
+    "taskSuspend": "TASK-NOT-FOUND",
+}
+
+
+class Fault(Exception):
+    """Fault of the controller: code and reason."""
+
+    def __init__(self, code: str, reason: str) -> None:
+        super().__init__(reason)
+        self.code = code
+
+
+class Client:
+    """Client that keeps the session of the last answer, as the stubs of clients do."""
+
+    def __init__(self, address: str) -> None:
+        self.address = address
+        self.session = ""
+
+    def post(self, path: str, text: str, kind: str = "application/soap+xml") -> Element:
+        """Send a message. Return the element in the body of the answer."""
+        headers = {"Content-Type": f"{kind}; charset=utf-8"}
+        request = urllib.request.Request(self.address + path, text.encode(), headers)
+        try:
+            with urllib.request.urlopen(request, timeout=20) as response:
+                answer = response.read()
+        except urllib.error.HTTPError as error:
+            if error.code != 500:
+                raise
+            answer = error.read()
+        root = ElementTree.fromstring(answer)
+        soap = OLD_SOAP if kind == "text/xml" else SOAP
+        header = root.find(f"{{{soap}}}Header/{{{V0}}}sessionId")
+        if header is not None:
+            assert header.attrib == {}
+            self.session = header.text or ""
+        body = root.find(f"{{{soap}}}Body")
+        assert body is not None
+        [element] = body
+        if element.tag == f"{{{soap}}}Fault":
+            code = element.find(f".//{{{V0}}}ServerException/code")
+            reason = element.find(f".//{{{soap}}}Text")
+            raise Fault("" if code is None else code.text or "", "" if reason is None else reason.text or "")
+        return element
+
+    def call(self, server: str, operation: str, content: str = "") -> Element:
+        """Send a request with the session."""
+        path, namespace = ("", V0) if server == "V0" else (f"CS8Server{server}", f"urn:CS8Server{server}")
+        header = f"<s:Header><v:sessionId xmlns:v='{V0}'>{self.session}</v:sessionId></s:Header>" if self.session else ""
+        text = (
+            f"<s:Envelope xmlns:s='{SOAP}'>{header}<s:Body><o:{operation} xmlns:o='{namespace}'>{content}"
+            f"</o:{operation}></s:Body></s:Envelope>"
+        )
+        return self.post(path, text)
+
+
+def names(element: Element) -> list[str]:
+    """Names of an element and its descendants in the order of the document; a repeated item counts once."""
+    found = [element.tag]
+    for child in element:
+        inner = names(child)
+        if found[-len(inner):] != inner:
+            found += inner
+    return found
+
+
+def numbers(element: Element, name: str) -> list[float]:
+    """Numbers of a list."""
+    return [float(item.text or "") for item in element.findall(f"{name}/item")]
+
+
+class ControllerTest(unittest.TestCase):
+    """A run of the palletiser, and its clients."""
+
+    run_process: ClassVar["subprocess.Popen[str]"]
+    address: ClassVar[str]
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        command = [val3.find_binary(), "run", str(PALLETISER), "--controller", "0", "--until", "300", "--until-ok"]
+        cls.run_process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+        assert cls.run_process.stderr is not None
+        for line in cls.run_process.stderr:
+            found = re.search(r"reach the controller at (http://\S+)", line)
+            if found:
+                cls.address = found[1]
+                return
+        raise AssertionError("the run did not begin")
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        cls.run_process.terminate()
+        cls.run_process.wait(20)
+        assert cls.run_process.stderr is not None
+        cls.run_process.stderr.close()
+
+    def login(self) -> Client:
+        client = Client(self.address)
+        sid = client.call("V0", "login", "<user>default</user><pwd/>").findtext("sid")
+        self.assertEqual(sid, client.session)
+        self.assertGreater(int(client.session), 0)
+        return client
+
+    def test_samples_have_answers_of_the_same_form(self) -> None:
+        client = self.login()
+        session = client.session
+        for request in sorted(SAMPLES.glob("V*.req.xml")):
+            name = request.name.removesuffix(".req.xml")
+            server, operation = name.split("-", 1)
+            if operation in {"login", "login.soap11", "logout"}:
+                continue
+            text = request.read_text().replace(">42<", f">{session}<")
+            path = "" if server == "V0" else f"CS8Server{server}"
+            sample = ElementTree.fromstring(request.with_name(f"{name}.res.xml").read_text())
+            body = sample.find(f"{{{SOAP}}}Body")
+            assert body is not None
+            try:
+                answer = client.post(path, text)
+            except Fault as fault:
+                expected = OTHER_CELL.get(operation, "INVALID-SOAP-HANDLER" if operation in NOT_OFFERED else None)
+                expected = expected or body.findtext(f".//{{{V0}}}ServerException/code")
+                self.assertEqual(fault.code, expected, name)
+                self.assertTrue(str(fault).startswith(f"{fault.code}: "), name)
+            else:
+                self.assertNotIn(operation, NOT_OFFERED)
+                with self.subTest(name):
+                    [element] = body
+                    self.assertEqual(answer.tag, element.tag)
+                    # No breakpoint is set here.
+                    if operation != "getBreakpoints":
+                        self.assertTrue(set(names(element)) <= set(names(answer)), names(answer))
+            self.assertEqual(client.session, session, name)
+
+    def test_soap_1_1(self) -> None:
+        client = Client(self.address)
+        answer = client.post("", (SAMPLES / "V0-login.soap11.req.xml").read_text(), "text/xml")
+        self.assertEqual(answer.tag, f"{{{V0}}}loginResponse")
+
+    def test_positions(self) -> None:
+        client = self.login()
+        joints = [0.1, 0.2, 1.2, 0.0, 0.5, -0.3]
+        items = "".join(f"<item>{joint}</item>" for joint in joints)
+        client.call("V0", "setRobotJointPos", f"<robot>0</robot><pos>{items}</pos>")
+        answer = client.call("V0", "getRobotJntCartPos", "<robot>0</robot>")
+        for read, written in zip(numbers(answer, "jntPos"), joints, strict=True):
+            self.assertAlmostEqual(read, written, 12)
+        reach = math.dist([float(answer.findtext(f"cartPos/{axis}") or "") for axis in "xyz"], [0, 0, 0])
+        self.assertTrue(0.2 < reach < 3, reach)
+
+    def test_data_and_signals(self) -> None:
+        client = self.login()
+        name = "<name>Disk://palletiser/palletiser.pjx</name>"
+        data = client.call("V1", "getApplicationDatas", name).findtext("data") or ""
+        root = ElementTree.fromstring(base64.b64decode(data))
+        self.assertTrue(any(child.get("name") == "nLayer" for child in root.iter()))
+        path = r"BasicIO-1\%Q15"
+        ios = f"<ios><PhysicalPath>{path}</PhysicalPath></ios>"
+        client.call("V2", "writeIos", f"{ios}<values><PhysicalIoValue>1</PhysicalIoValue></values>")
+        state = client.call("V2", "readIos", f"{ios}<x-getDescription>true</x-getDescription>")
+        self.assertEqual(state.findtext("state/PhysicalIoState/value"), "1")
+
+    def test_sessions(self) -> None:
+        first, second = self.login(), self.login()
+        self.assertNotEqual(first.session, second.session)
+        session = first.session
+        first.call("V0", "logout")
+        first.session = session
+        with self.assertRaises(Fault) as raised:
+            first.call("V0", "getRobots")
+        self.assertEqual(raised.exception.code, "INVALID-SESSION-ID-CODE")
+        second.call("V0", "getRobots")
+        rejected = Client(self.address).call("V0", "login", "<user>nobody</user>")
+        self.assertEqual(rejected.findtext("sid"), "0")
+
+
+if __name__ == "__main__":
+    unittest.main()
