@@ -106,7 +106,8 @@ fn files_that_are_no_log_are_refused() {
     folder.write("a/log/user.log", "");
     folder.write("b/log/user.log", "");
     folder.write("c/readme.txt", "");
-    let messages = [("errors.log", "UTF-16"), ("none.log", "does not exist"), ("c", "there is no log in `c`"), ("a", "")];
+    let messages =
+        [("errors.log", "UTF-16"), ("none.log", "does not exist"), ("c", "there is no log in `c`"), ("a", "")];
     for (path, message) in messages {
         let run = folder.val3(&["log", path]);
         assert_eq!(run.code, if message.is_empty() { 0 } else { 2 }, "{path}: {run:?}");

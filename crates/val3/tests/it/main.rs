@@ -15,8 +15,6 @@ mod check_contacts;
 mod check_motion;
 mod configuration;
 #[cfg(unix)]
-mod controller;
-#[cfg(unix)]
 mod damage;
 mod dap;
 mod dap_client;
@@ -92,6 +90,8 @@ mod serial;
 mod serve;
 mod serve_record;
 mod silencing;
+#[cfg(unix)]
+mod soap;
 mod statistics;
 #[cfg(unix)]
 mod strangers;
