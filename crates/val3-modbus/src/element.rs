@@ -59,14 +59,14 @@ mod tests {
         );
         let mut shown = String::new();
         for element in file.topics.iter().flat_map(super::Topic::elements) {
-            let (link, others) = (element.link, element.other_links.join(" "));
-            writeln!(shown, "{} {:?}: {link} | {others}", element.address, element.writer).unwrap();
+            let (link, others) = (element.link, element.other_links);
+            writeln!(shown, "{} {:?}: {link} {others:?}", element.address, element.writer).unwrap();
         }
         expect![[r#"
-            0 Client: ModbusSrv-0\My bus-Bit\bStart | 
-            1 Robot: ModbusSrv-0\My bus-Bit\bOut[0] | ModbusSrv-0\My bus-Bit\bOut ModbusSrv-0\My bus-Bit\bOut:2[0]
-            2 Robot: ModbusSrv-0\My bus-Bit\bOut[1] | ModbusSrv-0\My bus-Bit\bOut:2[1]
-            65535 Client: ModbusSrv-0\My bus-Word\n[0] | ModbusSrv-0\My bus-Word\n ModbusSrv-0\My bus-Word\n:1[0]
+            0 Client: ModbusSrv-0\My bus-Bit\bStart []
+            1 Robot: ModbusSrv-0\My bus-Bit\bOut[0] ["ModbusSrv-0\\My bus-Bit\\bOut", "ModbusSrv-0\\My bus-Bit\\bOut:2[0]"]
+            2 Robot: ModbusSrv-0\My bus-Bit\bOut[1] ["ModbusSrv-0\\My bus-Bit\\bOut:2[1]"]
+            65535 Client: ModbusSrv-0\My bus-Word\n[0] ["ModbusSrv-0\\My bus-Word\\n", "ModbusSrv-0\\My bus-Word\\n:1[0]"]
         "#]]
         .assert_eq(&shown);
     }
