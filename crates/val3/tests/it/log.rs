@@ -12,7 +12,7 @@ const S7: &str = include_str!("../../../val3-backup/tests/logs/s7-errors.log");
 const S8: &str = include_str!("../../../val3-backup/tests/logs/s8-user.log");
 const S8_SYSTEM: &str = include_str!("../../../val3-backup/tests/logs/s8-system.log");
 
-/// Cell with the application of the s8 logs. The call in line 5 of its code is in line 8 of the file.
+/// Cell with the application of the s8 logs. The call in line 5 of its code is in line 7 of the file.
 fn cell() -> Folder {
     let folder = Folder::empty();
     let code = "begin\n  cls()\n  cls()\n  cls()\n  call pik()\nend\n";
