@@ -35,7 +35,9 @@ fn check(run: &CommandOutput, expected: Expect) {
 fn a_cs8_log_is_shown_with_its_remedies() {
     let folder = Folder::empty();
     folder.write("errors.log", S7);
-    check(&folder.val3(&["log", "errors.log"]), expect![[r#"
+    check(
+        &folder.val3(&["log", "errors.log"]),
+        expect![[r#"
         2016-01-05 08:00:00 --------------------------------
         2016-01-05 08:00:00 Logger started
         2016-01-05 08:00:02 INFO 0x2401 System: s7.8.3 {00c4ff10}
@@ -52,12 +54,15 @@ fn a_cs8_log_is_shown_with_its_remedies() {
         not a message at all
         ---
         10 messages: 0 critical, 1 error, 0 warnings; 1 line in no known form, shown unchanged
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn the_logs_of_a_cell_are_merged_and_show_the_source_line() {
-    check(&cell().val3(&["log"]), expect![[r#"
+    check(
+        &cell().val3(&["log"]),
+        expect![[r#"
         [01/05/21 07:59: DVM(INFO): Serial Number : F_00_0000000_C_001
         2021-01-05 07:59:58 log continued from the older file (log version 3.0.0)
         2021-01-05 08:00:00 controller started (log version 3.0.0)
@@ -87,13 +92,16 @@ fn the_logs_of_a_cell_are_merged_and_show_the_source_line() {
             = what to do: End the application with `waitEndMove()`.
         ---
         15 messages: 0 critical, 5 errors, 1 warning; 3 lines in no known form, shown unchanged
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_single_log_finds_the_cell_around_it() {
     let run = cell().val3(&["log", "log/user.log", "--level", "error"]);
-    check(&run, expect![[r#"
+    check(
+        &run,
+        expect![[r#"
         2021-01-05 08:00:00 controller started (log version 3.0.0)
         2021-01-05 08:00:50 ERROR 0x5404 VAL3 runtime error. Cartesian position out of joint limits.. first.btnPark.click_clkPark.
         2021-01-05 08:00:50 ERROR 0x5404 ERR 531 Cartesian position out of joint limits.. first.btnPark.click_clkPark.
@@ -105,7 +113,8 @@ fn a_single_log_finds_the_cell_around_it() {
             = what to do: Add the program to the project, or correct the spelling. `val3 check` proposes similar names (V0102).
         ---
         4 messages: 0 critical, 3 errors, 0 warnings; 3 more not selected
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -183,12 +192,15 @@ fn latin_1_and_utf_8_are_read() {
     let mut log = "\u{feff}[01/05/21 08:00:00]: <0x5464> USR:Öffnen\r\n".as_bytes().to_vec();
     log.extend(b"[01/05/21 08:00:01]: <0x5464> USR:\xd6ffnen \x1b[2J\r\n");
     fs::write(folder.path().join("errors.log"), log).unwrap();
-    check(&folder.val3(&["log", "errors.log"]), expect![[r#"
+    check(
+        &folder.val3(&["log", "errors.log"]),
+        expect![[r#"
         2021-01-05 08:00:00 INFO 0x5464 USR:Öffnen
         2021-01-05 08:00:01 INFO 0x5464 USR:Öffnen ␛[2J
         ---
         2 messages: 0 critical, 0 errors, 0 warnings
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -198,7 +210,8 @@ fn files_that_are_no_log_are_refused() {
     folder.write("a/log/user.log", "");
     folder.write("b/log/user.log", "");
     folder.write("c/readme.txt", "");
-    let messages = [("errors.log", "UTF-16"), ("none.log", "does not exist"), ("c", "there is no log in `c`"), ("a", "")];
+    let messages =
+        [("errors.log", "UTF-16"), ("none.log", "does not exist"), ("c", "there is no log in `c`"), ("a", "")];
     for (path, message) in messages {
         let run = folder.val3(&["log", path]);
         assert_eq!(run.code, if message.is_empty() { 0 } else { 2 }, "{path}: {run:?}");
