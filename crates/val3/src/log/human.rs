@@ -62,9 +62,9 @@ fn headline(record: &MessageRecord, out: &mut dyn WriteColor) -> io::Result<()> 
 /// Application, task and program, as far as the text does not name them.
 fn place(record: &MessageRecord) -> Option<String> {
     let parts = [("application", &record.application), ("program", &record.program)];
-    // A message without an explanation is repeated by the next one with an error number.
-    let is_explained = record.topic.is_some();
-    let is_new = |name: &str| is_explained && !record.text.contains(name) && record.sources.is_empty();
+    // Usual messages of a program remain in one line.
+    let has_remedy = record.remedy.is_some();
+    let is_new = |name: &str| has_remedy && !record.text.contains(name) && record.sources.is_empty();
     let known = parts.into_iter().filter_map(|(kind, name)| Some((kind, name.as_deref().filter(|name| is_new(name))?)));
     let known: Vec<String> = known.map(|(kind, name)| format!("{kind} `{}`", one_line(name))).collect();
     (!known.is_empty()).then(|| known.join(", "))

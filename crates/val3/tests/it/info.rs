@@ -33,7 +33,41 @@ fn check(folder: &Folder, arguments: &[&str], code: i32, expected: Expect) {
 
 #[test]
 fn a_cell_is_described() {
-    check(&palletiser(), &["cell"], 0, expect![[r#""#]]);
+    check(
+        &palletiser(),
+        &["cell"],
+        0,
+        expect![[r#"
+        cell
+          serial number   unknown
+          software        s7.11.3
+          arm             tx90l-S1, floor
+          simulation      emulation
+          language        english
+          starts with     palletiser
+
+        Applications
+          io            0 programs    2 files     2.4 kB
+          palletiser   23 programs   25 files    29.3 kB
+          partBag       4 programs    6 files     4.6 kB
+          partBox       4 programs    6 files     4.2 kB
+          Slot          0 programs    2 files      865 B
+
+        Boards and signals
+          BasicIO-1: 16 inputs, 16 outputs
+          ModbusSrv-0: 2 signals: Modbus-Word\Vacuum, Modbus-Word\Weight
+          Socket: 1 signal: host
+          bio2: not in the controller
+          mio: not in the controller
+          cio: not in the controller
+
+        Users
+          operator: readAccess; not writeAccess
+
+        Missing for val3 run
+          nothing
+    "#]],
+    );
 }
 
 #[test]
@@ -41,7 +75,46 @@ fn missing_and_damaged_parts_are_named() {
     let folder = palletiser();
     std::fs::remove_file(folder.path().join("cell/usr/usrapp/palletiser/start.pgx")).unwrap();
     folder.write("cell/usr/configs/arm.cfx", "<arm");
-    check(&folder, &["cell"], 2, expect![[r#""#]]);
+    check(
+        &folder,
+        &["cell"],
+        2,
+        expect![[r#"
+        cell
+          serial number   unknown
+          software        s7.11.3
+          arm             unknown
+          simulation      emulation
+          language        english
+          starts with     palletiser
+
+        Applications
+          io            0 programs    2 files     2.4 kB
+          palletiser   22 programs   24 files    28.9 kB
+          partBag       4 programs    6 files     4.6 kB
+          partBox       4 programs    6 files     4.2 kB
+          Slot          0 programs    2 files      865 B
+
+        Boards and signals
+          BasicIO-1: 16 inputs, 16 outputs
+          ModbusSrv-0: 2 signals: Modbus-Word\Vacuum, Modbus-Word\Weight
+          Socket: 1 signal: host
+          bio2: not in the controller
+          mio: not in the controller
+          cio: not in the controller
+
+        Users
+          operator: readAccess; not writeAccess
+
+        Not read
+          cell/usr/configs/arm.cfx: line 1: an element is not closed; the file is cut off or damaged
+
+        Missing for val3 run
+          the arm is unknown: name it with --arm
+          cell/tests/faultsTest/faultsTest.pjx:2: the file `usr/configs/arm.cfx` of the cell cannot be read: line 1: an element is not closed; the file is cut off or damaged; copy the file from the controller again, or delete it if the controller does not have it
+          cell/usr/usrapp/palletiser/palletiser.pjx:22: the program file `start.pgx` is not on the disk; copy the file into the folder of the project, or remove the entry
+    "#]],
+    );
 }
 
 #[test]
@@ -52,8 +125,10 @@ fn the_document_lists_signals() {
     let controller = &document["controllers"][0];
     assert_eq!((document["version"].as_u64(), controller["unread"].as_array().map(Vec::len)), (Some(1), Some(0)));
     let board = controller["devices"].as_array().unwrap().iter().find(|device| device["name"] == "BasicIO-1").unwrap();
-    expect![[r#""#]].assert_eq(&board["signals"][0].to_string());
-    expect![[r#""#]].assert_eq(&controller["users"].to_string());
+    expect![[r#"{"direction":"input","link":"BasicIO-1\\%I0","name":"bIn0","type":"dio"}"#]]
+        .assert_eq(&board["signals"][0].to_string());
+    expect![[r#"[{"denied":["writeAccess"],"is_default":false,"name":"operator","rights":["readAccess"]}]"#]]
+        .assert_eq(&controller["users"].to_string());
 }
 
 #[test]
