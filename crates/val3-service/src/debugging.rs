@@ -4,9 +4,9 @@ use val3_debug::{Breakpoint, BreakpointId, Debugger};
 use val3_soap::v2::{BreakpointResponse, ProgramLine};
 use val3_soap::{ExceptionCode, SoapFault};
 
+use crate::context::{Context, refused};
 use crate::inferred::BREAKPOINT_SET;
 use crate::lines::FileLine;
-use crate::service::{Context, refused};
 
 /// Debugging state of a service.
 #[derive(Debug, Default)]
@@ -87,13 +87,13 @@ impl Context<'_, '_> {
     /// Another session debugs.
     pub(crate) fn debug(&mut self) -> Result<(), SoapFault> {
         let session = self.session.map(|(id, _)| id);
-        let service = &mut *self.service;
-        match service.debugging.owner {
-            Some(owner) if Some(owner) != session && service.sessions.is_open(owner, self.now) => {
+        let state = &mut *self.state;
+        match state.debugging.owner {
+            Some(owner) if Some(owner) != session && state.sessions.is_open(owner, self.now) => {
                 Err(refused(ExceptionCode::ClientAlreadyConnected, "another session debugs"))
             }
             _ => {
-                service.debugging.owner = session;
+                state.debugging.owner = session;
                 Ok(())
             }
         }

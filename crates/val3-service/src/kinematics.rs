@@ -6,7 +6,7 @@ use val3_kinematics::{Arm, ConfigurationRequest, Elbow, Joints, RequestedConfigu
 use val3_soap::v3::{self, AnthroConfig, ArmConfig, Matrix, PositiveNegative, ScaraConfig};
 use val3_soap::{ExceptionCode, SoapFault};
 
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 use crate::units::{MM, joints_from_si};
 
 /// Largest deviation of an axis from length 1, and of the axes from right angles, as a sine. It covers matrices that are

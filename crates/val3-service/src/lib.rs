@@ -8,6 +8,7 @@
 
 mod accounts;
 mod applications;
+mod context;
 mod debugging;
 mod inferred;
 mod kinematics;
@@ -17,21 +18,10 @@ mod service;
 mod sessions;
 mod signals;
 mod tasks;
+#[cfg(test)]
+mod tests;
 mod units;
 
-#[cfg(test)]
-mod tests {
-    //! Requests to a controller with a small application.
-
-    mod arms;
-    mod client;
-    mod data;
-    mod debugging;
-    mod kinematics;
-    mod rights;
-    mod sessions;
-    mod signals;
-}
-
 pub use accounts::Accounts;
-pub use service::{Service, ServiceAnswer, ServiceCall, ServiceTarget};
+pub use context::ServiceTarget;
+pub use service::{Service, ServiceAnswer, ServiceCall};

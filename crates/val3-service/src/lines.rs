@@ -10,7 +10,7 @@ use val3_soap::{ExceptionCode, SoapFault};
 use val3_vm::InstanceId;
 
 use crate::applications;
-use crate::service::{ServiceTarget, refused};
+use crate::context::{ServiceTarget, refused};
 
 /// Line of a program in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -44,7 +44,7 @@ mod write_ios;
 
 use val3_soap::{ExceptionCode, SoapAnswer, SoapFault, SoapRequest};
 
-use crate::service::{Context, Right, refused};
+use crate::context::{Context, Right, refused};
 
 /// Answers a request.
 pub(crate) fn answer(request: &SoapRequest, context: &mut Context<'_, '_>) -> Result<SoapAnswer, SoapFault> {

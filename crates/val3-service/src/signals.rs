@@ -9,8 +9,8 @@ use val3_soap::v2::{
 };
 use val3_soap::{ExceptionCode, SoapFault};
 
+use crate::context::refused;
 use crate::inferred::{DIGITAL_THRESHOLD, MOST_SIGNALS};
-use crate::service::refused;
 
 /// Change of a signal by a client.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,7 +7,7 @@ use val3_soap::{ExceptionCode, SoapFault};
 use val3_vm::{Rate, Task};
 
 use crate::applications;
-use crate::service::{ServiceTarget, refused};
+use crate::context::{ServiceTarget, refused};
 
 impl ServiceTarget<'_> {
     /// Finds a task by its name and by the project that has created it.

@@ -19,7 +19,7 @@ pub struct SoapElement {
     /// Name space; empty without.
     pub namespace: String,
     /// Attributes without declarations of name spaces.
-    pub(crate) attributes: Vec<SoapAttribute>,
+    pub attributes: Vec<SoapAttribute>,
     /// Text of the element, without the text of its children.
     pub text: String,
     /// Elements below this element.
@@ -28,13 +28,13 @@ pub struct SoapElement {
 
 /// Attribute of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct SoapAttribute {
+pub struct SoapAttribute {
     /// Name without prefix.
-    pub(crate) name: String,
+    pub name: String,
     /// Name space; empty without.
-    pub(crate) namespace: String,
+    pub namespace: String,
     /// Value without entities.
-    pub(crate) value: String,
+    pub value: String,
 }
 
 impl SoapElement {

@@ -3,11 +3,11 @@
 use std::fmt::Display;
 
 use crate::document::{SoapElement, XML};
-use crate::envelope::SoapVersion;
 use crate::error::SoapError;
 use crate::server::SoapServer;
 use crate::structure::{enumeration, structure};
 use crate::value::SoapValue as _;
+use crate::version::SoapVersion;
 
 /// Party that has to change something before the request can succeed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -15,9 +15,8 @@ mod fault;
 pub mod operations;
 mod server;
 mod structure;
-#[cfg(test)]
-mod tests;
 mod value;
+mod version;
 
 pub mod multipart;
 pub mod v0;
@@ -26,10 +25,11 @@ pub mod v2;
 pub mod v3;
 
 pub use base64_value::Binary;
-pub use document::SoapElement;
-pub use envelope::{Envelope, SessionHeader, SoapVersion};
+pub use document::{SoapAttribute, SoapElement};
+pub use envelope::{Envelope, SessionHeader};
 pub use error::SoapError;
 pub use fault::{Culprit, ExceptionCode, ServerException, SoapFault};
 pub use operations::{SoapAnswer, SoapRequest};
 pub use server::SoapServer;
 pub use value::{Empty, Operation, SoapValue};
+pub use version::SoapVersion;

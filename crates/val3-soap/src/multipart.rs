@@ -1,7 +1,7 @@
 //! Bodies of HTTP requests: a plain message, or a message of several parts (MTOM), whose first part is the envelope.
 
-use crate::envelope::SoapVersion;
 use crate::error::SoapError;
+use crate::version::SoapVersion;
 
 /// Maximum number of parts. Requests of the interface contain no attachments.
 const MOST_PARTS: usize = 16;

@@ -3,11 +3,11 @@
 use val3_soap::v2::ClearAllBreakpoints;
 use val3_soap::{Empty, SoapFault};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &ClearAllBreakpoints, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {
     context.debug()?;
-    context.service.debugging.clear_all(context.target.debugger);
+    context.state.debugging.clear_all(context.target.debugger);
     Ok(Empty)
 }

@@ -3,8 +3,8 @@
 use val3_soap::v2::{ClearBreakpoints, ClearBreakpointsAnswer, ProgramLine};
 use val3_soap::{ExceptionCode, SoapFault};
 
+use crate::context::{Context, refused};
 use crate::debugging::breakpoint_responses;
-use crate::service::{Context, refused};
 
 /// Answers the request.
 pub(super) fn answer(
@@ -19,7 +19,7 @@ pub(super) fn answer(
 
 fn clear(line: &ProgramLine, context: &mut Context<'_, '_>) -> Result<(), SoapFault> {
     let at = context.target.find_line(line)?;
-    if context.service.debugging.clear(&at, context.target.debugger) {
+    if context.state.debugging.clear(&at, context.target.debugger) {
         return Ok(());
     }
     Err(refused(ExceptionCode::ProgramLineNotFound, "the line has no breakpoint"))

@@ -6,7 +6,7 @@ use val3_soap::v2::{ExecVal3, ExecVal3Answer, ExecutionResult};
 use val3_soap::{ExceptionCode, SoapFault};
 use val3_vm::FragmentContext;
 
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 
 /// Answers the request.
 pub(super) fn answer(request: &ExecVal3, context: &mut Context<'_, '_>) -> Result<ExecVal3Answer, SoapFault> {

@@ -3,7 +3,7 @@
 use val3_soap::v0::{FindServer, FindServerAnswer};
 use val3_soap::{SoapFault, SoapServer};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &FindServer, _: &mut Context<'_, '_>) -> Result<FindServerAnswer, SoapFault> {

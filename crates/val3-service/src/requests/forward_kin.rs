@@ -3,8 +3,8 @@
 use val3_soap::SoapFault;
 use val3_soap::v3::{ForwardKin, ForwardKinAnswer};
 
+use crate::context::Context;
 use crate::kinematics::{config, matrix};
-use crate::service::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &ForwardKin, context: &mut Context<'_, '_>) -> Result<ForwardKinAnswer, SoapFault> {

@@ -4,8 +4,8 @@ use val3_machine::io::{Direction, SignalKind};
 use val3_soap::v2::{GetAllPhysicalIos, GetAllPhysicalIosAnswer, MimeData};
 use val3_soap::{Binary, SoapElement, SoapFault};
 
+use crate::context::Context;
 use crate::inferred::signal_type;
-use crate::service::Context;
 
 /// Answers the request.
 pub(super) fn answer(

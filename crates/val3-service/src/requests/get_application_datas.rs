@@ -5,7 +5,7 @@ use val3_soap::v1::{GetApplicationDatas, GetApplicationDatasAnswer};
 use val3_soap::{Binary, ExceptionCode, SoapFault};
 
 use crate::applications;
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 
 /// Answers the request.
 pub(super) fn answer(

@@ -4,7 +4,7 @@ use val3_soap::v1::{GetApplications, GetApplicationsAnswer, ListedApplication};
 use val3_soap::{ExceptionCode, SoapFault};
 
 use crate::applications;
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 
 /// Answers the request.
 pub(super) fn answer(_: &GetApplications, context: &mut Context<'_, '_>) -> Result<GetApplicationsAnswer, SoapFault> {

@@ -3,11 +3,11 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{GetBreakpoints, GetBreakpointsAnswer, LineReference};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &GetBreakpoints, context: &mut Context<'_, '_>) -> Result<GetBreakpointsAnswer, SoapFault> {
-    let breakpoints = context.service.debugging.breakpoints.iter();
+    let breakpoints = context.state.debugging.breakpoints.iter();
     let breakpoints = breakpoints.map(|breakpoint| LineReference { line: breakpoint.line.clone() }).collect();
     Ok(GetBreakpointsAnswer { breakpoints })
 }

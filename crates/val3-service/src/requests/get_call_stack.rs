@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{GetCallStack, GetCallStackAnswer, LineReference, StackFrameSummary};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &GetCallStack, context: &mut Context<'_, '_>) -> Result<GetCallStackAnswer, SoapFault> {

@@ -3,8 +3,8 @@
 use val3_soap::SoapFault;
 use val3_soap::v0::{GetControllerParameters, GetControllerParametersAnswer};
 
+use crate::context::Context;
 use crate::inferred::serial_number;
-use crate::service::Context;
 
 /// Answers the request.
 pub(super) fn answer(

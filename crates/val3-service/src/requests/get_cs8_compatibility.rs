@@ -3,8 +3,8 @@
 use val3_soap::SoapFault;
 use val3_soap::v0::{GetCs8Compatibility, GetCs8CompatibilityAnswer};
 
+use crate::context::Context;
 use crate::inferred::compatibility;
-use crate::service::Context;
 
 /// Answers the request.
 pub(super) fn answer(

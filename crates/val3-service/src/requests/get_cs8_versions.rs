@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v0::{GetCs8Versions, GetCs8VersionsAnswer, SoftwareVersion};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Parts of the software: the name as in `val3version.xml`, and the name for the query.
 const PARTS: [(&str, &str); 3] = [("val3", "VAL 3"), ("system", "System"), ("starc", "Starc")];

@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v1::{GetJointRange, GetJointRangeAnswer, JointRange};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::units::joints_to_si;
 
 /// Answers the request.

@@ -3,7 +3,7 @@
 use val3_soap::v1::{GetRecord, GetRecordAnswer};
 use val3_soap::{ExceptionCode, SoapFault};
 
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 
 /// Answers the request.
 pub(super) fn answer(_: &GetRecord, _: &mut Context<'_, '_>) -> Result<GetRecordAnswer, SoapFault> {

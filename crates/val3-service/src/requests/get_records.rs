@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v1::{GetRecords, GetRecordsAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &GetRecords, _: &mut Context<'_, '_>) -> Result<GetRecordsAnswer, SoapFault> {

@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{DhParameters, GetRobotDhParameters, GetRobotDhParametersAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::units::MM;
 
 /// Answers the request.

@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v0::{GetRobotJntCartPos, GetRobotJntCartPosAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::units::{joints_to_si, pose_from_si, position_to_si};
 
 /// Answers the request.

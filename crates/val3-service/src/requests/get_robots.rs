@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v0::{DiameterAxis3, GetRobots, GetRobotsAnswer, Kinematic, LengthAxis3, MountType, RobotDescription};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &GetRobots, context: &mut Context<'_, '_>) -> Result<GetRobotsAnswer, SoapFault> {

@@ -3,8 +3,8 @@
 use val3_soap::SoapFault;
 use val3_soap::v0::{GetSoapServerVersion, GetSoapServerVersionAnswer, InterfaceVersion};
 
+use crate::context::Context;
 use crate::inferred::INTERFACE_VERSION;
-use crate::service::Context;
 
 /// Answers the request.
 pub(super) fn answer(

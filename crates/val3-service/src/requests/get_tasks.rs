@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{GetTasks, GetTasksAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &GetTasks, context: &mut Context<'_, '_>) -> Result<GetTasksAnswer, SoapFault> {

@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{LockAllIos, LockAllIosAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::signals::{SignalChange, change_all};
 
 /// Answers the request.

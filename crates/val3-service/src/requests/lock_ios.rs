@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{LockIos, LockIosAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::signals::{SignalChange, change, pairs};
 
 /// Answers the request.

@@ -3,14 +3,14 @@
 use val3_soap::v0::Logout;
 use val3_soap::{Empty, SoapFault};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &Logout, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {
     if let Some((session, _)) = context.session {
-        context.service.sessions.close(session);
-        if context.service.debugging.owner.take_if(|owner| *owner == session).is_some() {
-            context.service.debugging.clear_all(context.target.debugger);
+        context.state.sessions.close(session);
+        if context.state.debugging.owner.take_if(|owner| *owner == session).is_some() {
+            context.state.debugging.clear_all(context.target.debugger);
         }
     }
     Ok(Empty)

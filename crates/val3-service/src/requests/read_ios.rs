@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{ReadIos, ReadIosAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::signals::{check_number, state};
 
 /// Answers the request.

@@ -5,8 +5,8 @@ use val3_soap::v1::JointRange;
 use val3_soap::v3::{ReverseKin, ReverseKinAnswer, ReversingResult};
 use val3_soap::{ExceptionCode, SoapFault};
 
+use crate::context::{Context, refused};
 use crate::kinematics::{pose, requested};
-use crate::service::{Context, refused};
 use crate::units::{joints_from_si, joints_to_si};
 
 /// Answers the request.

@@ -3,8 +3,8 @@
 use val3_soap::SoapFault;
 use val3_soap::v3::{RobotPosition, SchedulerRefresh, SchedulerRefreshAnswer, SchedulingMode};
 
+use crate::context::Context;
 use crate::kinematics::{config, matrix};
-use crate::service::Context;
 use crate::units::joints_to_si;
 
 /// Answers the request.

@@ -3,8 +3,8 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{ProgramLine, SetBreakpoints, SetBreakpointsAnswer};
 
+use crate::context::Context;
 use crate::debugging::breakpoint_responses;
-use crate::service::Context;
 
 /// Answers the request.
 pub(super) fn answer(
@@ -19,5 +19,5 @@ pub(super) fn answer(
 
 fn set(line: &ProgramLine, context: &mut Context<'_, '_>) -> Result<(), SoapFault> {
     let at = context.target.find_line(line)?;
-    context.service.debugging.set(at, line.clone(), context.target.debugger)
+    context.state.debugging.set(at, line.clone(), context.target.debugger)
 }

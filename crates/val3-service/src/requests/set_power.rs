@@ -7,7 +7,7 @@ use val3_machine::script::ScriptAction;
 use val3_soap::SoapFault;
 use val3_soap::v3::{PowerResult, SetPower, SetPowerAnswer};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &SetPower, context: &mut Context<'_, '_>) -> Result<SetPowerAnswer, SoapFault> {

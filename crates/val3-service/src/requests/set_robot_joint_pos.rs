@@ -5,7 +5,7 @@ use val3_machine::script::ScriptAction;
 use val3_soap::v0::SetRobotJointPos;
 use val3_soap::{Empty, ExceptionCode, SoapFault};
 
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 use crate::units::joints_from_si;
 
 /// Answers the request.

@@ -3,7 +3,7 @@
 use val3_soap::v3::{SchedulingMode, SetSchedulingMode};
 use val3_soap::{Empty, ExceptionCode, SoapFault};
 
-use crate::service::{Context, refused};
+use crate::context::{Context, refused};
 
 /// Answers the request.
 pub(super) fn answer(request: &SetSchedulingMode, _: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {

@@ -4,7 +4,7 @@ use val3_debug::StepKind;
 use val3_soap::v2::{TaskStep, TaskStepKind};
 use val3_soap::{Empty, SoapFault};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &TaskStep, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {

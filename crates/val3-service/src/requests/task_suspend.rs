@@ -3,7 +3,7 @@
 use val3_soap::v2::TaskSuspend;
 use val3_soap::{Empty, SoapFault};
 
-use crate::service::Context;
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &TaskSuspend, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {

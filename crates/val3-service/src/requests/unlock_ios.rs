@@ -3,7 +3,7 @@
 use val3_soap::SoapFault;
 use val3_soap::v2::{UnlockIos, UnlockIosAnswer, UnlockedSignal};
 
-use crate::service::Context;
+use crate::context::Context;
 use crate::signals::{SignalChange, change, check_number, state};
 
 /// Answers the request.

@@ -12,7 +12,7 @@ fn a_profile_of_the_cell_has_its_rights_and_any_password() {
     let reader = ProfileRights { read: true, write: false, write_io: false };
     let nothing = ProfileRights { read: false, write: false, write_io: false };
     let mut client = Client::with(vec![profile("reader", reader), profile("nobody", nothing)]);
-    let unchecked: Vec<&str> = client.service.accounts.without_password_check().collect();
+    let unchecked: Vec<&str> = client.service.state.accounts.without_password_check().collect();
     assert_eq!(unchecked, ["reader", "nobody"]);
     let set = || SoapRequest::SetRobotJointPos(SetRobotJointPos { robot: 0, position: vec![0.0; 6] });
     assert_ne!(client.login("reader", "any"), 0);

@@ -2,8 +2,8 @@
 
 use super::read::is_legal;
 use super::{SCHEMA_INSTANCE, SoapElement, XML};
-use crate::envelope::{SOAP_11, SOAP_12};
 use crate::server::SoapServer;
+use crate::version::{SOAP_11, SOAP_12};
 
 /// Text of a document with this root.
 pub(super) fn write(root: &SoapElement) -> String {

@@ -1,20 +1,21 @@
 //! The sample messages in `tests/samples`, read and written again, and damaged.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use proptest::prelude::*;
 
-use crate::document::SoapElement;
-use crate::v0::{DiameterAxis3, Kinematic, LengthAxis3, MountType, Ping};
-use crate::v2::{ExecutionResult, ReplacementResult, SignalStatus, TaskState, TaskStepKind};
-use crate::v3::{
+use val3_soap::v0::{DiameterAxis3, Kinematic, LengthAxis3, MountType, Ping};
+use val3_soap::v2::{ExecutionResult, ReplacementResult, SignalStatus, TaskState, TaskStepKind};
+use val3_soap::v3::{
     AboveBelow, BlendType, MotionResult, MoveType, PositiveNegative, PowerResult, ReversingResult, SchedulingMode,
     Shoulder,
 };
-use crate::{
-    Envelope, ExceptionCode, SessionHeader, SoapAnswer, SoapFault, SoapRequest, SoapServer, SoapVersion, multipart,
-    operations,
+use val3_soap::{
+    Envelope, ExceptionCode, SessionHeader, SoapAnswer, SoapElement, SoapFault, SoapRequest, SoapServer, SoapVersion,
+    multipart, operations, v0, v3,
 };
 
 fn folder() -> PathBuf {
@@ -106,7 +107,7 @@ fn a_message_of_several_parts_contains_the_envelope() {
     let envelope = Envelope::read(envelope).unwrap();
     assert_eq!(envelope.session, Some(SessionHeader { id: 42, must_understand: false }));
     let request = SoapRequest::read(SoapServer::V3, &envelope.body).unwrap();
-    assert_eq!(request, SoapRequest::SetPower(crate::v3::SetPower { power: true }));
+    assert_eq!(request, SoapRequest::SetPower(v3::SetPower { power: true }));
 }
 
 #[test]
@@ -194,7 +195,7 @@ proptest! {
 
     #[test]
     fn numbers_are_returned_exactly(number in any::<f64>().prop_filter("finite", |number| number.is_finite())) {
-        let request = SoapRequest::SetRobotJointPos(crate::v0::SetRobotJointPos { robot: -1, position: vec![number] });
+        let request = SoapRequest::SetRobotJointPos(v0::SetRobotJointPos { robot: -1, position: vec![number] });
         prop_assert_eq!(SoapRequest::read(SoapServer::V0, &request.write()), Ok(request));
     }
 }
