@@ -20,6 +20,7 @@ mod project;
 mod pull;
 mod push;
 mod rules;
+mod running;
 mod scan;
 mod status;
 
@@ -37,8 +38,9 @@ pub use project::{ControllerProject, ProjectState};
 pub use pull::{ConflictVersions, MergeConflict, PullRequest, PullResult, pull};
 pub use push::{
     FailureOutcome, LockOwner, PlannedChange, PushFailure, PushPlan, PushRequest, RecoveredPush, RecoveryOutcome, push,
-    recover,
+    recover, remove_new_tree, write_new_tree,
 };
 pub use rules::is_protected;
-pub use scan::TOTAL_LIMIT;
+pub use running::running_applications;
+pub use scan::{TOTAL_LIMIT, read_files};
 pub use status::{ProjectStatus, check_identity};

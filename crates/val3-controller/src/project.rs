@@ -23,7 +23,7 @@ const STATE: &str = ".val3/controller.toml";
 const VERSION: u32 = 1;
 
 /// Files in [`DATA`] that do not belong in a repository.
-const GIT_IGNORE: &str = "backup/\nbase/\nincoming/\n";
+const GIT_IGNORE: &str = "backup/\nbase/\nchecked/\nincoming/\n";
 
 /// Comment at the start of the state.
 const HEAD: &str = "# Written by `val3 pull` and `val3 push`: the controller, and its files at the last pull or push.\n";

@@ -102,6 +102,24 @@ pub(crate) fn download(
     Ok(digests)
 }
 
+/// Returns the contents of all files below folders, without ignored ones.
+///
+/// # Errors
+/// If a folder or file cannot be read, or a limit is exceeded.
+pub fn read_files(
+    files: &mut dyn ControllerFiles,
+    folders: &[ControllerPath],
+    observer: &mut dyn TransferObserver,
+) -> Result<BTreeMap<ControllerPath, Vec<u8>>, ControllerError> {
+    let paths = files_below(files, folders, observer)?;
+    let mut contents = BTreeMap::new();
+    download(files, &paths, observer, &mut |path, bytes| {
+        contents.insert(path.clone(), bytes.to_vec());
+        Ok(())
+    })?;
+    Ok(contents)
+}
+
 /// Existing entries, listed once for each folder.
 #[derive(Default)]
 pub(crate) struct Presence {

@@ -1,6 +1,7 @@
-//! `val3 diff`: compares two backups of a controller.
+//! `val3 diff`: compares two backups of a controller, or a controller with local files.
 
 mod base;
+mod controller;
 mod folder;
 mod git;
 mod pair;
@@ -35,7 +36,12 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(base) = &args.base {
         return both_sides(&current, base, args, color);
     }
-    let versions = if args.git.is_empty() && !args.staged {
+    let versions = if let [address, local @ ..] = args.paths.as_slice()
+        && controller::is_address(address)
+    {
+        let [] | [_] = local else { return Err(wrong_number(args.paths.len())) };
+        controller::versions(address, local.first().map(|path| path.as_path()))?
+    } else if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
         pair::versions(&current, old, new)?
     } else {

@@ -135,6 +135,8 @@ fn serve(socket: TcpStream, state: &Mutex<ServerState>) {
     if state.lock().unwrap().is_dead {
         return;
     }
+    // Two replies in succession would wait for an acknowledgement.
+    socket.set_nodelay(true).unwrap();
     let mut lines = BufReader::new(socket.try_clone().unwrap()).lines();
     let mut session = Session::default();
     let mut reply = |text: &str| (&socket).write_all(format!("{text}\r\n").as_bytes()).is_ok();
