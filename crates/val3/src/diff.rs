@@ -39,7 +39,7 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     let versions = if let [address, local @ ..] = args.paths.as_slice()
         && controller::is_address(address)
     {
-        let [] | [_] = local else { return Err(wrong_number(args.paths.len())) };
+        let ([] | [_]) = local else { return Err(wrong_number(args.paths.len())) };
         controller::versions(address, local.first().map(|path| path.as_path()))?
     } else if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };

@@ -11,6 +11,7 @@ use val3_controller::{
     push, recover,
 };
 
+use crate::memory::MemoryFiles;
 use crate::server::{Behaviour, Server, Tree};
 
 /// Time of the tests, in seconds since 1970.
@@ -43,10 +44,27 @@ pub(crate) fn applications() -> Vec<ControllerPath> {
 }
 
 /// A project in a temporary folder.
-pub(crate) struct Bench {
+pub(crate) struct Bench<C = Server> {
     _kept: TempDir,
     pub(crate) folder: Utf8PathBuf,
-    pub(crate) server: Server,
+    pub(crate) server: C,
+}
+
+/// A controller of the tests.
+pub(crate) trait Controller {
+    fn files(&self) -> Box<dyn ControllerFiles>;
+}
+
+impl Controller for Server {
+    fn files(&self) -> Box<dyn ControllerFiles> {
+        Box::new(self.connect())
+    }
+}
+
+impl Controller for MemoryFiles {
+    fn files(&self) -> Box<dyn ControllerFiles> {
+        Box::new(self.clone())
+    }
 }
 
 impl Bench {
@@ -59,11 +77,18 @@ impl Bench {
 
     /// Starts a server.
     pub(crate) fn empty(behaviour: Behaviour) -> Self {
+        Self::with(Server::start(tree(), behaviour))
+    }
+}
+
+impl<C: Controller> Bench<C> {
+    /// An empty project for a controller.
+    pub(crate) fn with(server: C) -> Self {
         // In memory if possible, because the writes of a project wait for the disk.
         let memory = std::path::Path::new("/dev/shm");
         let kept = if memory.is_dir() { TempDir::new_in(memory) } else { TempDir::new() }.unwrap();
         let folder = Utf8PathBuf::from_path_buf(kept.path().to_owned()).unwrap();
-        Self { _kept: kept, folder, server: Server::start(tree(), behaviour) }
+        Self { _kept: kept, folder, server }
     }
 
     pub(crate) fn project(&self) -> ControllerProject {
@@ -71,11 +96,11 @@ impl Bench {
     }
 
     pub(crate) fn pull(&self) -> Result<PullResult, ControllerError> {
-        pull_from(&self.folder, &mut self.server.connect())
+        pull_from(&self.folder, &mut *self.server.files())
     }
 
     pub(crate) fn status(&self) -> Result<ProjectStatus, ControllerError> {
-        ProjectStatus::read(&self.project(), &mut self.server.connect(), &applications(), &mut SilentObserver)
+        ProjectStatus::read(&self.project(), &mut *self.server.files(), &applications(), &mut SilentObserver)
     }
 
     pub(crate) fn plan(&self) -> Result<PushPlan, ControllerError> {
@@ -92,13 +117,13 @@ impl Bench {
         let owner = LockOwner { user: "me".into(), host: "desk".into() };
         let backup = format!("push-{}", self.folder.join(".val3/backup").read_dir_utf8().map_or(0, Iterator::count));
         let request = PushRequest { plan, owner: &owner, now: NOW, backup: &backup };
-        push(&mut self.project(), &mut self.server.connect(), request, &mut SilentObserver)
+        push(&mut self.project(), &mut *self.server.files(), request, &mut SilentObserver)
     }
 
     pub(crate) fn recover(&self) -> Result<Vec<RecoveredPush>, ControllerError> {
-        let (mut project, mut files) = (self.project(), self.server.connect());
-        let identity = check_identity(&project, &mut files, false)?;
-        recover(&mut project, &mut files, &identity, NOW, &mut SilentObserver)
+        let (mut project, mut files) = (self.project(), self.server.files());
+        let identity = check_identity(&project, &mut *files, false)?;
+        recover(&mut project, &mut *files, &identity, NOW, &mut SilentObserver)
     }
 
     pub(crate) fn write(&self, path: &str, text: &str) {

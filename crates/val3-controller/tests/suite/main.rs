@@ -8,4 +8,5 @@ mod crashes;
 mod failures;
 mod flow;
 mod listings;
+mod memory;
 mod server;
