@@ -80,13 +80,6 @@ impl FtpFiles {
         Ok(files)
     }
 
-    /// Ends the session. Errors do not matter, because no command is pending.
-    pub fn close(mut self) {
-        if let Some(mut connection) = self.connection.take() {
-            let _ = connection.quit();
-        }
-    }
-
     /// Path as the server expects it.
     fn remote(&self, path: &ControllerPath) -> String {
         format!("{}/{}", self.address.base, path.as_str())
@@ -122,6 +115,16 @@ impl FtpFiles {
     ) -> Result<(), AccessError> {
         let remote = self.remote(path);
         self.execute(|| format!("{verb} `{path}`"), |ftp| command(ftp, &remote).map_err(fault))
+    }
+}
+
+/// Ends the session, because small systems allow few. Errors do not matter, because no command is pending.
+impl Drop for FtpFiles {
+    fn drop(&mut self) {
+        if let Some(mut connection) = self.connection.take() {
+            let _ = connection.get_ref().set_read_timeout(Some(Duration::from_secs(1)));
+            let _ = connection.quit();
+        }
     }
 }
 

@@ -116,6 +116,11 @@ pub(crate) fn note(line: &str) {
     to_stderr(|out| writeln!(out, "{}", one_line(line)));
 }
 
+/// Writes an error that is a result of the command to the standard error output.
+pub(crate) fn report_error(error: &UserError) {
+    to_stderr(|out| writeln!(out, "{error}"));
+}
+
 /// Path as the user would open it.
 pub(crate) fn shown(path: &Utf8Path) -> Result<String, UserError> {
     Ok(Paths::new(&[], &current_folder()?).shown(path))

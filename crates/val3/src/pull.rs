@@ -9,7 +9,7 @@ use val3_controller::{
 };
 
 use crate::args::PullArgs;
-use crate::controller::{ControllerSession, note, parse_address, project_folder, shown, shown_bytes};
+use crate::controller::{ControllerSession, note, parse_address, project_folder, report_error, shown, shown_bytes};
 use crate::merge;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -49,7 +49,7 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
             return Ok(ExitCode::from(session.observer.signal_code().unwrap_or(EXIT_USAGE)));
         }
         Err(error @ ControllerError::Conflicts(_)) => {
-            note(&UserError::from(error).to_string());
+            report_error(&error.into());
             return Ok(ExitCode::FAILURE);
         }
         Err(error) => return Err(error.into()),

@@ -12,7 +12,9 @@ use val3_controller::{
 
 use crate::args::PushArgs;
 use crate::color::Color;
-use crate::controller::{CheckOutcome, ControllerSession, check_new_tree, note, now, open_project, planned_lines};
+use crate::controller::{
+    CheckOutcome, ControllerSession, check_new_tree, note, now, open_project, planned_lines, report_error,
+};
 use crate::output::{OutputContent, to_stdout_as};
 use crate::printable::one_line;
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -64,6 +66,8 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(reason) = loaded::refusal(&mut *session.files, &plan, args.unloaded)? {
         return Ok(refused(&reason));
     }
+    // The check and the question may have taken longer than an idle connection lasts.
+    session.files.reconnect().map_err(ControllerError::from)?;
     execute(&mut session, &plan)
 }
 
@@ -91,7 +95,7 @@ fn execute(session: &mut ControllerSession, plan: &PushPlan) -> Result<ExitCode,
         Err(failure) => {
             let is_interrupted = failure.error == ControllerError::Interrupted;
             let code = if is_interrupted { session.observer.signal_code() } else { None };
-            note(&outcome::failed(failure).to_string());
+            report_error(&outcome::failed(failure));
             Ok(ExitCode::from(code.unwrap_or(EXIT_USAGE)))
         }
     }
@@ -129,7 +133,7 @@ fn folders(known: &[ControllerPath], selection: &[ControllerPath]) -> Result<Vec
 }
 
 fn refused(reason: &UserError) -> ExitCode {
-    crate::output::to_stderr(|out| writeln!(out, "{reason}"));
+    report_error(reason);
     ExitCode::FAILURE
 }
 

@@ -95,6 +95,7 @@ fn nothing_is_written_until_all_files_are_uploaded() {
     assert!(writes[..first_rename].iter().all(|line| line.starts_with("STOR") && !line.ends_with("pjx")));
     assert!(writes[first_rename..].iter().all(|line| !line.starts_with("STOR")));
     assert_eq!(writes.last(), Some(&"DELE /usr/usrapp/val3.lock"));
+    assert_eq!(state.log.last().map(String::as_str), Some("QUIT"));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use val3_controller::{ControllerProject, FailureOutcome, PushFailure, PushPlan, RecoveryOutcome};
 
 use crate::controller::{note, shown, shown_bytes};
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Reports a complete push, and what has to be done on the controller.
@@ -43,7 +44,7 @@ pub(super) fn failed(failure: PushFailure) -> UserError {
                 false => "the applications on the controller were not changed, but temporary files remain",
             };
             cause
-                .with_details(format!("{state}\nthe push could not be undone: {error}\nbackup: {backup}"))
+                .with_details(format!("{state}\nthe push could not be undone: {}\nbackup: {backup}", one_line(&error.to_string())))
                 .with_help("as soon as the controller can be reached, run `val3 status`, which undoes the push")
         }
     }

@@ -25,6 +25,9 @@ impl Session {
             return Some(self.log_in(verb, argument, &state.lock().unwrap().behaviour.password));
         }
         let mut state = state.lock().unwrap();
+        if state.is_dead {
+            return None;
+        }
         let number = state.log.len();
         state.log.push(line.to_owned());
         if let Some((start, path, content)) = state.behaviour.change
