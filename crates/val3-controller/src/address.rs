@@ -150,12 +150,7 @@ mod tests {
     use super::*;
 
     fn ftp(user: &str, host: &str, port: u16, base: &str) -> ControllerAddress {
-        ControllerAddress::Ftp(FtpAddress {
-            user: user.to_owned(),
-            host: host.to_owned(),
-            port,
-            base: base.to_owned(),
-        })
+        ControllerAddress::Ftp(FtpAddress { user: user.to_owned(), host: host.to_owned(), port, base: base.to_owned() })
     }
 
     #[test]

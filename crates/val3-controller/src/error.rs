@@ -84,7 +84,9 @@ impl ControllerError {
         use crate::access::AccessFault::{Connection, Name, Rejected, Special, Timeout};
         match self {
             Self::Access(error) => match &error.reason {
-                Rejected { code: 530, .. } => "check the profile and its password: `connectionPassword`, not `password`",
+                Rejected { code: 530, .. } => {
+                    "check the profile and its password: `connectionPassword`, not `password`"
+                }
                 Rejected { code: 550 | 553, .. } => {
                     "the profile needs `readAccess`, and for a push `writeAccess`; a loaded application can refuse too"
                 }

@@ -63,9 +63,7 @@ impl ControllerFiles for FolderFiles {
         let step = format!("read `{file}`");
         match val3_files::read(&self.local(file), FileClass::Program) {
             Ok(bytes) if bytes.len() as u64 <= limit => Ok(bytes),
-            Ok(_) => {
-                Err(AccessError { step, place: self.folder.to_string(), reason: AccessFault::TooLarge(limit) })
-            }
+            Ok(_) => Err(AccessError { step, place: self.folder.to_string(), reason: AccessFault::TooLarge(limit) }),
             Err(Unreadable::TooLarge { limit, .. }) => {
                 Err(AccessError { step, place: self.folder.to_string(), reason: AccessFault::TooLarge(limit) })
             }

@@ -189,7 +189,9 @@ mod tests {
     #[test]
     fn a_path_is_in_its_folders() {
         let path = ControllerPath::parse("usr/usrapp/demo/demo.PJX").unwrap();
-        assert!(path.is_in(&ControllerPath::applications()) && path.is_in(&ControllerPath::root()) && path.is_in(&path));
+        assert!(
+            path.is_in(&ControllerPath::applications()) && path.is_in(&ControllerPath::root()) && path.is_in(&path)
+        );
         assert!(!path.is_in(&ControllerPath::parse("usr/usr").unwrap()));
         assert_eq!((path.name(), path.depth(), path.is_project()), ("demo.PJX", 4, true));
         assert_eq!(path.parent().unwrap().as_str(), "usr/usrapp/demo");

@@ -26,7 +26,8 @@ const VERSION: u32 = 1;
 const GIT_IGNORE: &str = "backup/\nbase/\nchecked/\nincoming/\n";
 
 /// Comment at the start of the state.
-const HEAD: &str = "# Written by `val3 pull` and `val3 push`: the controller, and its files at the last pull or push.\n";
+const HEAD: &str =
+    "# Written by `val3 pull` and `val3 push`: the controller, and its files at the last pull or push.\n";
 
 /// What is remembered of a controller.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -65,8 +65,7 @@ pub fn pull(
     project::remove_tree(&project.area(INCOMING))?;
     let status = {
         let project = &*project;
-        let mut store =
-            |path: &ControllerPath, bytes: &[u8]| project::write(&project.stored(INCOMING, path), bytes);
+        let mut store = |path: &ControllerPath, bytes: &[u8]| project::write(&project.stored(INCOMING, path), bytes);
         ProjectStatus::read_with(project, files, &request.folders, observer, &mut store)?
     };
     let merges = merged_contents(project, &status, request.merge.as_deref_mut())?;

@@ -135,7 +135,9 @@ fn recovered_line(RecoveredPush { backup, outcome }: &RecoveredPush) -> String {
             "note: the last push was interrupted after its last file; the controller has the new files".to_owned()
         }
         RecoveryOutcome::Restored { count, kept } if kept.is_empty() => {
-            format!("note: the last push was interrupted; the old version of {count} files was restored from `{backup}`")
+            format!(
+                "note: the last push was interrupted; the old version of {count} files was restored from `{backup}`"
+            )
         }
         RecoveryOutcome::Restored { count, kept } => {
             let kept = kept.iter().map(|path| format!("`{path}`")).collect::<Vec<_>>().join(", ");

@@ -123,7 +123,9 @@ fn selection(names: &[String]) -> Result<Vec<ControllerPath>, UserError> {
 /// Folders that are compared: those of the project. Every selected path is in one of them.
 fn folders(known: &[ControllerPath], selection: &[ControllerPath]) -> Result<Vec<ControllerPath>, UserError> {
     let is_known = |path: &&ControllerPath| {
-        known.iter().any(|folder| path.is_in(folder) || folder.is_in(path) && folder.is_in(&ControllerPath::applications()))
+        known
+            .iter()
+            .any(|folder| path.is_in(folder) || folder.is_in(path) && folder.is_in(&ControllerPath::applications()))
     };
     match selection.iter().find(|path| !is_known(path)) {
         None => Ok(known.to_vec()),

@@ -28,8 +28,7 @@ pub(super) fn connect(
     let socket = socket(address, timeouts).map_err(at("connect"))?;
     let is_ipv6 = socket.peer_addr().is_ok_and(|peer| peer.is_ipv6());
     let ftp = FtpStream::connect_with_stream(socket).map_err(fault).map_err(at("connect"))?;
-    let mut ftp =
-        ftp.passive_stream_builder(move |peer| open(peer, timeouts).map_err(FtpError::ConnectionError));
+    let mut ftp = ftp.passive_stream_builder(move |peer| open(peer, timeouts).map_err(FtpError::ConnectionError));
     ftp.set_mode(if is_ipv6 { Mode::ExtendedPassive } else { Mode::Passive });
     // The data connection goes to the controller, whatever address its reply names.
     ftp.set_passive_nat_workaround(true);

@@ -146,12 +146,16 @@ mod tests {
 
     #[test]
     fn each_form_of_a_listing_is_read() {
-        let unix = ["total 8", "drwxr-xr-x 2 root root 4096 Jan  1  1980 demo", "-rw-r--r-- 1 0 0 12 Mar  3 12:00 a b.pgx"];
+        let unix =
+            ["total 8", "drwxr-xr-x 2 root root 4096 Jan  1  1980 demo", "-rw-r--r-- 1 0 0 12 Mar  3 12:00 a b.pgx"];
         assert_eq!(listed(unix_or_dos, &unix), names(&[("a b.pgx", false), ("demo", true)]));
         let dos = ["01-05-21  08:00AM       <DIR>          demo", "01-05-21  08:00PM                 1234 A.PGX"];
         assert_eq!(listed(unix_or_dos, &dos), names(&[("A.PGX", false), ("demo", true)]));
-        let mlsd_lines =
-            ["type=cdir;modify=20210105080000; /usr/usrapp", "type=dir; demo", "type=file;size=3;modify=19800101000000; a; b.pgx"];
+        let mlsd_lines = [
+            "type=cdir;modify=20210105080000; /usr/usrapp",
+            "type=dir; demo",
+            "type=file;size=3;modify=19800101000000; a; b.pgx",
+        ];
         assert_eq!(listed(mlsd, &mlsd_lines), names(&[("a; b.pgx", false), ("demo", true)]));
     }
 

@@ -46,7 +46,12 @@ pub(super) struct PushJournal {
 }
 
 impl PushJournal {
-    pub(super) fn new(serial: String, lock: String, new_folders: Vec<ControllerPath>, changes: Vec<PlannedChange>) -> Self {
+    pub(super) fn new(
+        serial: String,
+        lock: String,
+        new_folders: Vec<ControllerPath>,
+        changes: Vec<PlannedChange>,
+    ) -> Self {
         Self { version: VERSION, phase: PushPhase::Uploading, serial, lock, new_folders, changes }
     }
 }

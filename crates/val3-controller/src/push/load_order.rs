@@ -54,7 +54,8 @@ mod tests {
             let text = uses.iter().map(|used| format!("<Library path=\"Disk://{used}/x.pjx\"/>")).collect();
             (ControllerPath::parse(&format!("usr/usrapp/{name}/x.pjx")).unwrap(), text)
         };
-        let projects = [project("a", &["lib", "types/Slot"]), project("lib", &["types/Slot"]), project("types/Slot", &[])];
+        let projects =
+            [project("a", &["lib", "types/Slot"]), project("lib", &["types/Slot"]), project("types/Slot", &[])];
         let ranks = ranks(&projects.into_iter().collect());
         let rank = |name: &str| ranks[&ControllerPath::parse(&format!("usr/usrapp/{name}")).unwrap()];
         assert!(rank("types/Slot") < rank("lib") && rank("lib") < rank("a"));
@@ -63,9 +64,8 @@ mod tests {
     #[test]
     fn a_circle_has_an_order() {
         let text = |used: &str| format!("<Library path='disk://{used}/x.pjx'/>");
-        let projects = [("a", "b"), ("b", "a")].map(|(name, used)| {
-            (ControllerPath::parse(&format!("usr/usrapp/{name}/x.pjx")).unwrap(), text(used))
-        });
+        let projects = [("a", "b"), ("b", "a")]
+            .map(|(name, used)| (ControllerPath::parse(&format!("usr/usrapp/{name}/x.pjx")).unwrap(), text(used)));
         assert_eq!(ranks(&projects.into_iter().collect()).len(), 2);
     }
 }

@@ -89,6 +89,7 @@ fn read(files: &mut dyn ControllerFiles, path: &ControllerPath) -> Result<Option
 
 /// Whether the lock has no time, or an old one. The clocks of two computers may differ.
 fn is_stale(text: &str, now: u64) -> bool {
-    let time = text.lines().find_map(|line| line.strip_prefix("time ")).and_then(|time| time.trim().parse::<u64>().ok());
+    let time =
+        text.lines().find_map(|line| line.strip_prefix("time ")).and_then(|time| time.trim().parse::<u64>().ok());
     time.is_none_or(|time| now.saturating_sub(time) > STALE_SECONDS)
 }

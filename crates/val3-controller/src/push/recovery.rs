@@ -151,7 +151,8 @@ fn restore(
         restore_file(change, backup, files)?;
         observer.file(&change.path, change.old.as_ref().map_or(0, |digest| digest.size));
     }
-    let kept = found.iter().filter(|(_, found)| *found == Found::Other).map(|(change, _)| change.path.clone()).collect();
+    let kept =
+        found.iter().filter(|(_, found)| *found == Found::Other).map(|(change, _)| change.path.clone()).collect();
     Ok(RecoveryOutcome::Restored { count: changed.len(), kept })
 }
 

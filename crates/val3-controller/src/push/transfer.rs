@@ -132,7 +132,8 @@ impl RunningPush {
         files: &mut dyn ControllerFiles,
         observer: &mut dyn TransferObserver,
     ) -> Result<(), ControllerError> {
-        let old: Vec<_> = self.journal.changes.iter().filter_map(|change| Some((change, change.old.as_ref()?))).collect();
+        let old: Vec<_> =
+            self.journal.changes.iter().filter_map(|change| Some((change, change.old.as_ref()?))).collect();
         observer.step(TransferStep::BackUp, old.len());
         for (change, digest) in old {
             check_interrupt(observer)?;
@@ -228,15 +229,14 @@ impl RunningPush {
         observer: &mut dyn TransferObserver,
     ) -> PushFailure {
         let may_have_changed = self.journal.phase == PushPhase::Renaming;
-        let unfinished = |error| FailureOutcome::Unfinished {
-            error,
-            may_have_changed,
-            backup: self.backup.path().to_string(),
-        };
+        let unfinished =
+            |error| FailureOutcome::Unfinished { error, may_have_changed, backup: self.backup.path().to_string() };
         if matches!(error, ControllerError::Locked(_)) {
             // The temporary files may belong to the other push.
             let outcome = match self.was_locked {
-                true => self.backup.complete(self.journal.clone()).map_or_else(unfinished, |()| FailureOutcome::Unchanged),
+                true => {
+                    self.backup.complete(self.journal.clone()).map_or_else(unfinished, |()| FailureOutcome::Unchanged)
+                }
                 false => unfinished(error.clone()),
             };
             return PushFailure { error, outcome };

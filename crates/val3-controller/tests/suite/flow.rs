@@ -44,7 +44,10 @@ fn a_change_goes_to_the_controller_and_back() {
 fn the_plan_has_libraries_first_and_project_files_last() {
     let bench = Bench::pulled(Behaviour::default());
     bench.edit();
-    bench.write("usr/usrapp/demo/demo.pjx", "<Project version=\"2\"><Library path=\"Disk://tools/tools.pjx\"/></Project>");
+    bench.write(
+        "usr/usrapp/demo/demo.pjx",
+        "<Project version=\"2\"><Library path=\"Disk://tools/tools.pjx\"/></Project>",
+    );
     bench.write("usr/usrapp/tools/tools.pjx", "<Project version=\"2\"/>");
     bench.write("usr/usrapp/tools/open.pgx", "open");
     let plan = bench.plan().unwrap();

@@ -1,6 +1,12 @@
 //! Transfers with folders and with an FTP server that misbehaves.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests fail loudly")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "tests fail loudly"
+)]
 #![allow(clippy::disallowed_methods, reason = "the server of the tests has threads")]
 
 mod bench;

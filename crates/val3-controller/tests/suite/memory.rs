@@ -98,7 +98,11 @@ impl ControllerFiles for MemoryFiles {
     fn read(&mut self, file: &ControllerPath, limit: u64) -> Result<Vec<u8>, AccessError> {
         let bytes = self.simple(|tree| tree.files.get(&key(file)).cloned())?;
         let reason = AccessFault::TooLarge(limit);
-        if bytes.len() as u64 <= limit { Ok(bytes) } else { Err(AccessError { step: String::new(), place: String::new(), reason }) }
+        if bytes.len() as u64 <= limit {
+            Ok(bytes)
+        } else {
+            Err(AccessError { step: String::new(), place: String::new(), reason })
+        }
     }
 
     fn write(&mut self, file: &ControllerPath, bytes: &[u8]) -> Result<(), AccessError> {

@@ -70,7 +70,9 @@ fn check(folder: Utf8PathBuf, selection: RuleSelection, color: Color) -> Result<
 }
 
 fn write(report: &CheckReport, color: Color) {
-    to_stderr_in_color(color, |out| format::write(ReportFormat::Human, report, &format::val3check::Template::default(), out));
+    to_stderr_in_color(color, |out| {
+        format::write(ReportFormat::Human, report, &format::val3check::Template::default(), out)
+    });
     report.unreadable.iter().for_each(|error| to_stderr(|out| writeln!(out, "{error}")));
     to_stderr(|out| summary::write(report, out));
 }

@@ -44,7 +44,10 @@ pub(super) fn failed(failure: PushFailure) -> UserError {
                 false => "the applications on the controller were not changed, but temporary files remain",
             };
             cause
-                .with_details(format!("{state}\nthe push could not be undone: {}\nbackup: {backup}", one_line(&error.to_string())))
+                .with_details(format!(
+                    "{state}\nthe push could not be undone: {}\nbackup: {backup}",
+                    one_line(&error.to_string())
+                ))
                 .with_help("as soon as the controller can be reached, run `val3 status`, which undoes the push")
         }
     }

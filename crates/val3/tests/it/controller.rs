@@ -145,7 +145,8 @@ fn a_killed_push_is_recovered() {
         process.wait().unwrap();
         let status = in_cell(&folder, &["status"]);
         assert!(status.code < 2, "{}", status.stderr);
-        let [program, data] = ["start.pgx", "demo.dtx"].map(|name| folder.read(&format!("robot/usr/usrapp/demo/{name}")));
+        let [program, data] =
+            ["start.pgx", "demo.dtx"].map(|name| folder.read(&format!("robot/usr/usrapp/demo/{name}")));
         let is_new = program == new && data.contains("value=\"2\"");
         assert!(is_new || program == old && data == DATA, "step {step}: {}", status.stderr);
         let left = fs::read_dir(folder.path().join("robot/usr/usrapp/demo")).unwrap().count();
