@@ -3,6 +3,7 @@
 //! The journal next to the backup is written before the controller is changed. If the process is killed, the next
 //! command reads it, and restores the old files or finds that all new ones are in place.
 
+mod file_steps;
 mod journal;
 mod load_order;
 mod lock;

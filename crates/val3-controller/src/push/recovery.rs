@@ -1,9 +1,9 @@
 //! Recovery of a push that has failed, or whose process was killed.
 
+use super::file_steps::{limit, replace, upload};
 use super::journal::{BackupFolder, PushJournal, PushPhase};
 use super::lock;
 use super::plan::PlannedChange;
-use super::transfer::{limit, replace, upload};
 use crate::access::{AccessError, AccessFault, ControllerFiles};
 use crate::digest::FileDigest;
 use crate::error::ControllerError;
