@@ -1,6 +1,7 @@
 """Tests of `val3 pull`, `status`, `push` and `diff` with pyftpdlib, in its usual form and like an old controller."""
 
 import importlib.util
+import logging
 import os
 import random
 import shutil
@@ -31,6 +32,8 @@ MODERN = {"MLSD", "MLST", "MDTM", "MFMT", "SIZE", "FEAT", "EPSV", "EPRT"}
 KILLS = int(os.environ.get("VAL3_KILLS", "12"))
 
 SECRET = "not shown"
+
+logging.getLogger("pyftpdlib").setLevel(logging.CRITICAL)
 
 
 class Server:

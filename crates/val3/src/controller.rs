@@ -22,7 +22,7 @@ use crate::user_error::UserError;
 
 pub(crate) use checked::{CheckOutcome, check_new_tree};
 pub(crate) use observer::ProgressObserver;
-pub(crate) use report::{planned_lines, shown_bytes, status_lines};
+pub(crate) use report::{counted_files, planned_lines, shown_bytes, status_lines};
 
 /// A project with a connection to its controller.
 pub(crate) struct ControllerSession {
@@ -142,8 +142,9 @@ fn recovered_line(RecoveredPush { backup, outcome }: &RecoveredPush) -> String {
         RecoveryOutcome::Restored { count, kept } => {
             let kept = kept.iter().map(|path| format!("`{path}`")).collect::<Vec<_>>().join(", ");
             format!(
-                "warning: the last push was interrupted; the old version of {count} files was restored from \
-                 `{backup}`, but these files were changed meanwhile and were kept: {kept}"
+                "warning: the last push was interrupted; the old version of {} was restored from `{backup}`, but these \
+                 files were changed meanwhile and were kept: {kept}",
+                counted_files(*count)
             )
         }
     }

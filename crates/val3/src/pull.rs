@@ -9,7 +9,9 @@ use val3_controller::{
 };
 
 use crate::args::PullArgs;
-use crate::controller::{ControllerSession, note, parse_address, project_folder, report_error, shown, shown_bytes};
+use crate::controller::{
+    ControllerSession, counted_files, note, parse_address, project_folder, report_error, shown, shown_bytes,
+};
 use crate::merge;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -97,9 +99,9 @@ fn report(result: &PullResult, folder: &Utf8Path) -> Result<(), UserError> {
     let kept = status.differences.values().filter(|difference| matches!(difference, FileDifference::Local(_))).count();
     let bytes = status.controller.values().map(|digest| digest.size).sum();
     let mut line = format!(
-        "{}: {} files of the controller ({}), {updated} updated",
+        "{}: {} of the controller ({}), {updated} updated",
         shown(folder)?,
-        status.controller.len(),
+        counted_files(status.controller.len()),
         shown_bytes(bytes)
     );
     if !result.merged.is_empty() {

@@ -13,7 +13,8 @@ use val3_controller::{
 use crate::args::PushArgs;
 use crate::color::Color;
 use crate::controller::{
-    CheckOutcome, ControllerSession, check_new_tree, note, now, open_project, planned_lines, report_error,
+    CheckOutcome, ControllerSession, check_new_tree, counted_files, note, now, open_project, planned_lines,
+    report_error,
 };
 use crate::output::{OutputContent, to_stdout_as};
 use crate::printable::one_line;
@@ -44,7 +45,7 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
         Err(error) => return Err(error.into()),
     };
     if !plan.unselected.is_empty() {
-        note(&format!("note: {} changed files are not selected, and stay as they are", plan.unselected.len()));
+        note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
     }
     if plan.changes.is_empty() {
         note("nothing to push");

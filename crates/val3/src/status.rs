@@ -6,7 +6,7 @@ use val3_controller::{ControllerError, FileDifference, ProjectStatus};
 
 use crate::args::StatusArgs;
 use crate::color::Color;
-use crate::controller::{ControllerSession, note, open_project, status_lines};
+use crate::controller::{ControllerSession, counted_files, note, open_project, status_lines};
 use crate::output::{OutputContent, to_stdout_as};
 use crate::printable::one_line;
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -37,8 +37,8 @@ pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError
     let there = count(|one| matches!(one, FileDifference::Controller(_)));
     let conflicts = count(|one| matches!(one, FileDifference::Conflict { .. }));
     note(&format!(
-        "{} files compared: {here} changed here, {there} on the controller, {conflicts} on both sides",
-        status.controller.len()
+        "{} compared: {here} changed here, {there} on the controller, {conflicts} on both sides",
+        counted_files(status.controller.len())
     ));
     Ok(if here + there + conflicts == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -24,7 +24,7 @@ pub enum RecoveryOutcome {
     Restored {
         /// Number of files that were restored.
         count: usize,
-        /// Files that somebody else has changed meanwhile, and that were kept.
+        /// Files that another client has changed meanwhile, and that were kept.
         kept: Vec<ControllerPath>,
     },
 }
@@ -151,8 +151,11 @@ fn restore(
         restore_file(change, backup, files)?;
         observer.file(&change.path, change.old.as_ref().map_or(0, |digest| digest.size));
     }
-    let kept =
+    let kept: Vec<ControllerPath> =
         found.iter().filter(|(_, found)| *found == Found::Other).map(|(change, _)| change.path.clone()).collect();
+    if changed.is_empty() && kept.is_empty() {
+        return Ok(RecoveryOutcome::Cancelled);
+    }
     Ok(RecoveryOutcome::Restored { count: changed.len(), kept })
 }
 
@@ -228,7 +231,7 @@ fn remove_temporary(journal: &PushJournal, files: &mut dyn ControllerFiles) -> R
     Ok(())
 }
 
-/// Removes the folders that the push has created, unless somebody else has put files there.
+/// Removes the folders that the push has created, unless another client has put files there.
 fn remove_new_folders(journal: &PushJournal, files: &mut dyn ControllerFiles) -> Result<(), ControllerError> {
     for folder in journal.new_folders.iter().rev() {
         if Presence::default().has(files, folder)? && files.list(folder)?.is_empty() {

@@ -11,6 +11,11 @@ pub(crate) fn shown_bytes(bytes: u64) -> String {
     }
 }
 
+/// Number of files for people.
+pub(crate) fn counted_files(count: usize) -> String {
+    if count == 1 { "1 file".to_owned() } else { format!("{count} files") }
+}
+
 /// One line for each file with a difference.
 pub(crate) fn status_lines(differences: &FileDifferences) -> Vec<String> {
     differences.iter().map(|(path, difference)| status_line(path, *difference)).collect()

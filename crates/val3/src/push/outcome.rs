@@ -2,7 +2,7 @@
 
 use val3_controller::{ControllerProject, FailureOutcome, PushFailure, PushPlan, RecoveryOutcome};
 
-use crate::controller::{note, shown, shown_bytes};
+use crate::controller::{counted_files, note, shown, shown_bytes};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
@@ -10,7 +10,8 @@ use crate::user_error::UserError;
 pub(super) fn done(plan: &PushPlan, project: &ControllerProject) -> Result<(), UserError> {
     let uploads = plan.uploads().count();
     note(&format!(
-        "pushed and verified: {uploads} files ({}), {} removed; backup in {}",
+        "pushed and verified: {} ({}), {} removed; backup in {}",
+        counted_files(uploads),
         shown_bytes(plan.upload_bytes()),
         plan.changes.len() - uploads,
         shown(&project.folder().join(".val3/backup"))?
@@ -35,9 +36,15 @@ pub(super) fn failed(failure: PushFailure) -> UserError {
         }
         FailureOutcome::Restored(RecoveryOutcome::Restored { count, kept }) => {
             let kept = kept.iter().map(|path| format!("; kept, because it was changed meanwhile: {path}"));
-            cause.with_details(format!("the old version of {count} files was restored{}", kept.collect::<String>()))
+            cause.with_details(format!(
+                "the old version of {} was restored{}",
+                counted_files(count),
+                kept.collect::<String>()
+            ))
         }
-        FailureOutcome::Restored(RecoveryOutcome::Cancelled) => cause.with_details("the push was cancelled"),
+        FailureOutcome::Restored(RecoveryOutcome::Cancelled) => {
+            cause.with_details("the applications on the controller were not changed")
+        }
         FailureOutcome::Unfinished { error, may_have_changed, backup } => {
             let state = match may_have_changed {
                 true => "some files on the controller may be new and others old: do not load the application",
