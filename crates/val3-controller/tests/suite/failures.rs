@@ -60,7 +60,7 @@ fn a_failed_upload_leaves_no_trace() {
 
 #[test]
 fn a_failed_rename_is_undone() {
-    for start in ["RNFR /usr/usrapp/demo/demo.dtx.val3tmp", "RNFR /usr/usrapp/demo/demo.pjx.val3tmp"] {
+    for start in ["RNFR /usr/usrapp/demo/start.pgx.val3tmp", "RNFR /usr/usrapp/demo/demo.pjx.val3tmp"] {
         let bench = Bench::pulled(Behaviour::default());
         bench.edit();
         let plan = bench.plan().unwrap();
