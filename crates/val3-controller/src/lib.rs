@@ -14,6 +14,7 @@ mod error;
 mod folder;
 mod ftp;
 mod identity;
+mod identity_files;
 mod observer;
 mod path;
 mod project;

@@ -5,6 +5,7 @@ use crate::compare::{FileDifferences, compare};
 use crate::digest::FileDigests;
 use crate::error::ControllerError;
 use crate::identity::ControllerIdentity;
+use crate::identity_files::read_identity;
 use crate::observer::TransferObserver;
 use crate::path::ControllerPath;
 use crate::project::ControllerProject;
@@ -63,7 +64,7 @@ pub fn check_identity(
     files: &mut dyn ControllerFiles,
     accepts_new: bool,
 ) -> Result<ControllerIdentity, ControllerError> {
-    let found = ControllerIdentity::read(files)?;
+    let found = read_identity(files)?;
     match &project.state {
         Some(state) if state.controller.serial != found.serial && !accepts_new => {
             Err(ControllerError::OtherController { expected: state.controller.clone(), found })
