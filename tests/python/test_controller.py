@@ -33,7 +33,7 @@ KILLS = int(os.environ.get("VAL3_KILLS", "12"))
 
 SECRET = "not shown"
 
-logging.getLogger("pyftpdlib").setLevel(logging.CRITICAL)
+logging.getLogger("pyftpdlib").disabled = True
 
 
 class Server:
