@@ -175,6 +175,13 @@ pub(crate) fn write(path: &Utf8Path, bytes: &[u8]) -> Result<(), ControllerError
     val3_files::replace(path, bytes).map_err(|reason| local(path, &reason))
 }
 
+/// Moves a local file, and creates its new folder.
+pub(crate) fn move_file(from: &Utf8Path, to: &Utf8Path) -> Result<(), ControllerError> {
+    let folder = to.parent().unwrap_or(Utf8Path::new("."));
+    val3_files::create_folders(folder).map_err(|reason| local(folder, &reason))?;
+    val3_files::rename_file(from, to).map_err(|reason| local(to, &reason))
+}
+
 /// Removes a local file if it exists.
 pub(crate) fn remove(path: &Utf8Path) -> Result<(), ControllerError> {
     match path.exists() {

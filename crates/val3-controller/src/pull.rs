@@ -139,8 +139,7 @@ fn remember(
     for path in status.controller.keys() {
         let is_stored = base.get(path) == status.controller.get(path) && project.stored("base", path).exists();
         if !is_stored {
-            let bytes = project::read(&project.stored(INCOMING, path))?;
-            project::write(&project.stored("base", path), &bytes)?;
+            project::move_file(&project.stored(INCOMING, path), &project.stored("base", path))?;
         }
     }
     let mut state = ProjectState::new(request.address, request.identity);
