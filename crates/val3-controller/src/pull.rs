@@ -65,7 +65,8 @@ pub fn pull(
     project::remove_tree(&project.area(INCOMING))?;
     let status = {
         let project = &*project;
-        let mut store = |path: &ControllerPath, bytes: &[u8]| project::write(&project.stored(INCOMING, path), bytes);
+        let mut store =
+            |path: &ControllerPath, bytes: &[u8]| project::write_copy(&project.stored(INCOMING, path), bytes);
         ProjectStatus::read_with(project, files, &request.folders, observer, &mut store)?
     };
     let merges = merged_contents(project, &status, request.merge.as_deref_mut())?;
@@ -115,6 +116,11 @@ fn apply(project: &ControllerProject, status: &ProjectStatus) -> Result<(), Cont
     for (path, difference) in &status.differences {
         match difference {
             FileDifference::Controller(SideChange::Removed) => project::remove(&project.local(path))?,
+            FileDifference::Controller(SideChange::Added) => {
+                let incoming = project.stored(INCOMING, path);
+                project::write_copy(&project.stored("base", path), &project::read(&incoming)?)?;
+                project::move_file(&incoming, &project.local(path))?;
+            }
             FileDifference::Controller(_) | FileDifference::Conflict { local: SideChange::Removed, .. } => {
                 let bytes = project::read(&project.stored(INCOMING, path))?;
                 project::write(&project.local(path), &bytes)?;
@@ -138,8 +144,10 @@ fn remember(
     }
     for path in status.controller.keys() {
         let is_stored = base.get(path) == status.controller.get(path) && project.stored("base", path).exists();
-        if !is_stored {
-            project::move_file(&project.stored(INCOMING, path), &project.stored("base", path))?;
+        let incoming = project.stored(INCOMING, path);
+        // A new file was moved to its place before.
+        if !is_stored && incoming.exists() {
+            project::move_file(&incoming, &project.stored("base", path))?;
         }
     }
     let mut state = ProjectState::new(request.address, request.identity);

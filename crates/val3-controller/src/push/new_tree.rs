@@ -32,7 +32,7 @@ pub fn write_new_tree(
             (false, _) if status.local.contains_key(path) => project::read(&project.local(path))?,
             _ => continue,
         };
-        project::write(&folder.join(path.as_str()), &bytes)?;
+        project::write_copy(&folder.join(path.as_str()), &bytes)?;
     }
     Ok(folder)
 }
