@@ -59,6 +59,7 @@ pub enum FailureOutcome {
 ///
 /// # Errors
 /// If a step fails. The push is then undone, if the controller can still be reached.
+#[allow(clippy::result_large_err, reason = "there is one result for each push")]
 pub fn push(
     project: &mut ControllerProject,
     files: &mut dyn ControllerFiles,

@@ -7,6 +7,7 @@
     clippy::indexing_slicing,
     reason = "tests fail loudly"
 )]
+#![allow(clippy::result_large_err, reason = "there is one result for each push")]
 #![allow(clippy::disallowed_methods, reason = "the server of the tests has threads")]
 
 mod bench;
