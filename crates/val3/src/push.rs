@@ -44,6 +44,7 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
         Err(ControllerError::Interrupted) => return Ok(interrupted(&session)),
         Err(error) => return Err(error.into()),
     };
+    check_selection(&selection, &status)?;
     if !plan.unselected.is_empty() {
         note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
     }
@@ -132,6 +133,17 @@ fn folders(known: &[ControllerPath], selection: &[ControllerPath]) -> Result<Vec
         None => Ok(known.to_vec()),
         Some(path) => Err(UserError::new(format!("`{path}` was never pulled"))
             .with_help("run `val3 pull --all`, or `val3 pull --app NAME`, first")),
+    }
+}
+
+/// Checks that each selected path has files here or on the controller, so that a wrong name is not "nothing to push".
+fn check_selection(selection: &[ControllerPath], status: &ProjectStatus) -> Result<(), UserError> {
+    let has_files =
+        |folder: &&ControllerPath| status.local.keys().chain(status.controller.keys()).any(|path| path.is_in(folder));
+    match selection.iter().find(|path| !has_files(path)) {
+        None => Ok(()),
+        Some(path) => Err(UserError::new(format!("`{path}` has no files, neither here nor on the controller"))
+            .with_help("name a folder below usr/usrapp, or the path of a file")),
     }
 }
 

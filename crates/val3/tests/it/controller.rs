@@ -114,6 +114,7 @@ fn wrong_usage_has_a_remedy() {
     assert!(message.contains("a password does not belong") && !message.contains("hidden"), "{message}");
     assert!(error(&["push", "usr/configs/arm.cfx"]).contains("never written"));
     assert!(error(&["push", "usr/configs/sio.cfx"]).contains("was never pulled"));
+    assert!(error(&["push", "dmeo"]).contains("has no files"));
     assert!(error(&["pull", "http://robot"]).contains("only `ftp://`"));
     folder.write("robot/usr/configs/controller.cfx", &IDENTITY.replace("F10-1", "F10-2"));
     assert!(error(&["status"]).contains("--new-controller"));
