@@ -14,6 +14,8 @@ pub(super) fn password(text: &str, host: &str, user: &str) -> Option<String> {
         let mut words = line.split_whitespace();
         while let Some(word) = words.next().filter(|word| !word.starts_with('#')) {
             match word {
+                // A profile may be called `default`.
+                value if entries.expects_value() => entries.value(value),
                 "macdef" => {
                     in_macro = true;
                     break;
@@ -21,7 +23,7 @@ pub(super) fn password(text: &str, host: &str, user: &str) -> Option<String> {
                 "default" => entries.begin(None),
                 "machine" => entries.begin_next = true,
                 "login" | "password" | "account" => entries.field = word.to_owned(),
-                value => entries.value(value),
+                _ => {}
             }
         }
     }
@@ -52,6 +54,11 @@ struct Entries {
 impl Entries {
     fn begin(&mut self, host: Option<String>) {
         self.list.push(Entry { host, ..Entry::default() });
+    }
+
+    /// Whether the next word is the value of a keyword.
+    fn expects_value(&self) -> bool {
+        self.begin_next || !self.field.is_empty()
     }
 
     fn value(&mut self, value: &str) {
