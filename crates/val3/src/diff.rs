@@ -1,6 +1,7 @@
 //! `val3 diff`: compares two backups of a controller, or a controller with local files.
 
 mod base;
+mod compared_versions;
 mod controller;
 mod folder;
 mod git;
@@ -12,20 +13,15 @@ mod wanted;
 use std::process::ExitCode;
 
 use camino::Utf8Path;
-use val3_diff::{Comparison, FileTree, ReportClass, compare_with, listing};
+use val3_diff::{Comparison, ReportClass, compare_with, listing};
 
+use self::compared_versions::ComparedVersions;
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
 use crate::output::{OutputContent, to_stdout_as};
 use crate::paths::current_folder;
 use crate::printable::one_line;
 use crate::user_error::UserError;
-
-/// Both versions, and their names.
-struct ComparedVersions {
-    trees: [FileTree; 2],
-    names: [String; 2],
-}
 
 /// Runs the command. The exit code states whether the versions differ.
 pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {

@@ -23,7 +23,7 @@ pub(crate) fn status_lines(differences: &FileDifferences) -> Vec<String> {
 
 fn status_line(path: &ControllerPath, difference: FileDifference) -> String {
     let (sides, change) = match difference {
-        FileDifference::Local(change) => ("here", word(change).to_owned()),
+        FileDifference::Local(change) => ("local", word(change).to_owned()),
         FileDifference::Controller(change) => ("controller", word(change).to_owned()),
         FileDifference::Conflict { local, controller } => {
             ("conflict", format!("{} here, {} on the controller", word(local), word(controller)))

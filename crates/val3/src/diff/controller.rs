@@ -4,7 +4,8 @@ use camino::Utf8Path;
 use val3_controller::{ControllerPath, ControllerProject, read_files};
 use val3_diff::FileTree;
 
-use super::{ComparedVersions, folder};
+use super::compared_versions::ComparedVersions;
+use super::folder;
 use crate::controller::{ProgressObserver, connect, parse_address, project_folder, shown};
 use crate::user_error::UserError;
 

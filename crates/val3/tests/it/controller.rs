@@ -53,7 +53,7 @@ fn a_push_uploads_what_has_changed() {
     let folder = pulled();
     folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=nCount+2"));
     let status = in_cell(&folder, &["status"]);
-    assert_eq!((status.code, status.stdout.as_str()), (1, "here        usr/usrapp/demo/start.pgx: changed\n"));
+    assert_eq!((status.code, status.stdout.as_str()), (1, "local       usr/usrapp/demo/start.pgx: changed\n"));
     let dry = in_cell(&folder, &["push", "--dry-run"]);
     assert_eq!((dry.code, dry.stdout.starts_with("replace  usr/usrapp/demo/start.pgx (")), (0, true), "{}", dry.stderr);
     assert!(folder.read("robot/usr/usrapp/demo/start.pgx").contains("+1"));
