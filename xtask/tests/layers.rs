@@ -129,6 +129,11 @@ fn files_know_no_other_crate() {
 }
 
 #[test]
+fn controllers_know_files_alone() {
+    check_only("val3-controller", &["val3-files"], &["salsa", "rowan", "clap", "tokio"]);
+}
+
+#[test]
 fn lines_know_text_alone() {
     check_only("val3-lines", &[], &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"]);
 }
@@ -340,6 +345,7 @@ fn every_crate_has_its_place() {
         "val3-data",
         "val3-lines",
         "val3-files",
+        "val3-controller",
         "val3-schema",
         "val3-modbus",
         "val3-soap",

@@ -19,6 +19,7 @@ mod report_file;
 mod run;
 mod streams;
 mod testing;
+mod transfer;
 
 use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
@@ -45,6 +46,7 @@ pub(crate) use report_file::ReportOutput;
 pub(crate) use run::{RunArgs, RunTime, START, SummaryFormat};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
+pub(crate) use transfer::{PullArgs, PushArgs, StatusArgs};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -156,6 +158,15 @@ pub(crate) enum CliCommand {
     /// Merge two versions of a file by their changes since the common ancestor, also as git's merge driver
     #[command(override_usage = merge::USAGE, after_help = merge::EXIT_CODES)]
     Merge(MergeArgs),
+    /// Copy the applications of a controller by FTP, and keep local changes
+    #[command(after_help = transfer::PULL_EXIT_CODES, after_long_help = format!("{}\n\n{}", transfer::PASSWORD, transfer::PULL_EXIT_CODES))]
+    Pull(PullArgs),
+    /// List the files that have changed here and on the controller since the last pull or push
+    #[command(after_help = transfer::STATUS_EXIT_CODES, after_long_help = format!("{}\n\n{}", transfer::PASSWORD, transfer::STATUS_EXIT_CODES))]
+    Status(StatusArgs),
+    /// Check local changes and upload them to the controller, with a backup, and verify or undo them
+    #[command(after_help = transfer::PUSH_EXIT_CODES, after_long_help = format!("{}\n\n{}", transfer::PASSWORD, transfer::PUSH_EXIT_CODES))]
+    Push(PushArgs),
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
     Run(Box<RunArgs>),

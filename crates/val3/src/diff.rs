@@ -1,6 +1,8 @@
-//! `val3 diff`: compares two backups of a controller.
+//! `val3 diff`: compares two backups of a controller, or a controller with local files.
 
 mod base;
+mod compared_versions;
+mod controller;
 mod folder;
 mod git;
 mod pair;
@@ -11,20 +13,15 @@ mod wanted;
 use std::process::ExitCode;
 
 use camino::Utf8Path;
-use val3_diff::{Comparison, FileTree, ReportClass, compare_with, listing};
+use val3_diff::{Comparison, ReportClass, compare_with, listing};
 
+use self::compared_versions::ComparedVersions;
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
 use crate::output::{OutputContent, to_stdout_as};
 use crate::paths::current_folder;
 use crate::printable::one_line;
 use crate::user_error::UserError;
-
-/// Both versions, and their names.
-struct ComparedVersions {
-    trees: [FileTree; 2],
-    names: [String; 2],
-}
 
 /// Runs the command. The exit code states whether the versions differ.
 pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
@@ -35,7 +32,12 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(base) = &args.base {
         return both_sides(&current, base, args, color);
     }
-    let versions = if args.git.is_empty() && !args.staged {
+    let versions = if let [address, local @ ..] = args.paths.as_slice()
+        && controller::is_address(address)
+    {
+        let ([] | [_]) = local else { return Err(wrong_number(args.paths.len())) };
+        controller::versions(address, local.first().map(|path| path.as_path()))?
+    } else if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
         pair::versions(&current, old, new)?
     } else {

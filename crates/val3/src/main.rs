@@ -11,6 +11,7 @@ mod check;
 mod code_lines;
 mod color;
 mod completions;
+mod controller;
 mod dap;
 mod diff;
 mod engine;
@@ -43,6 +44,8 @@ mod patch;
 mod paths;
 mod printable;
 mod progress;
+mod pull;
+mod push;
 mod report;
 mod rule_counts;
 mod run;
@@ -55,6 +58,7 @@ mod signals;
 mod soap;
 mod sockets;
 mod standard_input;
+mod status;
 mod summary;
 mod test;
 mod translation;
@@ -150,6 +154,9 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         CliCommand::Fmt(fmt) => fmt::run(fmt, args.color),
         CliCommand::Diff(diff) => diff::run(diff, args.color),
         CliCommand::Merge(merge) => merge::run(merge),
+        CliCommand::Pull(pull) => pull::run(pull),
+        CliCommand::Status(status) => status::run(status, args.color),
+        CliCommand::Push(push) => push::run(push, args.color),
         CliCommand::Eval(eval) => eval::run(eval, args.color),
         CliCommand::Run(run) => run::run(run, args.color),
         CliCommand::Test(test) => test::run(test, args.color),

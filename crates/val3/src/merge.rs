@@ -68,6 +68,15 @@ fn merge_files(args: &MergeArgs) -> Result<ExitCode, UserError> {
     Ok(if outcome.is_clean() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
+/// Merges the versions of a file, BASE, OURS and THEIRS, and reports the result. Returns the merged content, and whether
+/// it has all changes.
+pub(crate) fn merge_versions(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> (Vec<u8>, bool) {
+    let outcome = merge(kind(name, versions), versions);
+    report::write(&outcome, name);
+    let is_clean = outcome.is_clean();
+    (outcome.bytes, is_clean)
+}
+
 fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, UserError> {
     if is_base && ABSENT.contains(&path.as_str()) {
         return Ok(Vec::new());

@@ -32,6 +32,9 @@ impl CliCommand {
             },
             Self::New(_)
             | Self::Merge(_)
+            | Self::Pull(_)
+            | Self::Status(_)
+            | Self::Push(_)
             | Self::Test(_)
             | Self::Lsp(_)
             | Self::Mcp(_)

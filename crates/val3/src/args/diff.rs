@@ -11,10 +11,11 @@ pub(super) const EXIT_CODES: &str = "\
 Exit codes:
   0  no difference
   1  something differs
-  2  wrong usage, or a file, a folder or a revision that cannot be read";
+  2  wrong usage, or a file, a folder, a revision or a controller that cannot be read";
 
 pub(super) const USAGE: &str = "\
 val3 diff [OPTIONS] OLD NEW
+       val3 diff [OPTIONS] ftp://PROFILE@HOST [DIR]
        val3 diff [OPTIONS] --git REV [REV] [PATH]
        val3 diff [OPTIONS] --staged [PATH]
        val3 diff [OPTIONS] --base BASE OURS THEIRS
@@ -24,7 +25,8 @@ val3 diff [OPTIONS] OLD NEW
 #[derive(Debug, clap::Args)]
 pub(crate) struct DiffArgs {
     /// The old and the new version: application folders, .pjx files, cells, folders that contain them, or two single files;
-    /// /dev/null means that the version does not exist. With --git: the folder to compare
+    /// /dev/null means that the version does not exist. With --git: the folder to compare. Or the address of a controller,
+    /// and the folder with its files, by default that of `val3 pull`
     #[arg(value_name = "OLD NEW")]
     pub(crate) paths: Vec<Utf8PathBuf>,
     /// Compare a revision of git with the files of the working tree, or two revisions with each other, also as `OLD..NEW`;

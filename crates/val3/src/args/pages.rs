@@ -69,6 +69,7 @@ const ENVIRONMENT: &str = "
 | `TERM` | `dumb`: no colours |
 | `CI` | not empty and not `false`: a port that only a cell names is not connected |
 | `VAL3_TRUST` | folders whose settings may reach outside of their cell, as in `PATH`, in addition to the folders of `val3 trust` |
+| `VAL3_PASSWORD` | the password of `val3 pull`, `status`, `push` and `diff` for a controller |
 | `VAL3_DEBUG_SECRET` | the secret of `val3 dap --port` and `val3 run --debug-port`; a random one otherwise |
 ";
 

@@ -5,7 +5,8 @@ use val3_analysis::system::{Disk, PathKind, System as _};
 use val3_diff::FileTree;
 use val3_files::is_archive_name;
 
-use super::{ComparedVersions, folder};
+use super::compared_versions::ComparedVersions;
+use super::folder;
 use crate::loose::archives_under;
 use crate::paths::{Paths, current_folder, has_extension};
 use crate::user_error::UserError;

@@ -4,7 +4,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
 use val3_diff::FileTree;
 
-use super::ComparedVersions;
+use super::compared_versions::ComparedVersions;
 use super::git::Repository;
 use crate::args::DiffArgs;
 use crate::paths::has_extension;

@@ -14,6 +14,7 @@ mod check;
 mod check_contacts;
 mod check_motion;
 mod configuration;
+mod controller;
 #[cfg(unix)]
 mod damage;
 mod dap;

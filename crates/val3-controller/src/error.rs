@@ -1,0 +1,173 @@
+//! Errors of transfers, with what to do.
+
+use std::fmt::{self, Display};
+
+use camino::Utf8PathBuf;
+
+use crate::access::AccessError;
+use crate::identity::ControllerIdentity;
+use crate::path::{ControllerPath, NameFault};
+
+/// Reason why a transfer has stopped.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ControllerError {
+    /// An operation on the controller has failed.
+    Access(AccessError),
+    /// A local file or folder cannot be read or written.
+    Local {
+        /// The file or folder.
+        path: Utf8PathBuf,
+        /// The reason.
+        reason: String,
+    },
+    /// A path is not allowed.
+    Name(NameFault),
+    /// A file has an unexpected form.
+    Malformed {
+        /// The file.
+        file: String,
+        /// The reason.
+        reason: String,
+    },
+    /// Names in one folder that differ only in letter case.
+    SameName(ControllerPath, ControllerPath),
+    /// The files exceed the limit for their sum, in bytes.
+    TooMuch(u64),
+    /// Folders are nested more deeply than the limit.
+    TooDeep(ControllerPath),
+    /// More files than the limit.
+    TooMany(usize),
+    /// Files that both sides have changed since the last pull.
+    Conflicts(Vec<ControllerPath>),
+    /// Files that changed on the controller since the last pull.
+    Outdated(Vec<ControllerPath>),
+    /// Files that are never written.
+    Protected(Vec<ControllerPath>),
+    /// The address belongs to another controller than the last pull.
+    OtherController {
+        /// Identity at the last pull.
+        expected: ControllerIdentity,
+        /// Identity now.
+        found: ControllerIdentity,
+    },
+    /// The controller has no serial number by which it could be identified.
+    NoSerial,
+    /// Another push is running.
+    Locked(String),
+    /// A file was changed during the push.
+    ChangedMeanwhile(ControllerPath),
+    /// A file on the controller is not what was written.
+    NotAsWritten(ControllerPath),
+    /// The user has interrupted the transfer.
+    Interrupted,
+    /// A local file has changed since it was checked.
+    LocalChanged(ControllerPath),
+    /// A push to another controller was not finished.
+    UnfinishedElsewhere {
+        /// Serial number of the other controller.
+        serial: String,
+        /// Folder of the backup.
+        backup: String,
+    },
+}
+
+impl From<AccessError> for ControllerError {
+    fn from(error: AccessError) -> Self {
+        Self::Access(error)
+    }
+}
+
+impl ControllerError {
+    /// What to do; empty if the message says it.
+    #[must_use]
+    pub fn help(&self) -> &'static str {
+        use crate::access::AccessFault::{Connection, Name, Rejected, Special, Timeout};
+        match self {
+            Self::Access(error) => match &error.reason {
+                Rejected { code: 530, .. } => {
+                    "check the profile and its password: `connectionPassword`, not `password`"
+                }
+                Rejected { code: 550 | 553, .. } => {
+                    "the profile needs `readAccess`, and for a push `writeAccess`; a loaded application can refuse too"
+                }
+                Rejected { code: 452 | 552, .. } => "the controller is full: remove applications that are not used",
+                Connection(_) | Timeout => "check the cable, the address and that the controller is on",
+                Special(_) | Name(_) => "rename or remove it on the controller, or name applications with --app",
+                _ => "",
+            },
+            Self::SameName(..) => "rename one of them: many disks cannot store both",
+            Self::TooMuch(_) | Self::TooMany(_) | Self::TooDeep(_) => "name the applications with --app",
+            Self::Conflicts(_) => "merge the changes of both sides with `val3 pull --merge`",
+            Self::Outdated(_) => "run `val3 pull` first, and check the result",
+            Self::Protected(_) => "change safety, profiles, the arm and the controller's identity on the controller",
+            Self::OtherController { .. } => "if the controller was replaced on purpose, add --new-controller",
+            Self::NoSerial => "if it is an emulator or its number was erased, add --new-controller",
+            Self::Locked(_) => "wait for its end; 10 minutes after the last change the lock is ignored",
+            Self::ChangedMeanwhile(_) => "run `val3 pull`, then push again",
+            Self::UnfinishedElsewhere { .. } => "connect to that controller, and run `val3 status`",
+            _ => "",
+        }
+    }
+}
+
+impl Display for ControllerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Access(error) => write!(f, "{error}"),
+            Self::Local { path, reason } => write!(f, "`{path}`: {reason}"),
+            Self::Name(fault) => write!(f, "{fault}"),
+            Self::Malformed { file, reason } => write!(f, "cannot read `{file}`: {reason}"),
+            Self::SameName(one, other) => write!(f, "`{one}` and `{}` differ only in letter case", other.name()),
+            Self::TooMuch(limit) => write!(f, "the files have more than {limit} bytes"),
+            Self::TooDeep(folder) => write!(f, "the folder `{folder}` is nested too deeply"),
+            Self::TooMany(limit) => write!(f, "there are more than {limit} files"),
+            Self::Conflicts(paths) => {
+                write!(f, "{} changed here and on the controller since the last pull: {}", count(paths), names(paths))
+            }
+            Self::Outdated(paths) => {
+                write!(f, "{} changed on the controller since the last pull: {}", count(paths), names(paths))
+            }
+            Self::Protected(paths) => write!(f, "{} never written: {}", is_or_are(paths), names(paths)),
+            Self::OtherController { expected, found } => write!(
+                f,
+                "this is another controller: its serial number is {}, and at the last pull it was {}",
+                shown(&found.serial),
+                shown(&expected.serial)
+            ),
+            Self::NoSerial => f.write_str("the controller has no serial number by which it could be identified"),
+            Self::Locked(owner) => write!(f, "another push is running: {owner}"),
+            Self::ChangedMeanwhile(path) => write!(f, "`{path}` was changed on the controller during the push"),
+            Self::NotAsWritten(path) => write!(f, "`{path}` on the controller is not what was written"),
+            Self::Interrupted => f.write_str("interrupted"),
+            Self::LocalChanged(path) => write!(f, "`{path}` was changed here during the push"),
+            Self::UnfinishedElsewhere { serial, backup } => write!(
+                f,
+                "a push to the controller with the serial number {} was not finished (backup: `{backup}`)",
+                shown(serial)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for ControllerError {}
+
+fn shown(serial: &str) -> &str {
+    if serial.is_empty() { "empty" } else { serial }
+}
+
+fn count(paths: &[ControllerPath]) -> String {
+    if paths.len() == 1 { "1 file".to_owned() } else { format!("{} files", paths.len()) }
+}
+
+fn is_or_are(paths: &[ControllerPath]) -> &'static str {
+    if paths.len() == 1 { "this file is" } else { "these files are" }
+}
+
+fn names(paths: &[ControllerPath]) -> String {
+    const SHOWN: usize = 20;
+    let mut text = paths.iter().take(SHOWN).map(|path| format!("`{path}`")).collect::<Vec<_>>().join(", ");
+    if paths.len() > SHOWN {
+        text.push_str(&format!(" and {} more", paths.len() - SHOWN));
+    }
+    text
+}

@@ -1,0 +1,47 @@
+//! The files of a controller, by FTP or in the folder of an emulator: pull, comparison, and a push after which the
+//! controller has the old application or the new one.
+//!
+//! [`ControllerFiles`] are the operations of a controller; [`FtpFiles`] and [`FolderFiles`] implement them. A
+//! [`ControllerProject`] remembers the controller and its files at the last pull, with which [`compare`] compares both
+//! sides by content. A [`PushPlan`] is plain data; [`push`] executes it with a journal, from which [`recover`] undoes it.
+//! Time, user and password are arguments.
+
+mod access;
+mod address;
+mod compare;
+mod digest;
+mod error;
+mod folder;
+mod ftp;
+mod identity;
+mod identity_files;
+mod observer;
+mod path;
+mod project;
+mod pull;
+mod push;
+mod rules;
+mod running;
+mod scan;
+mod status;
+
+pub use access::{AccessError, AccessFault, ControllerFiles, ListedEntry};
+pub use address::{AddressFault, ControllerAddress, FtpAddress};
+pub use compare::{FileDifference, FileDifferences, SideChange, compare};
+pub use digest::{FileDigest, FileDigests};
+pub use error::ControllerError;
+pub use folder::FolderFiles;
+pub use ftp::{FtpFiles, FtpTimeouts, Password};
+pub use identity::ControllerIdentity;
+pub use observer::{SilentObserver, TransferObserver, TransferStep};
+pub use path::{ControllerPath, NameFault, NameFaultKind};
+pub use project::{ControllerProject, ProjectState};
+pub use pull::{ConflictVersions, MergeConflict, PullRequest, PullResult, pull};
+pub use push::{
+    FailureOutcome, LockOwner, PlannedChange, PushFailure, PushPlan, PushRequest, RecoveredPush, RecoveryOutcome, push,
+    recover, remove_new_tree, write_new_tree,
+};
+pub use rules::is_protected;
+pub use running::running_applications;
+pub use scan::{TOTAL_LIMIT, read_files};
+pub use status::{ProjectStatus, check_identity};

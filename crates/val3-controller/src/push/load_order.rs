@@ -1,0 +1,71 @@
+//! Order of applications: libraries and types before the applications that use them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::path::ControllerPath;
+
+/// Start of a path in a project file that is relative to the applications.
+const DISK: &str = "disk://";
+
+/// Project files by path, with their texts.
+pub(super) type ProjectTexts = BTreeMap<ControllerPath, String>;
+
+/// Returns the rank of each application's folder: its libraries and types have lower ranks, unless they form a circle.
+pub(super) fn ranks(projects: &ProjectTexts) -> BTreeMap<ControllerPath, usize> {
+    let folders: BTreeSet<ControllerPath> = projects.keys().filter_map(ControllerPath::parent).collect();
+    let uses = projects.iter().filter_map(|(path, text)| {
+        let folder = path.parent()?;
+        let used = used_folders(text).into_iter().filter(|used| *used != folder && folders.contains(used)).collect();
+        Some((folder, used))
+    });
+    let uses: BTreeMap<ControllerPath, BTreeSet<ControllerPath>> = uses.collect();
+    let mut ranks = BTreeMap::new();
+    let mut open: Vec<&ControllerPath> = folders.iter().collect();
+    while !open.is_empty() {
+        let is_ready = |folder: &ControllerPath, ranks: &BTreeMap<ControllerPath, usize>| {
+            uses.get(folder).is_none_or(|used| used.iter().all(|used| ranks.contains_key(used)))
+        };
+        let next = open.iter().position(|folder| is_ready(folder, &ranks)).unwrap_or(0);
+        let folder = open.remove(next);
+        ranks.insert(folder.clone(), ranks.len());
+    }
+    ranks
+}
+
+/// Folders of the project files that a project names by `Disk://`. Paths relative to the project stay in its folder.
+fn used_folders(text: &str) -> BTreeSet<ControllerPath> {
+    let lower = text.to_ascii_lowercase();
+    let paths = lower.match_indices(DISK).filter_map(|(at, _)| {
+        let rest = text.get(at + DISK.len()..)?;
+        let path = rest.split(['"', '\'', '<', '\n']).next()?;
+        let folder = path.trim_matches('/').rsplit_once('/')?.0;
+        ControllerPath::parse(&format!("{}/{folder}", ControllerPath::applications())).ok()
+    });
+    paths.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn libraries_and_types_come_first() {
+        let project = |name: &str, uses: &[&str]| {
+            let text = uses.iter().map(|used| format!("<Library path=\"Disk://{used}/x.pjx\"/>")).collect();
+            (ControllerPath::parse(&format!("usr/usrapp/{name}/x.pjx")).unwrap(), text)
+        };
+        let projects =
+            [project("a", &["lib", "types/Slot"]), project("lib", &["types/Slot"]), project("types/Slot", &[])];
+        let ranks = ranks(&projects.into_iter().collect());
+        let rank = |name: &str| ranks[&ControllerPath::parse(&format!("usr/usrapp/{name}")).unwrap()];
+        assert!(rank("types/Slot") < rank("lib") && rank("lib") < rank("a"));
+    }
+
+    #[test]
+    fn a_circle_has_an_order() {
+        let text = |used: &str| format!("<Library path='disk://{used}/x.pjx'/>");
+        let projects = [("a", "b"), ("b", "a")]
+            .map(|(name, used)| (ControllerPath::parse(&format!("usr/usrapp/{name}/x.pjx")).unwrap(), text(used)));
+        assert_eq!(ranks(&projects.into_iter().collect()).len(), 2);
+    }
+}

@@ -1,0 +1,131 @@
+//! Plan of a push as data.
+
+use serde::{Deserialize, Serialize};
+
+use super::load_order::{ProjectTexts, ranks};
+use crate::compare::FileDifference;
+use crate::digest::FileDigest;
+use crate::error::ControllerError;
+use crate::path::ControllerPath;
+use crate::project::{self, ControllerProject};
+use crate::rules::is_protected;
+use crate::status::ProjectStatus;
+
+/// Change of one file on the controller.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PlannedChange {
+    /// The file.
+    pub path: ControllerPath,
+    /// Present content; `None` if the file is new.
+    pub old: Option<FileDigest>,
+    /// New content; `None` if the file is removed.
+    pub new: Option<FileDigest>,
+}
+
+/// Changes of a push in the order in which they become effective.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct PushPlan {
+    /// Programs and data, then project files, then removals; libraries and types before their users.
+    pub changes: Vec<PlannedChange>,
+    /// Changed local files that are not selected.
+    pub unselected: Vec<ControllerPath>,
+}
+
+impl PushPlan {
+    /// Plans the upload of all local changes in the selected folders and files.
+    ///
+    /// # Errors
+    /// If a selected file has changed on the controller, or is never written.
+    pub fn new(
+        project: &ControllerProject,
+        status: &ProjectStatus,
+        selection: &[ControllerPath],
+    ) -> Result<Self, ControllerError> {
+        let mut plan = Self::default();
+        let (mut conflicts, mut outdated, mut protected) = (Vec::new(), Vec::new(), Vec::new());
+        for (path, difference) in &status.differences {
+            let is_selected = selection.iter().any(|folder| path.is_in(folder));
+            match difference {
+                FileDifference::Local(_) if !is_selected => plan.unselected.push(path.clone()),
+                FileDifference::Local(_) if is_protected(path) => protected.push(path.clone()),
+                FileDifference::Local(_) => plan.changes.push(PlannedChange {
+                    path: path.clone(),
+                    old: status.controller.get(path).cloned(),
+                    new: status.local.get(path).cloned(),
+                }),
+                FileDifference::Conflict { .. } if is_selected => conflicts.push(path.clone()),
+                FileDifference::Controller(_) if is_selected => outdated.push(path.clone()),
+                FileDifference::Conflict { .. } | FileDifference::Controller(_) | FileDifference::Alike => {}
+            }
+        }
+        if !protected.is_empty() {
+            return Err(ControllerError::Protected(protected));
+        }
+        if !conflicts.is_empty() {
+            return Err(ControllerError::Conflicts(conflicts));
+        }
+        if !outdated.is_empty() {
+            return Err(ControllerError::Outdated(outdated));
+        }
+        plan.sort(&project_texts(project, status)?);
+        Ok(plan)
+    }
+
+    fn sort(&mut self, projects: &ProjectTexts) {
+        let ranks = ranks(projects);
+        let rank = |path: &ControllerPath| {
+            let folders = std::iter::successors(path.parent(), ControllerPath::parent);
+            folders.into_iter().find_map(|folder| ranks.get(&folder).copied()).unwrap_or(usize::MAX)
+        };
+        self.changes.sort_by_cached_key(|change| {
+            let is_project = change.path.is_project();
+            // The project file of a removed application is removed first, so that it cannot be loaded in part.
+            let step = match (&change.new, is_project) {
+                (Some(_), false) => 0,
+                (Some(_), true) => 1,
+                (None, true) => 2,
+                (None, false) => 3,
+            };
+            (step, rank(&change.path), change.path.clone())
+        });
+    }
+
+    /// Uploaded files.
+    pub fn uploads(&self) -> impl Iterator<Item = &PlannedChange> {
+        self.changes.iter().filter(|change| change.new.is_some())
+    }
+
+    /// Total size of the uploads in bytes.
+    #[must_use]
+    pub fn upload_bytes(&self) -> u64 {
+        self.uploads().filter_map(|change| change.new.as_ref()).map(|digest| digest.size).sum()
+    }
+
+    /// Applications whose files change, by their folders below `usr/usrapp`.
+    #[must_use]
+    pub fn applications(&self) -> Vec<String> {
+        let prefix = format!("{}/", ControllerPath::applications());
+        let names = self.changes.iter().filter_map(|change| {
+            let inner = change.path.as_str().strip_prefix(&prefix)?;
+            inner.split_once('/').map(|(application, _)| application.to_owned())
+        });
+        let names: std::collections::BTreeSet<String> = names.collect();
+        names.into_iter().collect()
+    }
+
+    /// Whether settings change, which the controller reads when it starts.
+    #[must_use]
+    pub fn needs_restart(&self) -> bool {
+        self.changes.iter().any(|change| !change.path.is_in(&ControllerPath::applications()))
+    }
+}
+
+/// Texts of the local project files.
+fn project_texts(project: &ControllerProject, status: &ProjectStatus) -> Result<ProjectTexts, ControllerError> {
+    let paths = status.local.keys().filter(|path| path.is_project());
+    let text = |path: &ControllerPath| {
+        let bytes = project::read(&project.local(path))?;
+        Ok((path.clone(), String::from_utf8_lossy(&bytes).into_owned()))
+    };
+    paths.map(text).collect()
+}

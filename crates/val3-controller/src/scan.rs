@@ -1,0 +1,144 @@
+//! Files below folders, on the controller and here.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::access::ControllerFiles;
+use crate::digest::{FileDigest, FileDigests};
+use crate::error::ControllerError;
+use crate::observer::{TransferObserver, TransferStep, check_interrupt};
+use crate::path::ControllerPath;
+use crate::rules::is_ignored;
+
+/// Limit of all transferred files, in bytes.
+pub const TOTAL_LIMIT: u64 = 500 << 20;
+
+/// Limit of nested folders.
+const DEPTH_LIMIT: usize = 32;
+
+/// Limit of the number of files and folders.
+const COUNT_LIMIT: usize = 100_000;
+
+/// Returns the files below folders, without ignored ones. Folders that do not exist have no files.
+///
+/// # Errors
+/// If a folder cannot be listed, a name is not allowed, two names differ only in letter case, or a limit is exceeded.
+pub(crate) fn files_below(
+    files: &mut dyn ControllerFiles,
+    folders: &[ControllerPath],
+    observer: &mut dyn TransferObserver,
+) -> Result<BTreeSet<ControllerPath>, ControllerError> {
+    observer.step(TransferStep::List, 0);
+    let mut found = BTreeSet::new();
+    let mut presence = Presence::default();
+    let mut open = Vec::new();
+    for folder in folders {
+        if presence.has(files, folder)? {
+            open.push(folder.clone());
+        }
+    }
+    let mut count = 0;
+    while let Some(folder) = open.pop() {
+        check_interrupt(observer)?;
+        if folder.depth() > DEPTH_LIMIT {
+            return Err(ControllerError::TooDeep(folder));
+        }
+        let entries = files.list(&folder)?;
+        check_case(entries.iter().map(|entry| &entry.path))?;
+        count += entries.len();
+        if count > COUNT_LIMIT {
+            return Err(ControllerError::TooMany(COUNT_LIMIT));
+        }
+        for entry in entries.into_iter().filter(|entry| !is_ignored(&entry.path)) {
+            if entry.is_folder {
+                open.push(entry.path);
+            } else {
+                found.insert(entry.path);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Checks that no two paths, or folders above them, differ only in letter case.
+pub(crate) fn check_case<'p>(paths: impl Iterator<Item = &'p ControllerPath>) -> Result<(), ControllerError> {
+    let mut seen: BTreeMap<String, ControllerPath> = BTreeMap::new();
+    for path in paths {
+        for path in std::iter::successors(Some(path.clone()), ControllerPath::parent) {
+            match seen.get(&path.as_str().to_lowercase()) {
+                Some(other) if *other != path => return Err(ControllerError::SameName(other.clone(), path)),
+                // The folders above it were checked, too.
+                Some(_) => break,
+                None => _ = seen.insert(path.as_str().to_lowercase(), path),
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Downloads files, and passes each to `store`.
+///
+/// # Errors
+/// If a file cannot be read or stored, or all files exceed the limit.
+pub(crate) fn download(
+    files: &mut dyn ControllerFiles,
+    paths: &BTreeSet<ControllerPath>,
+    observer: &mut dyn TransferObserver,
+    store: &mut dyn FnMut(&ControllerPath, &[u8]) -> Result<(), ControllerError>,
+) -> Result<FileDigests, ControllerError> {
+    observer.step(TransferStep::Download, paths.len());
+    let mut left = TOTAL_LIMIT;
+    let mut digests = FileDigests::new();
+    for path in paths {
+        check_interrupt(observer)?;
+        let bytes = files.read(path, left).map_err(|error| match error.reason {
+            crate::access::AccessFault::TooLarge(_) => ControllerError::TooMuch(TOTAL_LIMIT),
+            _ => error.into(),
+        })?;
+        store(path, &bytes)?;
+        left = left.saturating_sub(bytes.len() as u64);
+        observer.file(path, bytes.len() as u64);
+        digests.insert(path.clone(), FileDigest::of(&bytes));
+    }
+    Ok(digests)
+}
+
+/// Returns the contents of all files below folders, without ignored ones.
+///
+/// # Errors
+/// If a folder or file cannot be read, or a limit is exceeded.
+pub fn read_files(
+    files: &mut dyn ControllerFiles,
+    folders: &[ControllerPath],
+    observer: &mut dyn TransferObserver,
+) -> Result<BTreeMap<ControllerPath, Vec<u8>>, ControllerError> {
+    let paths = files_below(files, folders, observer)?;
+    let mut contents = BTreeMap::new();
+    download(files, &paths, observer, &mut |path, bytes| {
+        contents.insert(path.clone(), bytes.to_vec());
+        Ok(())
+    })?;
+    Ok(contents)
+}
+
+/// Existing entries, listed once for each folder.
+#[derive(Default)]
+pub(crate) struct Presence {
+    folders: BTreeMap<ControllerPath, BTreeSet<ControllerPath>>,
+}
+
+impl Presence {
+    /// Whether a file or folder exists, according to the listings of the folders above it.
+    pub(crate) fn has(
+        &mut self,
+        files: &mut dyn ControllerFiles,
+        path: &ControllerPath,
+    ) -> Result<bool, ControllerError> {
+        let Some(folder) = path.parent() else { return Ok(true) };
+        if !self.folders.contains_key(&folder) {
+            let is_present = self.has(files, &folder)?;
+            let entries = if is_present { files.list(&folder)? } else { Vec::new() };
+            self.folders.insert(folder.clone(), entries.into_iter().map(|entry| entry.path).collect());
+        }
+        Ok(self.folders.get(&folder).is_some_and(|entries| entries.contains(path)))
+    }
+}

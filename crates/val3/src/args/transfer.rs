@@ -1,0 +1,80 @@
+//! Arguments of `val3 pull`, `val3 status` and `val3 push`.
+
+use camino::Utf8PathBuf;
+
+pub(super) const PULL_EXIT_CODES: &str = "\
+Exit codes:
+  0  the local files are those of the controller, apart from local changes
+  1  files have changed on both sides: nothing was written; or --merge has left conflicts in files
+  2  wrong usage, a file that cannot be read or written, or the controller cannot be reached";
+
+pub(super) const STATUS_EXIT_CODES: &str = "\
+Exit codes:
+  0  no difference
+  1  files differ
+  2  wrong usage, a file that cannot be read, or the controller cannot be reached";
+
+pub(super) const PUSH_EXIT_CODES: &str = "\
+Exit codes:
+  0  done, or nothing to push; with --dry-run, the push can be done
+  1  the check has found errors, a file has changed on the controller, or an application runs: nothing was written
+  2  wrong usage, a file that cannot be read or written, or the controller cannot be reached";
+
+pub(super) const PASSWORD: &str = "\
+Password:
+  The environment variable VAL3_PASSWORD, else the entry of the host in ~/.netrc, else a prompt.
+  It is neither stored nor shown.";
+
+/// Arguments of `val3 pull`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct PullArgs {
+    /// The controller: `ftp://PROFILE@HOST[:PORT][/FOLDER]`, or the folder of an emulator, which contains `usr`
+    /// [default: the controller of the last pull]
+    #[arg(value_name = "ADDRESS")]
+    pub(crate) address: Option<String>,
+    /// The local folder for the files, by their paths on the controller [default: the project around the current folder,
+    /// else the current folder]
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: Option<Utf8PathBuf>,
+    /// Pull this application, a folder below usr/usrapp, instead of all; may be repeated
+    #[arg(long, value_name = "NAME", conflicts_with = "all")]
+    pub(crate) app: Vec<String>,
+    /// Also pull the settings: usr/configs, usr/app, usr/applicom and usr/templates
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Merge files that have changed on both sides, as `val3 merge` does
+    #[arg(long)]
+    pub(crate) merge: bool,
+    /// Accept a controller with another serial number than at the last pull
+    #[arg(long)]
+    pub(crate) new_controller: bool,
+}
+
+/// Arguments of `val3 status`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct StatusArgs {
+    /// A folder in the project
+    #[arg(value_name = "DIR", default_value = ".")]
+    pub(crate) folder: Utf8PathBuf,
+}
+
+/// Arguments of `val3 push`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct PushArgs {
+    /// Applications, by their folders below usr/usrapp [default: all]; or settings, by their paths, such as
+    /// usr/configs/sio.cfx
+    #[arg(value_name = "APP")]
+    pub(crate) selection: Vec<String>,
+    /// List the changes and check them, but write nothing
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Do not let errors of these rules stop the push: codes (V0203), prefixes of codes or names, separated by commas
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) ignore: Vec<String>,
+    /// State that none of the applications is loaded on the controller, instead of its log or an answer to the question
+    #[arg(long)]
+    pub(crate) unloaded: bool,
+    /// Accept a controller with another serial number than at the last pull, or without one
+    #[arg(long)]
+    pub(crate) new_controller: bool,
+}

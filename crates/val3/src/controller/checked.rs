@@ -1,0 +1,78 @@
+//! Check of the files that the controller will have after a push.
+
+use camino::Utf8PathBuf;
+use val3_check::settings::RuleSelection;
+use val3_controller::{ControllerPath, ControllerProject, ProjectStatus, PushPlan, remove_new_tree, write_new_tree};
+
+use crate::color::Color;
+use crate::engine::Session;
+use crate::format::{self, ReportFormat};
+use crate::opening::OpenRequest;
+use crate::output::{to_stderr, to_stderr_in_color};
+use crate::report::{CheckReport, FindingSeverity};
+use crate::user_error::UserError;
+use crate::{selection, summary};
+
+/// Result of the check before a push.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CheckOutcome {
+    /// No errors.
+    Clean,
+    /// The findings, which are on the standard error output, have errors.
+    Errors,
+}
+
+/// Checks all applications as they will be on the controller.
+///
+/// # Errors
+/// The files cannot be read or written.
+pub(crate) fn check_new_tree(
+    project: &ControllerProject,
+    status: &ProjectStatus,
+    plan: &PushPlan,
+    ignore: &[String],
+    color: Color,
+) -> Result<CheckOutcome, UserError> {
+    let applications = ControllerPath::applications();
+    if !plan.changes.iter().any(|change| change.path.is_in(&applications)) {
+        return Ok(CheckOutcome::Clean);
+    }
+    if !status.local.keys().any(ControllerPath::is_project) {
+        // The last application is removed.
+        return Ok(CheckOutcome::Clean);
+    }
+    let selection = selection::read(&[], &[], ignore)?;
+    let is_whole = !plan.unselected.iter().any(|path| path.is_in(&applications));
+    if is_whole {
+        return check(project.local(&applications), selection, color);
+    }
+    let folder = write_new_tree(project, status, plan)?;
+    let outcome = check(folder.join(applications.as_str()), selection, color);
+    remove_new_tree(project)?;
+    outcome
+}
+
+fn check(folder: Utf8PathBuf, selection: RuleSelection, color: Color) -> Result<CheckOutcome, UserError> {
+    let request = OpenRequest { asked: vec![folder], selection, ..OpenRequest::default() };
+    let mut session = Session::open(&request)?;
+    let found = session.check()?;
+    let mut report = session.report(found);
+    let outcome = match report.is_complete() && !report.reaches(FindingSeverity::Error) {
+        true => CheckOutcome::Clean,
+        false => CheckOutcome::Errors,
+    };
+    if outcome == CheckOutcome::Errors {
+        report.findings.retain(|finding| finding.severity == FindingSeverity::Error);
+        write(&report, color);
+    }
+    session.abandon();
+    Ok(outcome)
+}
+
+fn write(report: &CheckReport, color: Color) {
+    to_stderr_in_color(color, |out| {
+        format::write(ReportFormat::Human, report, &format::val3check::Template::default(), out)
+    });
+    report.unreadable.iter().for_each(|error| to_stderr(|out| writeln!(out, "{error}")));
+    to_stderr(|out| summary::write(report, out));
+}

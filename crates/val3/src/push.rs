@@ -1,0 +1,163 @@
+//! `val3 push`: uploads local changes after a check and a backup.
+
+mod loaded;
+mod outcome;
+
+use std::process::ExitCode;
+
+use chrono::DateTime;
+use val3_controller::{
+    ControllerError, ControllerPath, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected, push,
+};
+
+use crate::args::PushArgs;
+use crate::color::Color;
+use crate::controller::{
+    CheckOutcome, ControllerSession, check_new_tree, counted_files, note, now, open_project, planned_lines,
+    report_error,
+};
+use crate::output::{OutputContent, to_stdout_as};
+use crate::printable::one_line;
+use crate::user_error::{EXIT_USAGE, UserError};
+
+/// Runs the command.
+///
+/// # Errors
+/// The controller cannot be reached, is another one, or a file cannot be read or written.
+pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> {
+    let (project, address) = open_project(".".into())?;
+    let selection = selection(&args.selection)?;
+    let folders = folders(&project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default(), &selection)?;
+    let mut session = ControllerSession::open(project, &address, args.new_controller)?;
+    note(&session.identity_line());
+    if session.identity.serial.is_empty() && !args.new_controller {
+        return Err(ControllerError::NoSerial.into());
+    }
+    let status = ProjectStatus::read(&session.project, &mut *session.files, &folders, &mut session.observer);
+    let plan = status.and_then(|status| Ok((PushPlan::new(&session.project, &status, &selection)?, status)));
+    session.observer.end();
+    let (plan, status) = match plan {
+        Ok(planned) => planned,
+        Err(error @ (ControllerError::Conflicts(_) | ControllerError::Outdated(_))) => {
+            return Ok(refused(&UserError::from(error)));
+        }
+        Err(ControllerError::Interrupted) => return Ok(interrupted(&session)),
+        Err(error) => return Err(error.into()),
+    };
+    check_selection(&selection, &status)?;
+    if !plan.unselected.is_empty() {
+        note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
+    }
+    if plan.changes.is_empty() {
+        note("nothing to push");
+        return Ok(ExitCode::SUCCESS);
+    }
+    if check_new_tree(&session.project, &status, &plan, &args.ignore, color)? == CheckOutcome::Errors {
+        return Ok(refused(
+            &UserError::new("the check has found errors, so nothing was pushed")
+                .with_help("repair them, or name rules whose errors do not matter with --ignore"),
+        ));
+    }
+    let lines = planned_lines(&plan.changes);
+    to_stdout_as(OutputContent::Data, color, |out| {
+        lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
+    })?;
+    if args.dry_run {
+        return Ok(ExitCode::SUCCESS);
+    }
+    if let Some(reason) = loaded::refusal(&mut *session.files, &plan, args.unloaded)? {
+        return Ok(refused(&reason));
+    }
+    // The check and the question may have taken longer than an idle connection lasts.
+    session.files.reconnect().map_err(ControllerError::from)?;
+    execute(&mut session, &plan)
+}
+
+/// Pushes, and reports the outcome.
+fn execute(session: &mut ControllerSession, plan: &PushPlan) -> Result<ExitCode, UserError> {
+    let owner = LockOwner { user: variable(&["USER", "USERNAME"]), host: variable(&["HOSTNAME", "COMPUTERNAME"]) };
+    let now = now();
+    let seconds = i64::try_from(now).unwrap_or(i64::MAX);
+    let backup = DateTime::from_timestamp(seconds, 0).unwrap_or_default().format("%Y-%m-%dT%H-%M-%SZ").to_string();
+    if let Some(state) = &mut session.project.state {
+        // A new controller was accepted.
+        state.controller = session.identity.clone();
+    }
+    let request = PushRequest { plan, owner: &owner, now, backup: &backup };
+    let pushed = push(&mut session.project, &mut *session.files, request, &mut session.observer);
+    session.observer.end();
+    match pushed {
+        Ok(()) => {
+            outcome::done(plan, &session.project)?;
+            Ok(session.observer.signal_code().map_or(ExitCode::SUCCESS, |_| {
+                note("note: the interruption came after the point at which a push is completed");
+                ExitCode::SUCCESS
+            }))
+        }
+        Err(failure) => {
+            let is_interrupted = failure.error == ControllerError::Interrupted;
+            let code = if is_interrupted { session.observer.signal_code() } else { None };
+            report_error(&outcome::failed(failure));
+            Ok(ExitCode::from(code.unwrap_or(EXIT_USAGE)))
+        }
+    }
+}
+
+/// Selected folders and files.
+fn selection(names: &[String]) -> Result<Vec<ControllerPath>, UserError> {
+    let applications = ControllerPath::applications();
+    if names.is_empty() {
+        return Ok(vec![applications]);
+    }
+    let path = |name: &String| {
+        let text = name.trim_end_matches('/');
+        let full = if text.starts_with("usr/") { text.to_owned() } else { format!("{applications}/{text}") };
+        let path = ControllerPath::parse(&full).map_err(|fault| UserError::new(fault.to_string()))?;
+        let is_application = path.is_in(&applications);
+        if !is_application && is_protected(&path) {
+            return Err(ControllerError::Protected(vec![path]).into());
+        }
+        Ok(path)
+    };
+    names.iter().map(path).collect()
+}
+
+/// Folders that are compared: those of the project. Every selected path is in one of them.
+fn folders(known: &[ControllerPath], selection: &[ControllerPath]) -> Result<Vec<ControllerPath>, UserError> {
+    let is_known = |path: &&ControllerPath| {
+        known
+            .iter()
+            .any(|folder| path.is_in(folder) || folder.is_in(path) && folder.is_in(&ControllerPath::applications()))
+    };
+    match selection.iter().find(|path| !is_known(path)) {
+        None => Ok(known.to_vec()),
+        Some(path) => Err(UserError::new(format!("`{path}` was never pulled"))
+            .with_help("run `val3 pull --all`, or `val3 pull --app NAME`, first")),
+    }
+}
+
+/// Checks that each selected path has files here or on the controller, so that a wrong name is not "nothing to push".
+fn check_selection(selection: &[ControllerPath], status: &ProjectStatus) -> Result<(), UserError> {
+    let has_files =
+        |folder: &&ControllerPath| status.local.keys().chain(status.controller.keys()).any(|path| path.is_in(folder));
+    match selection.iter().find(|path| !has_files(path)) {
+        None => Ok(()),
+        Some(path) => Err(UserError::new(format!("`{path}` has no files, neither here nor on the controller"))
+            .with_help("name a folder below usr/usrapp, or the path of a file")),
+    }
+}
+
+fn refused(reason: &UserError) -> ExitCode {
+    report_error(reason);
+    ExitCode::FAILURE
+}
+
+fn interrupted(session: &ControllerSession) -> ExitCode {
+    note("interrupted: the controller was not changed");
+    ExitCode::from(session.observer.signal_code().unwrap_or(EXIT_USAGE))
+}
+
+/// Value of the first variable that is set.
+fn variable(names: &[&str]) -> String {
+    names.iter().find_map(|name| std::env::var(name).ok()).unwrap_or_else(|| "unknown".to_owned())
+}

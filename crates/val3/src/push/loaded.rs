@@ -1,0 +1,48 @@
+//! Loaded applications: a controller may reject files of an application that it has loaded, or run old and new files.
+
+use std::io::{BufRead as _, IsTerminal as _};
+
+use val3_controller::{ControllerFiles, PushPlan, running_applications};
+
+use crate::output::to_stderr;
+use crate::user_error::UserError;
+
+/// Option that states that no application is loaded.
+const OPTION: &str = "stop and unload it on the controller, then add --unloaded";
+
+/// Reason why the push is refused; `None` if none of its applications is loaded.
+///
+/// # Errors
+/// The log or the answer cannot be read.
+pub(super) fn refusal(
+    files: &mut dyn ControllerFiles,
+    plan: &PushPlan,
+    is_unloaded: bool,
+) -> Result<Option<UserError>, UserError> {
+    let applications = plan.applications();
+    if is_unloaded || applications.is_empty() {
+        return Ok(None);
+    }
+    match running_applications(files)? {
+        Some(running) if running.is_empty() => Ok(None),
+        Some(running) => {
+            let names = running.into_iter().collect::<Vec<_>>().join("`, `");
+            let message = format!("`{names}` runs on the controller, according to its log");
+            Ok(Some(UserError::new(message).with_help(OPTION)))
+        }
+        None if std::io::stdin().is_terminal() => ask(&applications.join("`, `")),
+        None => {
+            let message = "the log of the controller does not state whether an application is loaded";
+            Ok(Some(UserError::new(message).with_help(OPTION)))
+        }
+    }
+}
+
+fn ask(names: &str) -> Result<Option<UserError>, UserError> {
+    to_stderr(|out| write!(out, "Are the applications stopped and unloaded: `{names}`? [y/N] "));
+    let mut answer = String::new();
+    let read = std::io::stdin().lock().read_line(&mut answer);
+    read.map_err(|error| UserError::new(format!("cannot read the answer: {error}")))?;
+    let is_yes = matches!(answer.trim().to_ascii_lowercase().as_str(), "y" | "yes");
+    Ok((!is_yes).then(|| UserError::new("nothing was pushed").with_help(OPTION)))
+}

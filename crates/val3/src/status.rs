@@ -1,0 +1,44 @@
+//! `val3 status`: what has changed here and on the controller since the last pull or push.
+
+use std::process::ExitCode;
+
+use val3_controller::{ControllerError, FileDifference, ProjectStatus};
+
+use crate::args::StatusArgs;
+use crate::color::Color;
+use crate::controller::{ControllerSession, counted_files, note, open_project, status_lines};
+use crate::output::{OutputContent, to_stdout_as};
+use crate::printable::one_line;
+use crate::user_error::{EXIT_USAGE, UserError};
+
+/// Runs the command. The exit code states whether files differ.
+///
+/// # Errors
+/// The controller cannot be reached, is another one, or a file cannot be read.
+pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError> {
+    let (project, address) = open_project(&args.folder)?;
+    let folders = project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default();
+    let mut session = ControllerSession::open(project, &address, false)?;
+    note(&session.identity_line());
+    let status = ProjectStatus::read(&session.project, &mut *session.files, &folders, &mut session.observer);
+    session.observer.end();
+    let status = match status {
+        Err(ControllerError::Interrupted) => {
+            return Ok(ExitCode::from(session.observer.signal_code().unwrap_or(EXIT_USAGE)));
+        }
+        status => status?,
+    };
+    let lines = status_lines(&status.differences);
+    to_stdout_as(OutputContent::Data, color, |out| {
+        lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
+    })?;
+    let count = |wanted: fn(&FileDifference) -> bool| status.differences.values().filter(|one| wanted(one)).count();
+    let here = count(|one| matches!(one, FileDifference::Local(_)));
+    let there = count(|one| matches!(one, FileDifference::Controller(_)));
+    let conflicts = count(|one| matches!(one, FileDifference::Conflict { .. }));
+    note(&format!(
+        "{} compared: {here} changed here, {there} on the controller, {conflicts} on both sides",
+        counted_files(status.controller.len())
+    ));
+    Ok(if here + there + conflicts == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

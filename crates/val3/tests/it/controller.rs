@@ -1,0 +1,156 @@
+//! `val3 pull`, `status`, `push` and `diff` with the folder of an emulator as the controller.
+
+use std::fs;
+use std::process::Stdio;
+use std::thread;
+use std::time::Duration;
+
+use expect_test::expect;
+
+use crate::support::{CommandOutput, Folder, copy_folder};
+
+const PROJECT: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n  \
+    <Parameters version=\"s7.5\" stackSize=\"5000\" millimeterUnit=\"true\" />\n  <Programs>\n    <Program file=\"start.pgx\" />\n    \
+    <Program file=\"stop.pgx\" />\n  </Programs>\n  <Database>\n    <Data file=\"demo.dtx\" />\n  </Database>\n</Project>\n";
+
+const DATA: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\" \
+    xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\">\n  <Datas>\n    <Data name=\"nCount\" access=\"private\" xsi:type=\"array\" \
+    type=\"num\" size=\"1\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n  </Datas>\n</Database>\n";
+
+const IDENTITY: &str = "<controller><String name=\"serialNumber\" value=\"F10-1\" /></controller>";
+
+fn program(name: &str, code: &str) -> String {
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \
+         <Program name=\"{name}\" access=\"private\">\n    <Code><![CDATA[begin\n  {code}\nend]]></Code>\n  </Program>\n</Programs>\n"
+    )
+}
+
+/// A folder with an emulator, `robot`, and a project, `cell`, that was pulled from it.
+fn pulled() -> Folder {
+    let folder = Folder::empty();
+    folder.write("robot/usr/configs/controller.cfx", IDENTITY);
+    folder.write("robot/usr/usrapp/demo/demo.pjx", PROJECT);
+    folder.write("robot/usr/usrapp/demo/demo.dtx", DATA);
+    folder.write("robot/usr/usrapp/demo/start.pgx", &program("start", "nCount=nCount+1"));
+    folder.write("robot/usr/usrapp/demo/stop.pgx", &program("stop", "nCount=0"));
+    let run = folder.val3(&["pull", "robot", "cell"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    folder
+}
+
+/// Runs a command in the project. Paths of the temporary folder are replaced.
+fn in_cell(folder: &Folder, args: &[&str]) -> CommandOutput {
+    let mut command = folder.exact_command(args);
+    command.current_dir(folder.path().join("cell"));
+    let mut run = crate::support::run(command);
+    run.stderr = run.stderr.replace(folder.path().to_str().unwrap(), "…");
+    run
+}
+
+#[test]
+fn a_push_uploads_what_has_changed() {
+    let folder = pulled();
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=nCount+2"));
+    let status = in_cell(&folder, &["status"]);
+    assert_eq!((status.code, status.stdout.as_str()), (1, "local       usr/usrapp/demo/start.pgx: changed\n"));
+    let dry = in_cell(&folder, &["push", "--dry-run"]);
+    assert_eq!((dry.code, dry.stdout.starts_with("replace  usr/usrapp/demo/start.pgx (")), (0, true), "{}", dry.stderr);
+    assert!(folder.read("robot/usr/usrapp/demo/start.pgx").contains("+1"));
+    let asked = in_cell(&folder, &["push"]);
+    assert_eq!(asked.code, 1);
+    assert!(asked.stderr.contains("--unloaded"), "{}", asked.stderr);
+    let pushed = in_cell(&folder, &["push", "--unloaded", "demo"]);
+    assert_eq!(pushed.code, 0, "{}", pushed.stderr);
+    assert!(folder.read("robot/usr/usrapp/demo/start.pgx").contains("+2"));
+    assert_eq!(in_cell(&folder, &["status"]).code, 0);
+    assert!(in_cell(&folder, &["push"]).stderr.ends_with("nothing to push\n"));
+}
+
+#[test]
+fn errors_and_running_applications_stop_a_push() {
+    let folder = pulled();
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCuont=1"));
+    let run = in_cell(&folder, &["push", "--unloaded"]);
+    assert_eq!(run.code, 1);
+    assert!(run.stderr.contains("nCuont") && run.stderr.contains("nothing was pushed"), "{}", run.stderr);
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=3"));
+    folder.write("robot/log/user.log", "{\"entry\":{\"id\":\"0x5402\",\"val\":\"Application 'demo' started.\"}}\n");
+    let run = in_cell(&folder, &["push"]);
+    assert_eq!(run.code, 1);
+    assert!(run.stderr.contains("`demo` runs on the controller"), "{}", run.stderr);
+    assert!(folder.read("robot/usr/usrapp/demo/start.pgx").contains("+1"));
+}
+
+#[test]
+fn a_conflict_is_merged_on_request() {
+    let folder = pulled();
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=5"));
+    folder.write("robot/usr/usrapp/demo/start.pgx", &program("start", "nCount=6"));
+    let run = in_cell(&folder, &["pull"]);
+    assert_eq!(run.code, 1);
+    expect![[r#"
+        …/robot: controller F10-1
+        error: 1 file changed here and on the controller since the last pull: `usr/usrapp/demo/start.pgx`
+          help: merge the changes of both sides with `val3 pull --merge`
+    "#]]
+    .assert_eq(&run.stderr);
+    let run = in_cell(&folder, &["pull", "--merge"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let text = folder.read("cell/usr/usrapp/demo/start.pgx");
+    assert!(text.contains("<<<<<<<") && text.contains("nCount=5") && text.contains("nCount=6"), "{text}");
+    assert_eq!(in_cell(&folder, &["push", "--unloaded"]).code, 1, "the check reports the conflict");
+}
+
+#[test]
+fn wrong_usage_has_a_remedy() {
+    let folder = pulled();
+    let error = |args: &[&str]| {
+        let run = in_cell(&folder, args);
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        run.stderr
+    };
+    let message = error(&["pull", "ftp://me:hidden@robot"]);
+    assert!(message.contains("a password does not belong") && !message.contains("hidden"), "{message}");
+    assert!(error(&["push", "usr/configs/arm.cfx"]).contains("never written"));
+    assert!(error(&["push", "usr/configs/sio.cfx"]).contains("was never pulled"));
+    assert!(error(&["push", "dmeo"]).contains("has no files"));
+    assert!(error(&["pull", "http://robot"]).contains("only `ftp://`"));
+    folder.write("robot/usr/configs/controller.cfx", &IDENTITY.replace("F10-1", "F10-2"));
+    assert!(error(&["status"]).contains("--new-controller"));
+    let outside = folder.val3(&["status"]);
+    assert!(outside.code == 2 && outside.stderr.contains("val3 pull ADDRESS DIR"), "{}", outside.stderr);
+}
+
+/// Ends the process at different times. The next command leaves the old or the new application.
+#[test]
+fn a_killed_push_is_recovered() {
+    let folder = pulled();
+    let [old, new] = ["nCount=nCount+1", "nCount=nCount+2"].map(|code| program("start", code));
+    folder.write("cell/usr/usrapp/demo/start.pgx", &new);
+    folder.write("cell/usr/usrapp/demo/demo.dtx", &DATA.replace("value=\"1\"", "value=\"2\""));
+    let copies = folder.path().join("copies");
+    for name in ["robot", "cell"] {
+        copy_folder(&folder.path().join(name), &copies.join(name));
+    }
+    for step in 0..20 {
+        for name in ["robot", "cell"] {
+            fs::remove_dir_all(folder.path().join(name)).unwrap();
+            copy_folder(&copies.join(name), &folder.path().join(name));
+        }
+        let mut command = folder.exact_command(&["push", "--unloaded", "--ignore", "V"]);
+        command.current_dir(folder.path().join("cell")).stdout(Stdio::null()).stderr(Stdio::null());
+        let mut process = command.spawn().unwrap();
+        thread::sleep(Duration::from_millis(10 * step));
+        process.kill().unwrap();
+        process.wait().unwrap();
+        let status = in_cell(&folder, &["status"]);
+        assert!(status.code < 2, "{}", status.stderr);
+        let [program, data] =
+            ["start.pgx", "demo.dtx"].map(|name| folder.read(&format!("robot/usr/usrapp/demo/{name}")));
+        let is_new = program == new && data.contains("value=\"2\"");
+        assert!(is_new || program == old && data == DATA, "step {step}: {}", status.stderr);
+        let left = fs::read_dir(folder.path().join("robot/usr/usrapp/demo")).unwrap().count();
+        assert!(left == 4 && !folder.path().join("robot/usr/usrapp/val3.lock").exists(), "step {step}");
+    }
+}

@@ -1,0 +1,246 @@
+"""Tests of `val3 pull`, `status`, `push` and `diff` with pyftpdlib, in its usual form and like an old controller."""
+
+import importlib.util
+import logging
+import os
+import random
+import shutil
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import val3
+
+if importlib.util.find_spec("pyftpdlib") is None:
+    raise unittest.SkipTest("this Python has no package pyftpdlib")
+
+from pyftpdlib.authorizers import DummyAuthorizer  # type: ignore[import-untyped]
+from pyftpdlib.handlers import FTPHandler  # type: ignore[import-untyped]
+from pyftpdlib.servers import FTPServer  # type: ignore[import-untyped]
+
+PALLETISER = Path(__file__).parents[2] / "examples" / "palletiser"
+
+#: Commands that an old controller does not have.
+MODERN = {"MLSD", "MLST", "MDTM", "MFMT", "SIZE", "FEAT", "EPSV", "EPRT"}
+
+#: Number of pushes whose process is killed.
+KILLS = int(os.environ.get("VAL3_KILLS", "12"))
+
+SECRET = "not shown"
+
+logging.getLogger("pyftpdlib").disabled = True
+
+
+class Server:
+    """An FTP server in a thread, whose root is a folder."""
+
+    def __init__(self, root: Path, old: bool = False, rights: str = "elradfmwMT") -> None:
+        authorizer = DummyAuthorizer()
+        authorizer.add_user("maintenance", SECRET, str(root), perm=rights)
+        authorizer.add_user("default", "", str(root), perm="elr")
+        outer = self
+
+        class Handler(FTPHandler):  # type: ignore[misc]
+            def pre_process_command(self, line: str, cmd: str, arg: str) -> None:
+                outer.on_command()
+                super().pre_process_command(line, cmd, arg)
+
+        Handler.authorizer = authorizer
+        Handler.auth_failed_timeout = 0
+        if old:
+            Handler.proto_cmds = {name: rules for name, rules in FTPHandler.proto_cmds.items() if name not in MODERN}
+        self.commands = 0
+        #: Called with the number of each command.
+        self.hook: Callable[[int], None] = lambda _: None
+        self.server: Any = FTPServer(("127.0.0.1", 0), Handler)
+        self.thread = threading.Thread(target=self.server.serve_forever, kwargs={"timeout": 0.01}, daemon=True)
+        self.thread.start()
+
+    def on_command(self) -> None:
+        """Count a command."""
+        self.hook(self.commands)
+        self.commands += 1
+
+    def address(self, user: str = "maintenance") -> str:
+        """Address of the server."""
+        return f"ftp://{user}@127.0.0.1:{self.server.address[1]}"
+
+    def close(self) -> None:
+        """Stop the server."""
+        self.server.close_all()
+
+
+def environment() -> dict[str, str]:
+    """Variables of a command, with the password."""
+    return {**os.environ, "VAL3_PASSWORD": SECRET, "NO_COLOR": "1"}
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """All files in a folder."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def replace(path: Path, old: str, new: str) -> None:
+    """Replace a text in a file."""
+    text = path.read_text(encoding="utf-8-sig")
+    assert old in text, f"{old} is not in {path}"
+    path.write_text(text.replace(old, new), encoding="utf-8-sig")
+
+
+class ControllerTest(unittest.TestCase):
+    """The palletiser on a server."""
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root, self.cell = Path(folder.name) / "robot", Path(folder.name) / "cell"
+        shutil.copytree(PALLETISER / "usr", self.root / "usr")
+        serial = '<String name="serialNumber" value="F10-0001" /></controller>'
+        replace(self.root / "usr/configs/controller.cfx", "</controller>", serial)
+        self.cell.mkdir()
+
+    def start(self, old: bool = False, rights: str = "elradfmwMT") -> Server:
+        """Start a server."""
+        server = Server(self.root, old, rights)
+        self.addCleanup(server.close)
+        return server
+
+    def run_val3(self, *arguments: str, code: int = 0) -> str:
+        """Run a command in the cell. Return its whole output."""
+        done = subprocess.run(
+            [val3.find_binary(), *arguments],
+            cwd=self.cell,
+            env=environment(),
+            capture_output=True,
+            text=True,
+            stdin=subprocess.DEVNULL,
+            timeout=300,
+            check=False,
+        )
+        output = done.stdout + done.stderr
+        self.assertEqual(done.returncode, code, output)
+        self.assertNotIn(SECRET, output)
+        return output
+
+    def day(self, old: bool) -> None:
+        """The flow of a day: acceptance test of the commands."""
+        server = self.start(old)
+        self.run_val3("pull", "--all", server.address())
+        self.assertNotIn(SECRET.encode(), b"".join(contents(self.cell).values()))
+        self.run_val3("status")
+        grip = self.cell / "usr/usrapp/partBag/grip.pgx"
+        data = self.cell / "usr/usrapp/palletiser/palletiser.dtx"
+        replace(grip, "delay(nSettle)", "delay(nSetle)")
+        replace(data, 'j2="-20"', 'j2="-25"')
+        self.assertIn("2 changed here", self.run_val3("status", code=1))
+        before = contents(self.root)
+        self.assertIn("nSetle", self.run_val3("push", "--unloaded", code=1))
+        replace(grip, "nSetle", "nSettle+0.1")
+        self.assertIn("replace", self.run_val3("push", "--dry-run"))
+        self.assertEqual(contents(self.root), before)
+        self.assertIn("pushed and verified: 2 files", self.run_val3("push", "--unloaded"))
+        self.run_val3("diff", server.address())
+        self.run_val3("status")
+        # The operator teaches a point.
+        replace(self.root / "usr/usrapp/palletiser/palletiser.dtx", 'vel="90"', 'vel="60"')
+        replace(data, 'j2="-25"', 'j2="-30"')
+        self.assertIn("merge the changes", self.run_val3("push", "--unloaded", code=1))
+        self.run_val3("pull", code=1)
+        self.run_val3("pull", "--merge")
+        self.run_val3("push", "--unloaded")
+        self.run_val3("diff", server.address())
+        text = (self.root / "usr/usrapp/palletiser/palletiser.dtx").read_text(encoding="utf-8-sig")
+        self.assertTrue('vel="60"' in text and 'j2="-30"' in text)
+        self.assertFalse([name for name in contents(self.root) if "val3" in Path(name).suffix or "lock" in name])
+
+    def test_a_day_with_a_new_controller(self) -> None:
+        self.day(old=False)
+
+    def test_a_day_with_an_old_controller(self) -> None:
+        self.day(old=True)
+
+    def test_a_profile_without_write_access_cannot_push(self) -> None:
+        server = self.start(rights="elr")
+        self.run_val3("pull", server.address())
+        replace(self.cell / "usr/usrapp/palletiser/palletiser.dtx", 'j2="-20"', 'j2="-25"')
+        before = contents(self.root)
+        output = self.run_val3("push", "--unloaded", code=2)
+        self.assertIn("550", output)
+        self.assertIn("writeAccess", output)
+        self.assertEqual(contents(self.root), before)
+
+    def test_an_empty_password_is_sent(self) -> None:
+        server = self.start()
+        done = subprocess.run(
+            [val3.find_binary(), "pull", server.address("default")],
+            cwd=self.cell,
+            env={name: value for name, value in environment().items() if name != "VAL3_PASSWORD"},
+            capture_output=True,
+            text=True,
+            stdin=subprocess.DEVNULL,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("530", self.run_val3("pull", server.address("nobody"), code=2))
+
+    def test_a_killed_push_leaves_the_old_or_the_new_application(self) -> None:
+        server = self.start()
+        self.run_val3("pull", server.address())
+        replace(self.cell / "usr/usrapp/palletiser/palletiser.dtx", 'j2="-20"', 'j2="-25"')
+        replace(self.cell / "usr/usrapp/partBag/grip.pgx", "delay(nSettle)", "delay(0.5)")
+        replace(self.cell / "usr/usrapp/palletiser/palletiser.pjx", 'version="', ' version="')
+        shutil.copytree(self.cell / "usr/usrapp/types/Slot", self.cell / "usr/usrapp/types/Spare")
+        (self.cell / "usr/usrapp/types/Spare/Slot.pjx").rename(self.cell / "usr/usrapp/types/Spare/Spare.pjx")
+        copies = self.root.with_name("copies")
+        shutil.copytree(self.root, copies / "robot")
+        shutil.copytree(self.cell, copies / "cell")
+        command = [val3.find_binary(), "push", "--unloaded", "--ignore", "V"]
+        server.commands = 0
+        subprocess.run(command, cwd=self.cell, env=environment(), check=True, capture_output=True)
+        total, old, new = server.commands, contents(copies / "robot"), contents(self.root)
+        first = self.first_write(total)
+        chance, outcomes = random.Random(1), {"old": 0, "new": 0, "restored": 0}
+        for number in range(KILLS):
+            for folder in (self.root, self.cell):
+                shutil.rmtree(folder)
+                shutil.copytree(copies / folder.name, folder)
+            at, delay = chance.randrange(first, total + 1), chance.choice([0, 0, chance.random() * 0.01])
+            process = subprocess.Popen(
+                command, cwd=self.cell, env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            )
+
+            def kill(count: int, process: subprocess.Popen[bytes] = process, at: int = at, delay: float = delay) -> None:
+                if count >= at and process.poll() is None:
+                    time.sleep(delay)
+                    process.kill()
+
+            server.commands, server.hook = 0, kill
+            process.wait(300)
+            server.hook = lambda _: None
+            # The server still executes the last command.
+            time.sleep(0.05)
+            at_kill = contents(self.root)
+            output = subprocess.run(
+                [val3.find_binary(), "status"], cwd=self.cell, env=environment(), capture_output=True, text=True, check=False
+            ).stderr
+            after = contents(self.root)
+            self.assertIn(after, (old, new), f"kill {number} at command {at}: {output}")
+            if at_kill not in (old, new):
+                self.assertIn("interrupted", output, f"kill {number} at command {at}")
+            state = "restored" if "restored from" in output else "new" if after == new else "old"
+            outcomes[state] += 1
+        print(f"kills: {outcomes}, commands of a push: {total}")
+
+    @staticmethod
+    def first_write(total: int) -> int:
+        """First command at which a process is killed: half of a push only reads."""
+        return total // 3
+
+
+if __name__ == "__main__":
+    unittest.main()
