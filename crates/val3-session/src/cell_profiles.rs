@@ -71,6 +71,7 @@ fn rights(text: &str) -> ProfileRights {
 
 #[cfg(test)]
 mod tests {
+    use camino::Utf8PathBuf;
     use val3_analysis::system::Memory;
 
     use super::*;
@@ -87,7 +88,7 @@ mod tests {
             ("none", profile("")),
         ];
         let file = |(name, text): &(&str, String)| {
-            (format!("/cell/usr/configs/profiles/{name}.cfx").into(), text.clone().into_bytes())
+            (Utf8PathBuf::from(format!("/cell/usr/configs/profiles/{name}.cfx")), text.clone().into_bytes())
         };
         let system = Memory::new(files.iter().map(file));
         let profiles = read(&system, Utf8Path::new("/cell/usr/usrapp")).unwrap();
