@@ -75,6 +75,9 @@ pub(crate) fn check_case<'p>(paths: impl Iterator<Item = &'p ControllerPath>) ->
     Ok(())
 }
 
+/// Receiver of downloaded files.
+pub(crate) type StoreFile<'a> = dyn FnMut(&ControllerPath, &[u8]) -> Result<(), ControllerError> + 'a;
+
 /// Downloads files, and passes each to `store`.
 ///
 /// # Errors
@@ -83,7 +86,7 @@ pub(crate) fn download(
     files: &mut dyn ControllerFiles,
     paths: &BTreeSet<ControllerPath>,
     observer: &mut dyn TransferObserver,
-    store: &mut dyn FnMut(&ControllerPath, &[u8]) -> Result<(), ControllerError>,
+    store: &mut StoreFile<'_>,
 ) -> Result<FileDigests, ControllerError> {
     observer.step(TransferStep::Download, paths.len());
     let mut left = TOTAL_LIMIT;

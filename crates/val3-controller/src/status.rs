@@ -9,7 +9,7 @@ use crate::identity_files::read_identity;
 use crate::observer::TransferObserver;
 use crate::path::ControllerPath;
 use crate::project::ControllerProject;
-use crate::scan::{check_case, download, files_below};
+use crate::scan::{StoreFile, check_case, download, files_below};
 
 /// Files of both sides, compared with the last pull or push.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl ProjectStatus {
         files: &mut dyn ControllerFiles,
         folders: &[ControllerPath],
         observer: &mut dyn TransferObserver,
-        store: &mut dyn FnMut(&ControllerPath, &[u8]) -> Result<(), ControllerError>,
+        store: &mut StoreFile<'_>,
     ) -> Result<Self, ControllerError> {
         let local = project.local_files(folders)?;
         let paths = files_below(files, folders, observer)?;

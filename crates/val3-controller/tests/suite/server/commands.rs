@@ -22,7 +22,7 @@ impl Session {
     pub(super) fn execute(&mut self, line: &str, state: &Mutex<ServerState>, reply: &mut Reply<'_>) -> Option<String> {
         let (verb, argument) = line.split_once(' ').unwrap_or((line, ""));
         if !self.is_logged_in {
-            return Some(self.log_in(verb, argument, &state.lock().unwrap().behaviour.password));
+            return Some(self.log_in(verb, argument, state.lock().unwrap().behaviour.password));
         }
         let mut state = state.lock().unwrap();
         if state.is_dead {
