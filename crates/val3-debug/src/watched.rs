@@ -135,8 +135,8 @@ impl WatchedData {
         })
     }
 
-    /// Returns the data for a comparison by the interpreter; `None` for signals, links, elements of collections, values
-    /// of user types, and data that are not in memory.
+    /// Returns the data for a comparison by the interpreter; `None` for signals, variables linked to signals, elements
+    /// of collections, values of user types, and data that are not in memory.
     pub(crate) fn plain(&self, controller: &mut Controller) -> Option<WatchedValue> {
         let variable = Self { steps: Vec::new(), ..self.clone() };
         let store = variable.look(controller, |_, _, found| Some(found.store()))?;
@@ -157,11 +157,15 @@ impl WatchedData {
                     (Arc::clone(&store.kind), store.place(view.store, view.start), count)
                 }
             };
-            let Lanes { num, text, link: 0, part: 0 } = kind.size else { return None };
+            if matches!(kind.base, KindBase::Builtin(BaseType::Dio | BaseType::Aio, _)) {
+                return None;
+            }
+            let Lanes { num, text, link, part: 0 } = kind.size else { return None };
             let bits = (0..num * count).map(|lane| memory.num(place, lane).ok().map(f64::to_bits));
             let texts = (0..text * count).map(|at| memory.text(Place { text: place.text + at, ..place }).ok().copied());
+            let links = (0..link * count).map(|lane| memory.link(place, lane).ok()).collect::<Option<_>>()?;
             let (bits, texts) = (bits.collect::<Option<_>>()?, texts.collect::<Option<_>>()?);
-            Some(WatchedValue { owner: self.owner(), container, place, bits, texts })
+            Some(WatchedValue { owner: self.owner(), container, place, bits, texts, links })
         })
     }
 

@@ -1,6 +1,6 @@
 //! Watched values, which the interpreter compares after each line: a turn ends after a line that has changed one.
 
-use val3_lang::memory::{ContainerShape, Memory, Place, StoreId};
+use val3_lang::memory::{ContainerShape, LinkPlace, Memory, Place, StoreId};
 use val3_lang::ports::TaskNumber;
 use val3_lang::values::Text;
 
@@ -10,22 +10,24 @@ use crate::Frame;
 #[derive(Debug, Clone, Default)]
 pub struct DataWatch(Vec<WatchedValue>);
 
-/// Numbers and strings at one place in memory, with the values of the last comparison.
+/// Numbers, strings and links at one place in memory, with the values of the last comparison.
 #[derive(Debug, Clone)]
 pub struct WatchedValue {
     /// Stack frame of a local variable or parameter; `None` for global data.
     pub owner: Option<FrameOwner>,
     /// Container with its shape; `None` for a value on the stack.
     pub container: Option<(StoreId, ContainerShape)>,
-    /// Place of the first number and of the first string.
+    /// Place of the first number, string and link.
     pub place: Place,
     /// Numbers, bit by bit.
     pub bits: Vec<u64>,
     /// Strings.
     pub texts: Vec<Text>,
+    /// Links, for example the frame of a point.
+    pub links: Vec<LinkPlace>,
 }
 
-/// A stack frame of a task. Only this task changes the numbers and strings on its stack.
+/// A stack frame of a task. Only this task changes the values on its stack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FrameOwner {
     /// Task.
@@ -74,8 +76,10 @@ impl WatchedValue {
         });
         let mut bits = (0..).zip(&self.bits);
         let mut texts = (self.place.text..).zip(&self.texts);
+        let mut links = (0..).zip(&self.links);
         has_shape
             && bits.all(|(lane, bits)| memory.num(self.place, lane).is_ok_and(|number| number.to_bits() == *bits))
             && texts.all(|(text, seen)| memory.text(Place { text, ..self.place }).is_ok_and(|now| now == seen))
+            && links.all(|(lane, seen)| memory.link(self.place, lane).is_ok_and(|now| now == *seen))
     }
 }

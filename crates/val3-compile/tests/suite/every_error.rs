@@ -53,7 +53,8 @@ taskResume("one",99)"#,
 
 /// Numbers that no program in this suite raises: errors of moves and options, which the controller does not have yet,
 /// and errors that programs do not cause.
-const OTHERS: [(RangeInclusive<u16>, &str); 9] = [
+const OTHERS: [(RangeInclusive<u16>, &str); 10] = [
+    (35..=35, "an error of s8 when tasks record moves at the same time, which 12.1 lacks"),
     (50..=50, "the controller's own messages, which 12.1 lacks"),
     (60..=61, "faults of the interpreter"),
     (81..=81, "positions for another arm (9.2)"),

@@ -8,7 +8,7 @@ use crate::data::{change, state, watch};
 use crate::debugger::{debugger, run};
 
 /// Data that the interpreter compares itself.
-const PLAIN: [&str; 6] = ["nCount", "nGrid[1,0]", "nGrid", "sName", "l_nSum", "trPart.x"];
+const PLAIN: [&str; 8] = ["nCount", "nGrid[1,0]", "nGrid", "sName", "l_nSum", "trPart.x", "pPart", "fPart"];
 
 /// A collection that no program changes. The interpreter does not compare collections, so tasks execute one line at a
 /// time while one is watched.
@@ -22,6 +22,10 @@ fn statement() -> impl Strategy<Value = String> {
         (0..3).prop_map(|n| format!("sName=\"{n}\"")),
         (0..3).prop_map(|n| format!("l_nSum=l_nSum+{n}")),
         (0..3).prop_map(|n| format!("trPart.x=trPart.x+{n}")),
+        (0..3).prop_map(|n| format!("pPart.trsf.y=pPart.trsf.y+{n}")),
+        (0..3).prop_map(|n| format!("fPart.trsf.z={n}")),
+        Just("link(pPart,fPart)".to_owned()),
+        Just("link(pPart,world)".to_owned()),
         Just("call add(nCount)".to_owned()),
         Just("call add(l_nSum)".to_owned()),
         Just("call add(nGrid[1,0])".to_owned()),
@@ -40,7 +44,7 @@ fn listing(start: &[String], other: &[String], period: Option<u32>) -> String {
     };
     let (start, other) = (start.join("\n"), other.join("\n"));
     format!(
-        "num nCount\nnum nGrid[2,2]\nstring sName\ntrsf trPart\nbool bLate\nnum cUnused[\"\"]\nprogram start()\nnum l_nSum\n\
+        "num nCount\nnum nGrid[2,2]\nstring sName\ntrsf trPart\npoint pPart\nframe fPart\nbool bLate\nnum cUnused[\"\"]\nprogram start()\nnum l_nSum\n\
          begin\n{create}\n{start}\nend\nprogram add(num& x_nTotal)\nbegin\nx_nTotal=x_nTotal+1\nend\n\
          program other()\nnum l_nSum\nbegin\n{other}\nend\n"
     )

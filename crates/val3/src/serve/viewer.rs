@@ -62,7 +62,7 @@ impl Viewer {
         let mut pings = interval(self.shared.limits.ping_time);
         loop {
             news.mark_unchanged();
-            let has_more = self.send_batch().await?;
+            let has_more = self.send_batch(&mut inbox).await?;
             if !has_more && *is_over.borrow_and_update() {
                 return Err(Some((close_code::AWAY, "the run has ended")));
             }
@@ -77,10 +77,14 @@ impl Viewer {
         }
     }
 
-    /// Sends the next messages from the log. Returns whether more messages follow.
-    async fn send_batch(&mut self) -> Result<bool, Departure> {
+    /// Sends the next messages from the log. Each answer is sent before the messages that were published after it.
+    /// Returns whether more messages follow.
+    async fn send_batch(&mut self, inbox: &mut mpsc::Receiver<Utf8Bytes>) -> Result<bool, Departure> {
         let messages = self.shared.log.lock().messages_since(&mut self.cursor, BATCH);
         let has_more = messages.len() >= BATCH;
+        while let Ok(answer) = inbox.try_recv() {
+            self.send(Frame::Text(answer)).await?;
+        }
         for message in messages {
             self.send(match message {
                 StoredMessage::Text(text) => Frame::Text(text),

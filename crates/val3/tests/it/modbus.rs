@@ -114,7 +114,7 @@ fn items_of_the_client_are_inputs() {
     folder.write(TABLE, MODBUS);
     folder.link("doStart", r"ModbusSrv-0\Modbus-Bit\bStart");
     let run = folder.val3(&["run", "usrapp/main"]);
-    assert!(run.code == 1 && run.stderr.contains("error 122"), "{run:?}");
+    assert!(run.code == 1 && run.stderr.contains("error[122]"), "{run:?}");
     // Without the file, the links show which items are needed.
     std::fs::remove_file(folder.path().join(TABLE)).unwrap();
     let run = folder.val3(&["run", "usrapp/main", "--modbus", "0"]);

@@ -89,10 +89,13 @@ impl Viewer {
     }
 
     /// The next text message.
+    #[track_caller]
     fn next(&mut self) -> Value {
+        let mut wait = Wait::new("text message");
         loop {
-            if let Message::Text(text) = self.0.read().unwrap() {
-                return serde_json::from_str(&text).unwrap();
+            match self.0.read().unwrap() {
+                Message::Text(text) => return serde_json::from_str(&text).unwrap(),
+                other => wait.saw(format!("{other:?}")),
             }
         }
     }
