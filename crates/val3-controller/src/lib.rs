@@ -2,8 +2,8 @@
 //! controller has the old application or the new one.
 //!
 //! [`ControllerFiles`] are the operations of a controller; [`FtpFiles`] and [`FolderFiles`] implement them. A
-//! [`ControllerProject`] remembers the controller and its files at the last pull, with which [`compare`] compares both
-//! sides by content. A [`PushPlan`] is plain data; [`push`] executes it with a journal, from which [`recover`] undoes it.
+//! [`ControllerProject`] remembers the controller and its files at the last pull, with which [`compare()`] compares both
+//! sides by content. A [`PushPlan`] is plain data; [`push()`] executes it with a journal, from which [`recover`] undoes it.
 //! Time, user and password are arguments.
 
 mod access;

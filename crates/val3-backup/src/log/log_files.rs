@@ -20,34 +20,51 @@ pub struct LogFolder {
     pub logs: Vec<Vec<String>>,
 }
 
+/// Folder of a backup. The order begins with the uppermost folders.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Folder<'a> {
+    depth: usize,
+    path: &'a str,
+}
+
+/// File of a log. The order is that of [`LOGS`], and the oldest file of a log comes first.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct LogFile<'a> {
+    /// Number in [`LOGS`].
+    log: usize,
+    /// Number in [`EXTENSIONS`].
+    age: usize,
+    path: &'a str,
+}
+
 /// Returns the folders with logs, the uppermost folders first.
 #[must_use]
 pub fn log_folders(files: &[BackupFile]) -> Vec<LogFolder> {
-    let mut found: BTreeMap<(usize, &str), BTreeMap<usize, Vec<(usize, &str)>>> = BTreeMap::new();
+    let mut found: BTreeMap<Folder<'_>, Vec<LogFile<'_>>> = BTreeMap::new();
     for file in files {
         let (folder, name) = file.path.rsplit_once('/').unwrap_or(("", &file.path));
-        let Some((log, age)) = log_and_age(name) else { continue };
+        let Some(log_file) = LogFile::new(&file.path, name) else { continue };
         let depth = if folder.is_empty() { 0 } else { 1 + folder.matches('/').count() };
-        found.entry((depth, folder)).or_default().entry(log).or_default().push((age, &file.path));
+        found.entry(Folder { depth, path: folder }).or_default().push(log_file);
     }
-    let folder = |((_, path), logs): ((usize, &str), BTreeMap<usize, Vec<(usize, &str)>>)| LogFolder {
-        path: path.to_owned(),
-        logs: logs.into_values().map(by_age).collect(),
-    };
-    found.into_iter().map(folder).collect()
+    found.into_iter().map(|(folder, files)| LogFolder { path: folder.path.to_owned(), logs: logs(files) }).collect()
 }
 
-/// Number of the log and of its extension, if the file is part of a log.
-fn log_and_age(name: &str) -> Option<(usize, usize)> {
-    let name = name.to_ascii_lowercase();
-    let (stem, extension) = name.rsplit_once('.')?;
-    let position = |names: &[&str], name| names.iter().position(|known| *known == name);
-    Some((position(&LOGS, stem)?, position(&EXTENSIONS, extension)?))
-}
-
-fn by_age(mut files: Vec<(usize, &str)>) -> Vec<String> {
+/// Paths of the files by log.
+fn logs(mut files: Vec<LogFile<'_>>) -> Vec<Vec<String>> {
     files.sort_unstable();
-    files.into_iter().map(|(_, path)| path.to_owned()).collect()
+    let logs = files.chunk_by(|one, other| one.log == other.log);
+    logs.map(|log| log.iter().map(|file| file.path.to_owned()).collect()).collect()
+}
+
+impl<'a> LogFile<'a> {
+    /// Returns the file if its name is that of a log's file.
+    fn new(path: &'a str, name: &str) -> Option<Self> {
+        let name = name.to_ascii_lowercase();
+        let (stem, extension) = name.rsplit_once('.')?;
+        let position = |names: &[&str], name| names.iter().position(|known| *known == name);
+        Some(Self { log: position(&LOGS, stem)?, age: position(&EXTENSIONS, extension)?, path })
+    }
 }
 
 #[cfg(test)]
