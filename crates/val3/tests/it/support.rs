@@ -30,7 +30,7 @@ pub(crate) fn free_port() -> u16 {
         .filter_map(|number| u16::try_from(number % u32::from(COUNT)).ok())
         .map(|number| FIRST + number)
         .find(|port| TcpListener::bind(("127.0.0.1", *port)).is_ok())
-        .expect("no free port")
+        .unwrap()
 }
 
 /// A temporary folder with the files of a listing, deleted on drop.
