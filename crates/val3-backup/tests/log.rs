@@ -23,7 +23,7 @@ fn shown(log: &[u8]) -> String {
         let time = entry.time.map_or_else(|| "-".to_owned(), |time| time.to_string());
         let level = entry.known_level().map_or("-", |level| level.name());
         let code = entry.code.as_deref().unwrap_or("-");
-        writeln!(text, "{:>2} {:?} {time} {level} {code} {:?}", entry.line, entry.form, entry.text).unwrap();
+        writeln!(text, "{} {:?} {time} {level} {code} {:?}", entry.line, entry.form, entry.text).unwrap();
     }
     text
 }
@@ -51,17 +51,17 @@ fn s7_has_codes() {
     check(
         S7,
         expect![[r#"
-         1 Start 2016-01-05 08:00:00 - - "--------------------------------"
-         2 Start 2016-01-05 08:00:00 - - "Logger started"
-         3 Message 2016-01-05 08:00:02 INFO 0x2401 "System: s7.8.3 {00c4ff10}"
-         4 Message 2016-01-05 08:00:30 INFO 0x5402 "packer application started {1b2c3d4e}"
-         5 Message 2016-01-05 08:01:11 INFO 0x5464 "USR:part 7 of 12"
-         6 Message 2016-01-05 08:01:15 ERROR 0x5404 "ERR 123 IO not linked to a hardware input-output.. tGrip."
-         7 Message 2016-01-05 08:01:16 - 0x3B07 "Cannot move: cannot cross singularity in this case."
-         8 Message 2016-01-05 08:01:20 INFO 0x5403 "packer application stopped"
-         9 Message 2016-01-05 08:01:21 - 0x9F01 "A message without a page"
-        10 Unknown - - - "not a message at all"
-    "#]],
+            1 Start 2016-01-05 08:00:00 - - "--------------------------------"
+            2 Start 2016-01-05 08:00:00 - - "Logger started"
+            3 Message 2016-01-05 08:00:02 INFO 0x2401 "System: s7.8.3 {00c4ff10}"
+            4 Message 2016-01-05 08:00:30 INFO 0x5402 "packer application started {1b2c3d4e}"
+            5 Message 2016-01-05 08:01:11 INFO 0x5464 "USR:part 7 of 12"
+            6 Message 2016-01-05 08:01:15 ERROR 0x5404 "ERR 123 IO not linked to a hardware input-output.. tGrip."
+            7 Message 2016-01-05 08:01:16 - 0x3B07 "Cannot move: cannot cross singularity in this case."
+            8 Message 2016-01-05 08:01:20 INFO 0x5403 "packer application stopped"
+            9 Message 2016-01-05 08:01:21 - 0x9F01 "A message without a page"
+            10 Unknown - - - "not a message at all"
+        "#]],
     );
 }
 
