@@ -13,20 +13,11 @@ mod users;
 use crate::BackupFiles;
 
 pub use applications::ApplicationInfo;
-pub use cfx::{TextFiles, joined};
+pub use cfx::{TextFiles, UnreadFile, joined};
 pub use controller::ControllerInfo;
 pub use options::{ControllerOption, OptionState};
 pub use roots::{ControllerRoot, controller_roots};
 pub use users::User;
-
-/// A file of the controller that exists but cannot be read.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnreadFile {
-    /// Path in the backup.
-    pub path: String,
-    /// Reason.
-    pub reason: String,
-}
 
 /// Describes the controller with this root.
 #[must_use]

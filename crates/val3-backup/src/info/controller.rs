@@ -5,9 +5,8 @@ use val3_syntax::version_file;
 use val3_syntax::view::View;
 use val3_syntax::xml::{self, XmlElement};
 
-use super::UnreadFile;
 use super::applications::{ApplicationInfo, applications};
-use super::cfx::{Settings, TextFiles, joined};
+use super::cfx::{Settings, TextFiles, UnreadFile, joined};
 use super::options::{ControllerOption, options};
 use super::roots::ControllerRoot;
 use super::users::{User, users};
