@@ -1,6 +1,5 @@
 """Tests of `val3 pull`, `status`, `push` and `diff` with pyftpdlib, in its usual form and like an old controller."""
 
-import importlib.util
 import logging
 import os
 import random
@@ -15,9 +14,6 @@ from pathlib import Path
 from typing import Any
 
 import val3
-
-if importlib.util.find_spec("pyftpdlib") is None:
-    raise unittest.SkipTest("this Python has no package pyftpdlib")
 
 from pyftpdlib.authorizers import DummyAuthorizer  # type: ignore[import-untyped]
 from pyftpdlib.handlers import FTPHandler  # type: ignore[import-untyped]

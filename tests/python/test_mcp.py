@@ -1,7 +1,6 @@
 """Tests of `val3 mcp` with the official client, in both revisions of the protocol."""
 
 import asyncio
-import importlib.util
 import json
 import os
 import shutil
@@ -14,9 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import val3
-
-if importlib.util.find_spec("mcp") is None:
-    raise unittest.SkipTest("this Python has no package mcp")
 
 from mcp import ClientSession, MCPError, StdioServerParameters, stdio_client
 from mcp.types import CallToolResult, TextContent
