@@ -13,6 +13,15 @@ pub struct BackupFile {
     pub modified: Option<DateTime>,
 }
 
+/// A file of a backup that exists but cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnreadFile {
+    /// Path in the backup.
+    pub path: String,
+    /// Reason.
+    pub reason: String,
+}
+
 /// Files of a backup: in a folder, in an archive, or on a controller. Listing and reading are separate, because reading
 /// from a controller takes long.
 pub trait BackupFiles {

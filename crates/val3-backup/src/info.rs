@@ -13,8 +13,8 @@ mod users;
 use crate::BackupFiles;
 
 pub use applications::ApplicationInfo;
-pub use cfx::{TextFiles, UnreadFile, joined};
-pub use controller::ControllerInfo;
+pub use cfx::{TextFiles, joined};
+pub use controller::{Board, ControllerInfo};
 pub use options::{ControllerOption, OptionState};
 pub use roots::{ControllerRoot, controller_roots};
 pub use users::User;

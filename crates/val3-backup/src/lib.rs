@@ -8,4 +8,4 @@ pub mod info;
 pub mod log;
 
 pub use date_time::DateTime;
-pub use files::{BackupFile, BackupFiles, MemoryFiles};
+pub use files::{BackupFile, BackupFiles, MemoryFiles, UnreadFile};

@@ -1,4 +1,4 @@
-//! Descriptions of controllers of each version.
+//! Controller descriptions for each version.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
@@ -164,14 +164,14 @@ fn s7_has_boards() {
                 add_ons: [],
                 applications: [],
                 boards: [
-                    (
-                        "bio",
-                        true,
-                    ),
-                    (
-                        "cio",
-                        false,
-                    ),
+                    Board {
+                        name: "bio",
+                        exists: true,
+                    },
+                    Board {
+                        name: "cio",
+                        exists: false,
+                    },
                 ],
                 users: [],
                 unread: [],

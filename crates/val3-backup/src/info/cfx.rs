@@ -3,16 +3,7 @@
 use val3_syntax::document;
 use val3_syntax::xml::{self, XmlElement};
 
-use crate::BackupFiles;
-
-/// A file of the controller that exists but cannot be read.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnreadFile {
-    /// Path in the backup.
-    pub path: String,
-    /// Reason.
-    pub reason: String,
-}
+use crate::{BackupFiles, UnreadFile};
 
 /// Element of a password, which is never read.
 const PASSWORD: &str = "Password";

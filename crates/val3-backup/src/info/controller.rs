@@ -6,11 +6,11 @@ use val3_syntax::view::View;
 use val3_syntax::xml::{self, XmlElement};
 
 use super::applications::{ApplicationInfo, applications};
-use super::cfx::{Settings, TextFiles, UnreadFile, joined};
+use super::cfx::{Settings, TextFiles, joined};
 use super::options::{ControllerOption, options};
 use super::roots::ControllerRoot;
 use super::users::{User, users};
-use crate::BackupFiles;
+use crate::{BackupFiles, UnreadFile};
 
 /// Description of a controller. A missing entry is missing in the backup.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -43,12 +43,21 @@ pub struct ControllerInfo {
     pub add_ons: Vec<String>,
     /// Applications and libraries.
     pub applications: Vec<ApplicationInfo>,
-    /// Boards of a CS8 that the controller has or does not have, by the name of their file: `bio`, `bio2`, `mio`, `cio`.
-    pub boards: Vec<(String, bool)>,
+    /// Boards of a CS8 that the controller states to have or not to have.
+    pub boards: Vec<Board>,
     /// Users.
     pub users: Vec<User>,
     /// Files that cannot be read. Their entries are missing above.
     pub unread: Vec<UnreadFile>,
+}
+
+/// Board of a CS8 with inputs and outputs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Board {
+    /// Name of the board's file: `bio`, `bio2`, `mio` or `cio`.
+    pub name: String,
+    /// Whether the controller has the board.
+    pub exists: bool,
 }
 
 /// Settings of `controller.cfx` that state whether a board exists, and the names of the boards.
@@ -138,7 +147,7 @@ fn add_ons(texts: &TextFiles<'_>, folder: &str) -> Vec<String> {
     names
 }
 
-fn boards(controller: &Settings) -> Vec<(String, bool)> {
-    let built = |(setting, board): (&str, &str)| Some((board.to_owned(), controller.value(setting)? == "true"));
-    BOARDS.into_iter().filter_map(built).collect()
+fn boards(controller: &Settings) -> Vec<Board> {
+    let stated = BOARDS.iter().filter_map(|(setting, name)| Some((name, controller.value(setting)?)));
+    stated.map(|(name, value)| Board { name: (*name).to_owned(), exists: value == "true" }).collect()
 }

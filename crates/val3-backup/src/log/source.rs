@@ -7,7 +7,7 @@ use val3_syntax::view::View;
 use val3_syntax::{SyntaxKind, parse};
 
 use super::subject::Subject;
-use crate::{BackupFile, BackupFiles};
+use crate::{BackupFile, BackupFiles, UnreadFile};
 
 /// Programs of applications, by name in lower case.
 #[derive(Debug, Default)]
@@ -41,8 +41,8 @@ pub struct SourceLine {
 pub struct FoundLines {
     /// Lines.
     pub lines: Vec<SourceLine>,
-    /// Paths of programs that cannot be read, with the reason.
-    pub unread: Vec<(String, String)>,
+    /// Programs that cannot be read.
+    pub unread: Vec<UnreadFile>,
 }
 
 impl ProgramSources {
@@ -72,7 +72,7 @@ impl ProgramSources {
         for program in self.0.get(&program.to_lowercase()).into_iter().flatten() {
             match files.read(&program.path) {
                 Ok(bytes) => found.lines.extend(program.line(bytes, code_line, subject.token.as_deref())),
-                Err(reason) => found.unread.push((program.path.clone(), reason)),
+                Err(reason) => found.unread.push(UnreadFile { path: program.path.clone(), reason }),
             }
         }
         retain_if_any(&mut found.lines, |line| !line.is_changed);

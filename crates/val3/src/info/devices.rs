@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use val3_analysis::cell::{CellIo, Device};
 use val3_analysis::load::cell_io;
-use val3_backup::BackupFiles;
-use val3_backup::info::{TextFiles, UnreadFile, joined};
+use val3_backup::info::{TextFiles, joined};
+use val3_backup::{BackupFiles, UnreadFile};
 use val3_lang::types::BaseType;
 
 /// A device with its signals.

@@ -31,7 +31,7 @@ fn controller(described: &DescribedController) -> Value {
         "options": info.options.iter().map(option).collect::<Vec<_>>(),
         "add_ons": info.add_ons,
         "applications": info.applications.iter().map(application).collect::<Vec<_>>(),
-        "boards": info.boards.iter().map(|(name, exists)| json!({ "name": name, "exists": exists })).collect::<Vec<_>>(),
+        "boards": info.boards.iter().map(|board| json!({ "name": board.name, "exists": board.exists })).collect::<Vec<_>>(),
         "devices": devices.iter().map(device).collect::<Vec<_>>(),
         "users": info.users.iter().map(user).collect::<Vec<_>>(),
         "logs": logs,

@@ -94,8 +94,8 @@ fn applications(applications: &[ApplicationInfo]) -> Vec<String> {
 }
 
 fn boards(info: &ControllerInfo, devices: &[DeviceInfo]) -> Vec<String> {
-    let absent =
-        info.boards.iter().filter(|(_, exists)| !exists).map(|(name, _)| format!("{name}: not in the controller"));
+    let absent = info.boards.iter().filter(|board| !board.exists);
+    let absent = absent.map(|board| format!("{}: not in the controller", board.name));
     devices.iter().map(device).chain(absent).collect()
 }
 

@@ -45,7 +45,7 @@ impl Sources {
     pub(super) fn lines(&self, entry: &LogEntry, application: Option<&str>) -> Vec<(Utf8PathBuf, SourceLine)> {
         let Some((backup, programs)) = &self.opened else { return Vec::new() };
         let FoundLines { lines, unread } = programs.lines(backup.files.as_ref(), &entry.subject(), application);
-        let unread = unread.into_iter().map(|(path, reason)| (backup.root.join(path), reason));
+        let unread = unread.into_iter().map(|file| (backup.root.join(file.path), file.reason));
         self.unread.borrow_mut().extend(unread);
         lines.into_iter().map(|line| (backup.root.join(&line.path), line)).collect()
     }
