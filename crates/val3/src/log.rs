@@ -22,7 +22,7 @@ use crate::args::{LogArgs, LogFormat};
 use crate::color::Color;
 use crate::output::{OutputContent, to_stderr, to_stdout_as};
 use crate::paths::{Paths, current_folder};
-use crate::user_error::UserError;
+use crate::user_error::{EXIT_USAGE, UserError};
 
 /// Version of the JSON document.
 const VERSION: u32 = 1;
@@ -36,6 +36,7 @@ pub(crate) fn run(args: &LogArgs, color: Color) -> Result<ExitCode, UserError> {
         return follow::run(args, &path, &paths, color);
     }
     let ReadLog { logged, folder, backup } = reading::read(&path, &paths)?;
+    let unsearched = backup.as_ref().map(|backup| reading::unsearched(backup, &paths)).unwrap_or_default();
     let sources = Sources::open(args.sources.as_deref().map(|path| current.join(path)), &folder, backup)?;
     let selection = Selection::new(args, &logged);
     let mut recorder = Recorder::new(&paths, &sources);
@@ -58,7 +59,8 @@ pub(crate) fn run(args: &LogArgs, color: Color) -> Result<ExitCode, UserError> {
     }
     to_stderr(|out| writeln!(out, "{counts}"));
     sources.unread().iter().for_each(|note| to_stderr(|out| writeln!(out, "note: {note}")));
-    Ok(ExitCode::SUCCESS)
+    unsearched.iter().for_each(|folder| to_stderr(|out| writeln!(out, "error: {folder}")));
+    Ok(if unsearched.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(EXIT_USAGE) })
 }
 
 /// Converts the selected entries to records, and counts all of them.

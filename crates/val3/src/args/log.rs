@@ -11,8 +11,8 @@ use super::OutputArgs;
 
 pub(super) const EXIT_CODES: &str = "\
 Exit codes:
-  0  every line was read
-  2  wrong usage, or a file that cannot be read";
+  0  every line of the logs was read
+  2  wrong usage, a file that cannot be read, or a folder that was not searched";
 
 /// Arguments of `val3 log`.
 #[derive(Debug, clap::Args)]

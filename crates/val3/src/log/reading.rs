@@ -45,7 +45,8 @@ pub(super) fn file_entries(bytes: &[u8], path: &Utf8Path, paths: &Paths) -> Resu
 fn read_backup(path: &Utf8Path, paths: &Paths) -> Result<ReadLog, UserError> {
     let backup = open(path)?;
     let folders = log_folders(backup.files.files());
-    let LogFolder { path: folder, logs } = uppermost(&folders, path, paths)?;
+    let LogFolder { path: folder, logs } =
+        uppermost(&folders, path, paths).map_err(|error| error.with_details(unsearched(&backup, paths).join("\n")))?;
     let mut read = Vec::new();
     for files in logs {
         let mut log = Vec::new();
@@ -57,6 +58,13 @@ fn read_backup(path: &Utf8Path, paths: &Paths) -> Result<ReadLog, UserError> {
         read.push(log);
     }
     Ok(ReadLog { logged: merged(read), folder: path.join(folder), backup: Some(backup) })
+}
+
+/// Returns a sentence for each folder of a backup that was not searched for logs.
+pub(super) fn unsearched(backup: &OpenedBackup, paths: &Paths) -> Vec<String> {
+    let sentence =
+        |(path, reason): &(Utf8PathBuf, String)| format!("no logs are searched in `{}`: {reason}", paths.shown(path));
+    backup.unread.iter().map(sentence).collect()
 }
 
 /// Returns the only uppermost folder with logs. Logs of other controllers may lie in folders below it.

@@ -240,3 +240,20 @@ fn further_messages_are_followed() {
         assert!(run.code == 2 && run.stderr.contains("--follow"), "{run:?}");
     }
 }
+
+/// A link out of the folder is not followed, so that there may be further logs behind it.
+#[cfg(unix)]
+#[test]
+fn folders_that_are_not_searched_are_named() {
+    let folder = cell();
+    let outside = Folder::empty();
+    std::os::unix::fs::symlink(outside.path(), folder.path().join("log/older")).unwrap();
+    let run = folder.val3(&["log", "."]);
+    assert!(run.code == 2 && run.stdout.contains("0x5405"), "{run:?}");
+    assert!(run.stderr.contains("error: no logs are searched in `log/older`: "), "{run:?}");
+    fs::remove_dir_all(folder.path().join("usr")).unwrap();
+    fs::remove_file(folder.path().join("log/user.log")).unwrap();
+    fs::remove_file(folder.path().join("log/system.log")).unwrap();
+    let run = folder.val3(&["log", "."]);
+    assert!(run.code == 2 && run.stderr.contains("no logs are searched in `log/older`: "), "{run:?}");
+}
