@@ -7,6 +7,7 @@
 mod archive;
 mod class;
 mod copied_metadata;
+mod direct;
 mod existing;
 mod folders;
 mod in_place;
@@ -21,6 +22,7 @@ mod unwritable;
 
 pub use archive::{ArchiveFault, EntryDate, archive_dates, archive_entries, is_archive_name, unpack};
 pub use class::{FileClass, ProcessLimits};
+pub use direct::write_directly;
 pub use existing::replace_unchanged;
 pub use folders::{
     FolderEntry, FolderEntryKind, create_folder, create_folders, folder_with, list_folder, remove_file, remove_folder,

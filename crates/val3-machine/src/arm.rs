@@ -377,6 +377,12 @@ impl RobotArm {
         Ok(Some(id))
     }
 
+    /// Position of the tool centre point at the destination of a move, in mm in `world`, to a micrometre.
+    #[must_use]
+    pub(crate) fn target_of(&self, request: &MoveRequest) -> [f64; 3] {
+        request::target(&self.model, request).map(|coordinate| (coordinate * 1000.0).round() / 1000.0)
+    }
+
     /// `waitEndMove` at a line: the last recorded move ends without a blend. Returns whether all recorded moves are
     /// done.
     ///

@@ -193,6 +193,9 @@ pub enum EventKind {
         /// Blend distances in the phases `recorded` and `blend`, and in `done` after a cancelled blend.
         #[serde(flatten)]
         blend: BlendEnds,
+        /// Position in `world`, in mm, at which the tool centre point would arrive; in the phase `error` of a move only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        target: Option<[f64; 3]>,
     },
     /// The arm has come to rest before a path that it cannot follow, or the application has ended before the arm has
     /// reached this path.

@@ -170,6 +170,7 @@ mod tests {
             program: "b".to_owned(),
             line: 1,
             blend: BlendEnds::default(),
+            target: None,
         };
         let logged = |text: &str| EventKind::Log { level: "info", text: text.to_owned() };
         for (explaining, other) in [

@@ -94,6 +94,14 @@ test("a fault is a red bar with its cause and its line, and a number on the tab"
   assert.equal(await bar.count(), 0);
 }, (folder) => setProgram(folder, '\n  delay(0.2)\n  putln(toString("",1/0))')));
 
+test("the target of a refused move is marked in the picture", () => served(["--power"], async (run) => {
+  const page = await run.open();
+  await page.getByRole("alert", { name: "Fault" }).getByText(/^Error 154: move not possible/).waitFor();
+  await page.locator(".name.failed").getByText(/^movel at start:\d+ fails$/).waitFor();
+}, (folder) => setProgram(folder, `
+  pSafe.trsf={900,0,1500,0,0,0}
+  movel(pSafe,flange,mFast)`)));
+
 test("the target of a move whose path the arm cannot follow is marked in the picture", () => served(["--arm", "TX2-90", "--power"], async (run) => {
   const page = await run.open();
   await page.getByRole("alert", { name: "Fault" }).getByText(/^The arm cannot follow the path of movel: on the blend around the destination/).waitFor();

@@ -32,8 +32,9 @@ async function run({ name, folder, open, steps, ...options }) {
     }
   }
   await user.leave();
-  vscode.stop();
-  rmSync(folder, { recursive: true, force: true });
+  await vscode.stop();
+  // Processes of extensions end some time after the server, and write until then.
+  rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 250 });
   const failed = fault === undefined ? 0 : 1;
   console.log(`test result: ${failed ? "FAILED" : "ok"}. ${number - failed} passed; ${failed} failed; ${name}`);
   return failed;

@@ -1,5 +1,6 @@
 // VS Code as a server on this machine, with a separate profile and extensions.
 const { spawn, spawnSync } = require("node:child_process");
+const { once } = require("node:events");
 const { chmodSync, createWriteStream, mkdirSync, readdirSync, renameSync, writeFileSync } = require("node:fs");
 const { createServer } = require("node:net");
 const { basename, join } = require("node:path");
@@ -62,7 +63,16 @@ async function startVsCode(folder, vsix, { showsDialogs = false, isRestricted = 
   server.stderr.pipe(log);
   const address = `http://127.0.0.1:${port}`;
   await untilReady(address);
-  return { address, stop: () => server.kill() };
+  return { address, stop: () => stopped(server) };
+}
+
+/** Ends the server. */
+async function stopped(server) {
+  if (server.exitCode === null && server.signalCode === null) {
+    const end = once(server, "exit");
+    server.kill();
+    await end;
+  }
 }
 
 /** Inserts a recorder before the server in the extension. `commands.log` lists the started commands. */

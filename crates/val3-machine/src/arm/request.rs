@@ -3,7 +3,7 @@
 use val3_kinematics::Arm;
 use val3_lang::ports::{CodePlace, MoveRequest};
 use val3_lang::values::MdescValue;
-use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, SpeedLimits};
+use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, MovePath, SpeedLimits};
 
 /// Instruction that has recorded a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +24,15 @@ pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
     let MdescValue { blend, leave, reach, .. } = *descriptor;
     let blend = Blend::new(blend, Millimetres(leave), Millimetres(reach));
     Move { path: path.clone(), tool: *tool, limits: limits(arm, descriptor), blend, id, manner: *manner }
+}
+
+/// Position of the tool centre point at the destination, in mm in `world`.
+pub(super) fn target(arm: &Arm, request: &MoveRequest) -> [f64; 3] {
+    let pose = match &request.path {
+        MovePath::Joint(joints) => arm.flange(joints) * request.tool,
+        MovePath::JointToPoint(target) | MovePath::Line(target) | MovePath::Circle(_, target) => target.pose,
+    };
+    pose.translation.vector.into()
 }
 
 /// Limits of a descriptor, whose percentages refer to the nominal values of the arm (10.3.4).

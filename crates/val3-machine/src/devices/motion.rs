@@ -83,10 +83,16 @@ impl MotionPort for Devices {
             let blend = last.map(|(queued, origin)| self.blend_of(queued, origin)).unwrap_or_default();
             let (program, line, _) = self.place(at);
             let instruction = request.instruction;
-            self.record(EventKind::Move { id, phase: "recorded", instruction, program, line, blend });
+            self.record(EventKind::Move { id, phase: "recorded", instruction, program, line, blend, target: None });
             self.warn_of_speed(request, &start, at);
         }
-        recorded.map_err(|error| self.refuse(request.instruction, &error))
+        recorded.map_err(|error| {
+            let target = match error {
+                MoveError::Refused(_) => Some(self.state.arm.target_of(request)),
+                MoveError::Earlier(_) => None,
+            };
+            self.refuse(request.instruction, target, &error)
+        })
     }
 
     fn is_empty(&mut self) -> bool {
@@ -108,19 +114,19 @@ impl MotionPort for Devices {
     fn arrive(&mut self) -> Result<bool> {
         let at = self.state.record.origin().at;
         let arrived = self.state.arm.arrive(at);
-        arrived.map_err(|error| self.refuse("waitEndMove", &error))
+        arrived.map_err(|error| self.refuse("waitEndMove", None, &error))
     }
 
     fn stop_move(&mut self) {
         if !self.state.arm.is_stopped() {
-            self.record_motion_here("stopped", "stopMove");
+            self.record_motion_here("stopped", "stopMove", None);
         }
         self.state.arm.stop();
     }
 
     fn restart_move(&mut self) {
         if self.state.arm.is_stopped() {
-            self.record_motion_here("restarted", "restartMove");
+            self.record_motion_here("restarted", "restartMove", None);
         }
         self.state.arm.restart();
     }
@@ -128,7 +134,7 @@ impl MotionPort for Devices {
     fn reset_motion(&mut self, start: Option<[f64; 6]>) {
         // Programs call it in loops, in which it changes nothing.
         if self.state.arm.is_stopped() || !self.state.arm.is_empty() || self.state.arm.move_id() != 0.0 {
-            self.record_motion_here("reset", "resetMotion");
+            self.record_motion_here("reset", "resetMotion", None);
         }
         self.state.arm.reset(start);
     }
@@ -182,14 +188,14 @@ impl Devices {
         self.state.versions.licence(name).map(drop).ok_or(Fault(NO_LICENCE))
     }
 
-    /// Reports the reason of a rejected move in the event log, and returns the run-time error.
-    fn refuse(&mut self, instruction: &'static str, error: &MoveError) -> Fault {
+    /// Reports the reason of a rejected move with its target in the event log, and returns the run-time error.
+    fn refuse(&mut self, instruction: &'static str, target: Option<[f64; 3]>, error: &MoveError) -> Fault {
         let (text, code) = match error {
             MoveError::Earlier(cause) => (format!("a move recorded before cannot be done: {cause}"), MOTION_FAULT),
             MoveError::Refused(cause) => (format!("{instruction}: {cause}"), IMPOSSIBLE_MOVE),
         };
         self.report_here(&text, MessageSeverity::Error);
-        self.record_motion_here("error", instruction);
+        self.record_motion_here("error", instruction, target);
         Fault(code)
     }
 
@@ -206,10 +212,11 @@ impl Devices {
     }
 
     /// Records an instruction's effect on the entire motion.
-    fn record_motion_here(&mut self, phase: &'static str, instruction: &'static str) {
+    fn record_motion_here(&mut self, phase: &'static str, instruction: &'static str, target: Option<[f64; 3]>) {
         let id = self.state.arm.move_id();
         let (program, line, _) = self.place(self.state.record.origin().at);
-        self.record(EventKind::Move { id, phase, instruction, program, line, blend: BlendEnds::default() });
+        let blend = BlendEnds::default();
+        self.record(EventKind::Move { id, phase, instruction, program, line, blend, target });
     }
 
     /// Records the events of moves in a cycle.
@@ -222,7 +229,10 @@ impl Devices {
                 let (program, line, _) = self.place(at);
                 let blend = if shows_blend { self.blend_at(&event, Some(&origin)) } else { BlendEnds::default() };
                 let (id, phase) = (event.id, event.kind.word());
-                self.record_outside(now, EventKind::Move { id, phase, instruction, program, line, blend });
+                self.record_outside(
+                    now,
+                    EventKind::Move { id, phase, instruction, program, line, blend, target: None },
+                );
             }
         }
         self.state.arm.discard_done();
@@ -245,10 +255,8 @@ impl Devices {
             self.state.arm.moves().filter_map(|(queued, origin)| Some((queued.id, *origin?))).collect();
         for (id, MoveOrigin { instruction, at, .. }) in dropped {
             let (program, line, _) = self.place(at);
-            self.record_outside(
-                now,
-                EventKind::Move { id, phase: "dropped", instruction, program, line, blend: BlendEnds::default() },
-            );
+            let (phase, blend) = ("dropped", BlendEnds::default());
+            self.record_outside(now, EventKind::Move { id, phase, instruction, program, line, blend, target: None });
         }
     }
 

@@ -158,6 +158,7 @@ mod tests {
             program: String::new(),
             line: 1,
             blend: BlendEnds::default(),
+            target: None,
         };
         failures.follow(&Event { t: 2.0, task: None, at: None, kind });
         assert!(failures.is_empty());

@@ -49,6 +49,7 @@ mod tests {
             program,
             line: 27,
             blend: BlendEnds::default(),
+            target: None,
         };
         assert_eq!(line(None, moved), "1.250 s  movel 4 started, pick:27");
         let sent = EventKind::Sio { link, dir: "out", bytes: b"a\r".to_vec() };

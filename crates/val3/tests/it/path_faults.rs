@@ -106,6 +106,27 @@ fn a_fault_is_one_event_and_a_row_of_the_times() {
     .assert_eq(&rows.join("\n"));
 }
 
+/// The page draws the target where the arm has refused to go.
+#[test]
+fn the_event_of_a_refused_move_has_its_target() {
+    let targets = [
+        ("p.trsf={900,0,1500,0,0,0}\n  movel(p,flange,m)", Some("[900.0,0.0,1500.0]")),
+        ("movej({0,0,300,0,0,0},flange,m)", Some("[")),
+        ("movej({0,0,90,0,90,0},flange,m)", None),
+    ];
+    for (code, expected) in targets {
+        let folder = Folder::with(&format!("point p\nmdesc m\n  enablePower()\n  wait(isPowered())\n  {code}\n"));
+        let run = val3(&folder, &["--events", "events.jsonl"]);
+        let events = folder.read("events.jsonl");
+        let target = events.lines().find(|line| line.contains("\"phase\":\"error\"")).map(|line| {
+            let (_, target) = line.split_once("\"target\":").unwrap_or_else(|| panic!("no target: {line}"));
+            target
+        });
+        assert_eq!(target.is_some(), expected.is_some(), "{code}: {run:?}");
+        assert!(target.unwrap_or_default().starts_with(expected.unwrap_or_default()), "{code}: {target:?}");
+    }
+}
+
 /// Manual 10.6: `movel` raises the error if no straight line to its target exists.
 #[test]
 fn a_line_that_cannot_be_followed_is_an_error_of_its_own_instruction() {

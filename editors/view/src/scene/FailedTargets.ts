@@ -1,4 +1,4 @@
-// Targets of recorded moves whose path the arm cannot follow, as crosses with the instruction.
+// Targets of refused moves, and of recorded moves whose path the arm cannot follow, as crosses with the instruction.
 
 import { Color } from "three";
 import type { QueuedMove } from "../panels/shared/cell";
@@ -8,7 +8,7 @@ import type { Label } from "./Labels";
 import { Lines } from "./lines";
 import type { Look } from "./palette";
 
-type FailedMove = Pick<QueuedMove, "id" | "type" | "target" | "program" | "line">;
+type FailedMove = Pick<QueuedMove, "type" | "target" | "program" | "line">;
 
 export class FailedTargets {
   private readonly lines = new Lines({ width: 4, isOnTop: true });

@@ -142,7 +142,9 @@ export class Viewport {
     const { points, frames, motion, selectedPoint, unreachable } = store.panels.cell;
     this.points.place(points.value, selectedPoint.value, unreachable.value, this.length * 0.011, this.look);
     this.motion.place(motion.value);
-    this.failed.place(failedMoves(motion.value.queue, store.panels.cell.history.faults, store.time.value), this.length * 0.02, this.look);
+    const { faults, refused } = store.panels.cell.history;
+    const failed = [...failedMoves(motion.value.queue, faults, store.time.value), ...refused.at(store.time.value)];
+    this.failed.place(failed, this.length * 0.02, this.look);
     this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels];
     this.placeFrames(placed.flange, base);
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);

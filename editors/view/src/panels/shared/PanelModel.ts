@@ -145,8 +145,8 @@ export class PanelModel {
       io.valueOf();
       return this.levels.at(slowTime.value);
     });
-    const { signals, segments, moves, encounters, events, faults, transfers, states } = this.past;
-    const history: CellHistory = { signals, segments, moves, encounters, events, faults, transfers, states, samples: around.samples, rests: around.rests };
+    const { signals, segments, moves, refused, encounters, events, faults, transfers, states } = this.past;
+    const history: CellHistory = { signals, segments, moves, refused, encounters, events, faults, transfers, states, samples: around.samples, rests: around.rests };
     return {
       ...around,
       scene: this.scene,

@@ -12,6 +12,7 @@ import type { TaskSegments, TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
 import type { Fault } from "../tasks/faults";
 import type { Moves } from "../tasks/moves";
+import type { RefusedMoves } from "../tasks/refusedMoves";
 import type { TimedPhases, TimedTasks } from "../tasks/times";
 import type * as wire from "../../wire";
 import type { QueueEntry, WayPiece } from "./messages";
@@ -76,6 +77,7 @@ export interface CellHistory {
   signals: SignalHistory;
   segments: TaskSegments;
   moves: Moves;
+  refused: Pick<RefusedMoves, "at">;
   encounters: Pick<Encounters, "list">;
   events: readonly RunEvent[];
   faults: readonly Fault[];

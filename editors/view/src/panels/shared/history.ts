@@ -8,6 +8,7 @@ import { TaskSegments, type TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
 import { type Fault, faultOf } from "../tasks/faults";
 import { type MoveEvent, Moves } from "../tasks/moves";
+import { RefusedMoves } from "../tasks/refusedMoves";
 import type { TimedTasks } from "../tasks/times";
 
 interface StatePart {
@@ -29,6 +30,7 @@ export class PanelHistory {
   readonly signals = new SignalHistory();
   readonly segments = new TaskSegments();
   readonly moves = new Moves();
+  readonly refused = new RefusedMoves();
   readonly encounters = new Encounters();
   readonly events: RunEvent[] = [];
   readonly faults: Fault[] = [];
@@ -39,6 +41,7 @@ export class PanelHistory {
     this.signals.clear();
     this.segments.clear();
     this.moves.clear();
+    this.refused.clear();
     this.encounters.clear();
     this.events.length = 0;
     this.faults.length = 0;
@@ -69,6 +72,7 @@ export class PanelHistory {
         this.encounters.add(clearance);
       } else if (event.kind === "move") {
         this.moves.add(event as unknown as MoveEvent);
+        this.refused.add(event as unknown as MoveEvent);
       } else if (event.kind === "sio") {
         this.transfers.push(event as unknown as Transfer);
       }

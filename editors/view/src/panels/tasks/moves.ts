@@ -21,6 +21,8 @@ export interface MoveEvent {
   type: string;
   program: string;
   line: number;
+  /** Position of the target in mm, if the move was refused. */
+  target?: readonly number[];
 }
 
 /** All moves in the order of recording. */
