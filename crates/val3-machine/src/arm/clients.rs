@@ -228,3 +228,6 @@ impl RobotArm {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
