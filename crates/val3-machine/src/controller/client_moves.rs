@@ -33,8 +33,7 @@ impl Controller {
         let instruction = request.instruction;
         let checked = request.descriptor.checked(1.0).map_err(ClientMoveError::Descriptor);
         let arm = &mut self.devices.state.arm;
-        let recorded =
-            checked.and_then(|descriptor| arm.record_client_move(&MoveRequest { descriptor, ..request }));
+        let recorded = checked.and_then(|descriptor| arm.record_client_move(&MoveRequest { descriptor, ..request }));
         let id = recorded.map_err(|error| self.reject_client_move(instruction, error))?;
         let arm = &self.devices.state.arm;
         let joints = arm.next_start().get(..arm.model().axes()).map(<[f64]>::to_vec);
@@ -58,11 +57,7 @@ impl Controller {
     ///
     /// # Errors
     /// The working mode is not remote, or the arm has moves of programs.
-    pub fn command_client_moves(
-        &mut self,
-        command: ClientCommand,
-        name: &'static str,
-    ) -> Result<(), ClientMoveError> {
+    pub fn command_client_moves(&mut self, command: ClientCommand, name: &'static str) -> Result<(), ClientMoveError> {
         self.check_remote()?;
         let has_tasks = !self.vm.tasks().is_empty();
         let arm = &mut self.devices.state.arm;

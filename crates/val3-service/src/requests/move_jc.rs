@@ -9,7 +9,6 @@ use crate::context::Context;
 /// Answers the request.
 pub(super) fn answer(request: &MoveJc, context: &mut Context<'_, '_>) -> Result<MoveAnswer, SoapFault> {
     let MoveJc { robot, frame, description } = request;
-    context.record_move_to("moveJC", *robot, description, ("frame", frame), |_, target| {
-        Ok(MovePath::JointToPoint(target))
-    })
+    context
+        .record_move_to("moveJC", *robot, description, ("frame", frame), |_, target| Ok(MovePath::JointToPoint(target)))
 }

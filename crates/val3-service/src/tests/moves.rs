@@ -169,7 +169,10 @@ fn a_destination_is_that_of_the_tool_in_the_frame() {
     let sample = client.controller().arm().sample().joints;
     let moved = client.controller().arm().model().flange(&sample).translation.vector / 1000.0;
     let expected = [px + 0.05 * ax, py + 0.05 * ay, pz + 0.05 * az];
-    assert!(moved.iter().zip(expected).all(|(moved, expected)| (moved - expected).abs() < 1e-9), "{moved} {expected:?}");
+    assert!(
+        moved.iter().zip(expected).all(|(moved, expected)| (moved - expected).abs() < 1e-9),
+        "{moved} {expected:?}"
+    );
 }
 
 #[test]
