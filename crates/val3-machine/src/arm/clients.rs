@@ -107,14 +107,18 @@ impl fmt::Display for ClientMoveError {
 
 impl RobotArm {
     /// Whether the arm executes moves of clients.
-    #[must_use]
-    pub const fn has_client_moves(&self) -> bool {
+    pub(crate) const fn has_client_moves(&self) -> bool {
         self.clients.programs.is_some()
     }
 
     /// Whether all recorded moves of programs are done (`isEmpty`).
     pub(crate) fn is_done_for_programs(&self) -> bool {
         self.has_client_moves() || self.motion.is_empty()
+    }
+
+    /// Whether programs have moves that are not done, or the arm has to return to their path.
+    fn is_owned_by_programs(&self) -> bool {
+        !self.has_client_moves() && (!self.motion.is_empty() || self.motion.connection().is_some())
     }
 
     /// Joint position at which the next move begins, in degrees or mm.
@@ -125,9 +129,8 @@ impl RobotArm {
 
     /// Checks that clients may record a move.
     pub(crate) fn check_client_queue(&self) -> Result<(), ClientMoveError> {
-        let is_owned = !self.is_done_for_programs() || !self.has_client_moves() && self.motion.connection().is_some();
         match () {
-            () if is_owned => Err(ClientMoveError::OwnedByPrograms),
+            () if self.is_owned_by_programs() => Err(ClientMoveError::OwnedByPrograms),
             () if self.clients.is_blocked => Err(ClientMoveError::NotReset),
             () if self.is_full() => Err(ClientMoveError::Full),
             () => Ok(()),
@@ -164,11 +167,11 @@ impl RobotArm {
         command: ClientCommand,
         has_tasks: bool,
     ) -> Result<bool, ClientMoveError> {
-        let is_abandoned = !has_tasks && command == ClientCommand::Reset;
-        if !self.is_done_for_programs() && !is_abandoned {
+        let is_owned = self.is_owned_by_programs();
+        if is_owned && (has_tasks || command != ClientCommand::Reset) {
             return Err(ClientMoveError::OwnedByPrograms);
         }
-        let (has_moves, is_stopped) = (!self.motion.is_empty(), self.motion.is_stopped());
+        let (has_moves, is_stopped) = (self.has_client_moves() || is_owned, self.motion.is_stopped());
         let has_effect = match command {
             ClientCommand::Reset => has_moves,
             ClientCommand::Stop => has_moves && !is_stopped,
@@ -177,7 +180,10 @@ impl RobotArm {
         match command {
             ClientCommand::Reset => {
                 self.clients.is_blocked = false;
-                self.discard();
+                if has_moves {
+                    self.motion.reset();
+                    self.origins.clear();
+                }
                 self.end_client_moves();
             }
             ClientCommand::Stop if has_effect => self.motion.stop(),
@@ -191,14 +197,6 @@ impl RobotArm {
     pub(super) const fn drive_of_queue(&self, drive: Drive) -> Drive {
         let may_move = drive.may_move && !(self.has_client_moves() && drive.is_attended);
         Drive { may_move, ..drive }
-    }
-
-    /// Discards all moves.
-    fn discard(&mut self) {
-        if !self.motion.is_empty() {
-            self.motion.reset();
-            self.origins.clear();
-        }
     }
 
     /// Sets the queue of programs aside.

@@ -30,6 +30,9 @@ impl Controller {
     /// further moves are rejected until the reset.
     pub fn record_client_move(&mut self, request: MoveRequest) -> Result<i32, ClientMoveError> {
         self.check_client_move()?;
+        if let Some(text) = self.devices.state.arm.take_notice() {
+            self.devices.record_outside(self.now(), EventKind::Notice { text });
+        }
         let instruction = request.instruction;
         let checked = request.descriptor.checked(1.0).map_err(ClientMoveError::Descriptor);
         let arm = &mut self.devices.state.arm;

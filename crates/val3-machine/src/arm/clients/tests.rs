@@ -91,6 +91,10 @@ fn the_start_of_the_next_move_of_a_program_is_kept() {
     assert_eq!(arm.joint(), turned(10.0));
     assert!(arm.motion().connection().is_some());
     assert_eq!(arm.next_start(), turned(3.0));
+    assert_eq!(arm.check_client_queue(), Err(ClientMoveError::OwnedByPrograms));
+    assert_eq!(arm.command_by_client(ClientCommand::Reset, true), Err(ClientMoveError::OwnedByPrograms));
+    assert_eq!(arm.command_by_client(ClientCommand::Reset, false), Ok(true));
+    assert_eq!((arm.check_client_queue(), arm.next_start()), (Ok(()), turned(10.0)));
 }
 
 #[test]
