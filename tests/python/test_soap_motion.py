@@ -41,6 +41,21 @@ def content(element: Element | None) -> str:
     return "".join(ElementTree.tostring(child, encoding="unicode") for child in element)
 
 
+def free_arm(client: Client) -> None:
+    """Kill the tasks of the application, discard their moves, and switch the power on."""
+    while tasks := client.call("V2", "getTasks").findall("tasks/Task"):
+        for task in tasks:
+            task_names = f"<taskName>{task.findtext('name')}</taskName><createdBy>{task.findtext('createdBy')}</createdBy>"
+            try:
+                client.call("V2", "taskKill", task_names)
+            except Fault as fault:
+                # A task may have ended meanwhile.
+                if fault.code != "TASK-NOT-FOUND":
+                    raise
+    assert client.call("V3", "resetMotion").findtext("motRet") == "SCSV3-MOT-NO-ERR"
+    assert client.call("V3", "setPower", "<power>true</power>").findtext("code") == "POWER-NO-ERR"
+
+
 class MotionTest(RunCase):
     """A client that moves the arm."""
 
@@ -56,21 +71,6 @@ class MotionTest(RunCase):
     def tearDownClass(cls) -> None:
         super().tearDownClass()
         cls.folder.cleanup()
-
-    def free_arm(self) -> Client:
-        """Log in, kill the tasks of the application, discard their moves, and switch the power on."""
-        client = self.login()
-        while tasks := client.call("V2", "getTasks").findall("tasks/Task"):
-            for task in tasks:
-                names = f"<taskName>{task.findtext('name')}</taskName><createdBy>{task.findtext('createdBy')}</createdBy>"
-                try:
-                    client.call("V2", "taskKill", names)
-                except Fault as fault:
-                    # A task may have ended meanwhile.
-                    self.assertEqual(fault.code, "TASK-NOT-FOUND")
-        self.assertEqual(client.call("V3", "resetMotion").findtext("motRet"), "SCSV3-MOT-NO-ERR")
-        self.assertEqual(client.call("V3", "setPower", "<power>true</power>").findtext("code"), "POWER-NO-ERR")
-        return client
 
     def move(self, client: Client, operation: str, destination: str, mdesc: str) -> int:
         """Record a move. Return its id."""
@@ -94,7 +94,8 @@ class MotionTest(RunCase):
             self.assertAlmostEqual(one, other, 6)
 
     def test_moves(self) -> None:
-        client = self.free_arm()
+        client = self.login()
+        free_arm(client)
         first = self.move(client, "moveJJ", items("joint", READY), description())
         self.assert_near(self.arrive(client), READY)
         near = [0.3, 0.3, 1.1, 0.0, 0.5, -0.3]
