@@ -347,12 +347,12 @@ fn the_application_owns_the_arm_until_its_moves_are_done() {
 #[test]
 fn a_move_of_the_application_waits_for_the_moves_of_clients() {
     let mut client = Client::logged_in();
+    client.controller().arm_mut().put(READY.map(f64::to_degrees));
     client.controller().devices.state.robot.set_power(true);
     let slow = || MotionDescription { speed: 0.1, ..description() };
-    let start = state(&mut client).1;
+    let [j1, j2, j3, j4, j5, j6] = READY;
+    done(&mut client, to_joints([j1 + 0.5, j2, j3, j4, j5, j6], slow()));
     done(&mut client, to_joints(READY, slow()));
-    let back = MoveJj { robot: 0, joints: start, description: slow() };
-    done(&mut client, SoapRequest::MoveJj(back));
     client.run(1);
     assert_eq!(phases(&mut client), ["1 recorded moveJJ", "2 recorded moveJJ", "1 started moveJJ"]);
     client.run(30);
