@@ -25,8 +25,7 @@ V0 = "CS8ServerV0"
 #: Samples whose request is not offered.
 NOT_OFFERED = {
     "getStackFrame", "getWatches", "setCurrentInstruction", "replaceLine", "setProjectAsModified", "getProject",
-    "subscribeToControllerEvents", "unsubscribeToControllerEvents", "moveJJ", "moveJC", "moveL", "moveC", "resetMotion",
-    "stopMotion", "restartMotion",
+    "subscribeToControllerEvents", "unsubscribeToControllerEvents",
 }
 #: Samples that name an application, task or recording of another cell.
 OTHER_CELL = {
@@ -108,15 +107,18 @@ def numbers(element: Element, name: str) -> list[float]:
     return [float(item.text or "") for item in element.findall(f"{name}/item")]
 
 
-class ControllerTest(unittest.TestCase):
-    """A run of the palletiser, and its clients."""
+class RunCase(unittest.TestCase):
+    """A run of the palletiser with clients, for all tests of a class."""
 
     run_process: ClassVar["subprocess.Popen[str]"]
     address: ClassVar[str]
+    #: Further arguments of the run.
+    options: ClassVar[list[str]] = []
 
     @classmethod
     def setUpClass(cls) -> None:
         command = [val3.find_binary(), "run", str(PALLETISER), "--controller", "0", "--until", "300", "--until-ok"]
+        command += cls.options
         cls.run_process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
         assert cls.run_process.stderr is not None
         for line in cls.run_process.stderr:
@@ -139,6 +141,10 @@ class ControllerTest(unittest.TestCase):
         self.assertEqual(sid, client.session)
         self.assertGreater(int(client.session), 0)
         return client
+
+
+class ControllerTest(RunCase):
+    """Clients of a run."""
 
     def test_samples_have_answers_of_the_same_form(self) -> None:
         client = self.login()

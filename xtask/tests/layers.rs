@@ -163,6 +163,7 @@ fn the_service_knows_runs_and_no_transport() {
         "val3-kinematics",
         "val3-lang",
         "val3-machine",
+        "val3-moves",
         "val3-session",
         "val3-soap",
         "val3-vm",

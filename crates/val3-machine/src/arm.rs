@@ -1,6 +1,7 @@
 //! The arm of the controller: its model, its recorded moves and its motion (9.2.3, 10.6, 11). `devices/motion.rs` is its
 //! port.
 
+mod clients;
 mod drive;
 mod excess;
 mod feedback;
@@ -23,11 +24,13 @@ use val3_vm::CYCLE;
 
 use crate::event::seconds;
 
+pub use clients::{ClientCommand, ClientMoveError};
 pub use drive::{ArmHold, Drive};
 pub use latch::Latch;
 pub use request::MoveOrigin;
 pub use val3_motion::{MotionMode, MoveStage, PathPiece, PieceEnd, PieceKind};
 
+use clients::ClientQueue;
 use feedback::{Feedback, difference};
 
 /// Maximum number of moves recorded ahead of the arm; a further move waits for the oldest move (model choice).
@@ -57,6 +60,7 @@ pub struct RobotArm {
     /// Instructions of the moves that are not done, by serial number.
     origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
+    clients: ClientQueue,
     /// Lines of moves whose descriptor exceeds an axis's maximum speed.
     too_fast: Vec<CodePlace>,
     connects_by_itself: bool,
@@ -140,6 +144,7 @@ impl RobotArm {
             motion,
             origins: BTreeMap::new(),
             next_id: 0.0,
+            clients: ClientQueue::default(),
             too_fast: Vec::new(),
             connects_by_itself: false,
             connects_on_request: false,
@@ -211,6 +216,7 @@ impl RobotArm {
     pub fn put(&mut self, joint: Joints) {
         self.motion.place(Arc::clone(&self.model), joint);
         self.origins.clear();
+        self.end_client_moves();
         self.placements += 1;
         self.sample = self.motion.advance(Seconds(0.0));
         self.feedback = Feedback::at(joint);
@@ -280,16 +286,16 @@ impl RobotArm {
         self.feedback.force(&self.model)
     }
 
-    /// Whether all recorded moves are done (`isEmpty`).
+    /// Whether all recorded moves are done, of programs and clients.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.motion.is_empty()
     }
 
-    /// Whether `stopMove` holds the arm.
+    /// Whether `stopMove` holds the moves of programs.
     #[must_use]
-    pub const fn is_stopped(&self) -> bool {
-        self.motion.is_stopped()
+    pub fn is_stopped(&self) -> bool {
+        self.clients.programs().map_or(self.motion.is_stopped(), |programs| programs.is_stopped)
     }
 
     /// Whether no motion is commanded.
@@ -307,7 +313,7 @@ impl RobotArm {
     /// `getMoveId`.
     #[must_use]
     pub fn move_id(&self) -> f64 {
-        self.motion.move_id()
+        self.clients.programs().map_or_else(|| self.motion.move_id(), |programs| programs.move_id)
     }
 
     /// The recorded moves that are not done, with their instructions.
@@ -318,9 +324,10 @@ impl RobotArm {
     /// Reason why the arm does not move although moves are not done.
     #[must_use]
     pub fn hold(&self, drive: Drive) -> Option<ArmHold> {
-        match drive {
+        match self.drive_of_queue(drive) {
             _ if self.motion.is_empty() => None,
             _ if self.motion.stuck().is_some() => Some(ArmHold::Fault),
+            _ if self.motion.is_stopped() && self.has_client_moves() => Some(ArmHold::StoppedByClient),
             _ if self.motion.is_stopped() => Some(ArmHold::Stopped),
             Drive { may_move: false, .. } => Some(ArmHold::Held),
             Drive { speed: Percent(0.0), .. } => Some(ArmHold::NoSpeed),
@@ -344,6 +351,7 @@ impl RobotArm {
     /// Whether a cycle with this drive would change the state.
     #[must_use]
     pub fn is_busy(&self, drive: Drive) -> bool {
+        let drive = self.drive_of_queue(drive);
         let has_way = self.motion.can_go_on() && self.yielding < WAITING || self.may_connect(drive);
         let moves = drive.may_move && drive.speed.0 > 0.0 && has_way;
         moves
@@ -355,26 +363,40 @@ impl RobotArm {
 
 /// Instructions.
 impl RobotArm {
-    /// Records a move of the instruction at a line and returns its id; `None` while no more moves can be recorded.
+    /// Records a move of the instruction at a line and returns its id; `None` while no more moves can be recorded, or
+    /// the arm executes moves of clients.
     ///
     /// # Errors
     /// The move, or a move that was recorded before, cannot be executed.
     pub fn record(&mut self, request: &MoveRequest, at: CodePlace) -> Result<Option<f64>, MoveError> {
+        if self.has_client_moves() {
+            return Ok(None);
+        }
         if let Some(cause) = self.motion.fault() {
             return Err(MoveError::Earlier(cause.clone()));
         }
-        if self.motion.moves().len() >= CAPACITY {
+        if self.is_full() {
             return Ok(None);
         }
         let id = self.next_id;
-        let origin =
-            MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor, cancelled_by: None };
-        self.motion.record(&request::to_move(&self.model, request, id)).map_err(MoveError::Refused)?;
-        if let Some(last) = self.motion.moves().last() {
-            self.origins.insert(last.serial, origin);
-        }
+        self.append(request, id, Some(at)).map_err(MoveError::Refused)?;
         self.next_id = id + 1.0;
         Ok(Some(id))
+    }
+
+    /// Whether no more moves can be recorded before a move is done.
+    fn is_full(&self) -> bool {
+        self.motion.moves().len() >= CAPACITY
+    }
+
+    /// Appends a move with this id, requested at a line or by a client.
+    fn append(&mut self, request: &MoveRequest, id: f64, at: Option<CodePlace>) -> Result<(), Cause> {
+        self.motion.record(&request::to_move(&self.model, request, id))?;
+        if let Some(last) = self.motion.moves().last() {
+            let (instruction, descriptor) = (request.instruction, request.descriptor);
+            self.origins.insert(last.serial, MoveOrigin { instruction, at, descriptor, cancelled_by: None });
+        }
+        Ok(())
     }
 
     /// Position of the tool centre point at the destination of a move, in mm in `world`, to a micrometre.
@@ -383,12 +405,15 @@ impl RobotArm {
         request::target(&self.model, request).map(|coordinate| (coordinate * 1000.0).round() / 1000.0)
     }
 
-    /// `waitEndMove` at a line: the last recorded move ends without a blend. Returns whether all recorded moves are
-    /// done.
+    /// `waitEndMove` at a line: the last recorded move of programs ends without a blend. Returns whether all these moves
+    /// are done.
     ///
     /// # Errors
     /// A recorded move cannot be executed.
     pub fn arrive(&mut self, at: CodePlace) -> Result<bool, MoveError> {
+        if self.has_client_moves() {
+            return Ok(true);
+        }
         self.motion.close().map_err(MoveError::Earlier)?;
         for cancelled in self.motion.moves().filter(|queued| queued.cancelled.is_some()) {
             if let Some(origin) = self.origins.get_mut(&cancelled.serial) {
@@ -400,22 +425,32 @@ impl RobotArm {
 
     /// `stopMove`.
     pub fn stop(&mut self) {
-        self.motion.stop();
+        match self.clients.programs_mut() {
+            Some(programs) => programs.is_stopped = true,
+            None => self.motion.stop(),
+        }
     }
 
     /// `restartMove`.
     pub fn restart(&mut self) {
-        self.motion.restart();
+        match self.clients.programs_mut() {
+            Some(programs) => programs.is_stopped = false,
+            None => self.motion.restart(),
+        }
     }
 
     /// `resetMotion`: the next move starts at `start`, or at the current position of the arm.
     pub fn reset(&mut self, start: Option<Joints>) {
+        self.next_id = 0.0;
+        if let Some(programs) = self.clients.programs_mut() {
+            programs.reset(start);
+            return;
+        }
         match start {
             Some(start) => self.motion.reset_to(start),
             None => self.motion.reset(),
         }
         self.origins.clear();
-        self.next_id = 0.0;
     }
 
     /// `setMoveId`: sets the id of the next move.
@@ -465,6 +500,7 @@ impl RobotArm {
 impl RobotArm {
     /// Advances by one cycle.
     pub fn advance(&mut self, drive: Drive) {
+        let drive = self.drive_of_queue(drive);
         if drive.may_move {
             self.motion.resume();
             self.connect(drive);
@@ -478,6 +514,7 @@ impl RobotArm {
         let waits_for_force = self.motion.is_compliant() && self.feedback.is_at_rest();
         self.yielding = if waits_for_force { self.yielding.saturating_add(CYCLE) } else { 0 };
         self.feedback.advance(self.sample.joints);
+        self.end_client_moves();
     }
 
     /// Removes and returns move events with their instructions.

@@ -1,6 +1,7 @@
 //! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
 
 mod clicks;
+mod client_moves;
 mod evaluate;
 mod frames;
 mod handling;

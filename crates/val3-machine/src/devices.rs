@@ -246,6 +246,12 @@ impl Devices {
         self.state.loaded.position(at)
     }
 
+    /// Program, line of the file and file of a move; empty and 0 for a move of a client.
+    #[must_use]
+    pub fn place_of_move(&self, at: Option<CodePlace>) -> (String, u32, String) {
+        at.map(|at| self.place(at)).unwrap_or_default()
+    }
+
     /// Whether a task has reached an unsupported instruction since the last call.
     pub(crate) fn take_missing_instruction(&mut self) -> bool {
         std::mem::take(&mut self.state.lacks)

@@ -186,9 +186,9 @@ pub enum EventKind {
         /// The instruction.
         #[serde(rename = "type")]
         instruction: &'static str,
-        /// The program of the instruction.
+        /// The program of the instruction; empty for a client.
         program: String,
-        /// The line of the file, from 1.
+        /// The line of the file, from 1; 0 for a client.
         line: u32,
         /// Blend distances in the phases `recorded` and `blend`, and in `done` after a cancelled blend.
         #[serde(flatten)]
@@ -340,9 +340,9 @@ pub struct ClearanceMove {
     /// The instruction.
     #[serde(rename = "type")]
     pub instruction: &'static str,
-    /// The program of the instruction.
+    /// The program of the instruction; empty for a client.
     pub program: String,
-    /// The line of the file, from 1.
+    /// The line of the file, from 1; 0 for a client.
     pub line: u32,
     /// The file.
     #[serde(skip)]

@@ -476,6 +476,11 @@ impl Motion {
         }
     }
 
+    /// Sets the result of `getMoveId` while no move is pending.
+    pub const fn set_done_id(&mut self, id: f64) {
+        self.done_id = id;
+    }
+
     /// Time until the end of the determined path, at full monitor speed.
     #[must_use]
     pub fn time_left(&self) -> Seconds {

@@ -2,6 +2,7 @@
 
 use val3_soap::ExceptionCode;
 use val3_soap::v0::ControllerParameter;
+use val3_soap::v3::MotionResult;
 
 /// Version of the interface. Clients parse a number, and know that the servers V2 and V3 exist from 1.2.
 pub(crate) const INTERFACE_VERSION: &str = "1.2";
@@ -45,3 +46,13 @@ pub(crate) const fn signal_type(is_digital: bool, is_input: bool) -> &'static st
         (false, false) => "aout",
     }
 }
+
+/// Id in the answer to a rejected move. Ids of moves are from 1.
+pub(crate) const NO_MOVE: i32 = 0;
+
+/// Result of a move after a rejected move, before the reset, and of a move for which the queue has no place.
+pub(crate) const BLOCKED_MOVE: MotionResult = MotionResult::Misuse;
+
+/// Speed in mm/s or degrees/s above which no limit applies, so that 99999 m/s and rad/s are no limits. The greatest valid
+/// speed of a motion descriptor.
+pub(crate) const UNLIMITED_SPEED: f64 = 1e6;

@@ -26,14 +26,21 @@ mod lock_all_ios;
 mod lock_ios;
 mod login;
 mod logout;
+mod move_c;
+mod move_jc;
+mod move_jj;
+mod move_l;
 mod ping;
 mod read_ios;
+mod reset_motion;
+mod restart_motion;
 mod reverse_kin;
 mod scheduler_refresh;
 mod set_breakpoints;
 mod set_power;
 mod set_robot_joint_pos;
 mod set_scheduling_mode;
+mod stop_motion;
 mod task_kill;
 mod task_resume;
 mod task_step;
@@ -96,6 +103,13 @@ pub(crate) fn answer(request: &SoapRequest, context: &mut Context<'_, '_>) -> Re
         }
         Q::ForwardKin(q) => handle(q, context, R::Read, forward_kin::answer, A::ForwardKin),
         Q::ReverseKin(q) => handle(q, context, R::Read, reverse_kin::answer, A::ReverseKin),
+        Q::MoveJj(q) => handle(q, context, R::Write, move_jj::answer, A::MoveJj),
+        Q::MoveJc(q) => handle(q, context, R::Write, move_jc::answer, A::MoveJc),
+        Q::MoveL(q) => handle(q, context, R::Write, move_l::answer, A::MoveL),
+        Q::MoveC(q) => handle(q, context, R::Write, move_c::answer, A::MoveC),
+        Q::ResetMotion(q) => handle(q, context, R::Write, reset_motion::answer, A::ResetMotion),
+        Q::StopMotion(q) => handle(q, context, R::Write, stop_motion::answer, A::StopMotion),
+        Q::RestartMotion(q) => handle(q, context, R::Write, restart_motion::answer, A::RestartMotion),
         Q::SchedulerRefresh(q) => handle(q, context, R::Read, scheduler_refresh::answer, A::SchedulerRefresh),
         Q::SetSchedulingMode(q) => handle(q, context, R::Write, set_scheduling_mode::answer, A::SetSchedulingMode),
         Q::SetPower(q) => handle(q, context, R::Write, set_power::answer, A::SetPower),

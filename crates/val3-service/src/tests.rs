@@ -5,6 +5,7 @@ mod client;
 mod data;
 mod debugging;
 mod kinematics;
+mod moves;
 mod rights;
 mod sessions;
 mod signals;

@@ -120,7 +120,7 @@ fn axis(arm: &Arm, index: usize, limits: &ArmAxis) -> PictureAxis {
 
 /// Creates the mark of a recorded move.
 fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> MoveMark {
-    let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
+    let (program, line, _) = origin.map(|origin| controller.devices.place_of_move(origin.at)).unwrap_or_default();
     MoveMark {
         program,
         line,

@@ -26,6 +26,8 @@ pub enum ArmHold {
     NoSpeed,
     /// `stopMove`.
     Stopped,
+    /// A client has stopped its moves.
+    StoppedByClient,
     /// The arm is away from its path.
     Away,
     /// In step mode the arm waits for a release.
@@ -45,6 +47,7 @@ impl ArmHold {
             Self::Held => "The arm is held. Press Move, or choose the remote mode.",
             Self::NoSpeed => "The monitor speed is 0 %. Increase it.",
             Self::Stopped => "The program has stopped the motion with stopMove, and has not restarted it.",
+            Self::StoppedByClient => "A client of the controller has stopped its moves, and has not restarted them.",
             Self::Away => "The arm is away from its path. Press Move to connect it.",
             Self::Step => "The motion is stepped. Step it, or choose the continuous mode.",
             Self::NoForce => "The force of the compliant move does not move the arm.",
@@ -62,6 +65,7 @@ impl ArmHold {
             }
             Self::NoSpeed => "which stands still because the monitor speed is 0",
             Self::Stopped => "which stopMove holds: call restartMove() or resetMotion()",
+            Self::StoppedByClient => "which a client of the controller has stopped: restart or reset its moves",
             Self::Away => {
                 "which is away from its path: call autoConnectMove(true), or connect it in a script (connect = true)"
             }

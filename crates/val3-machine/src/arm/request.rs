@@ -5,13 +5,13 @@ use val3_lang::ports::{CodePlace, MoveRequest};
 use val3_lang::values::MdescValue;
 use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, MovePath, SpeedLimits};
 
-/// Instruction that has recorded a move.
+/// Instruction or client that has recorded a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MoveOrigin {
-    /// Name: `movel`.
+    /// Name of the instruction, such as `movel`, or of the client's request.
     pub instruction: &'static str,
-    /// Location in the code.
-    pub at: CodePlace,
+    /// Location in the code; `None` for a client.
+    pub at: Option<CodePlace>,
     /// Motion descriptor, with lengths in mm.
     pub descriptor: MdescValue,
     /// Line that has cancelled the blend at the destination.

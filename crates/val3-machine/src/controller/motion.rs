@@ -34,7 +34,7 @@ pub struct MotionPiece {
     pub piece: PathPiece,
     /// Index of the move in [`Controller::motion_queue`]; `None` if the move is done.
     pub position: Option<usize>,
-    /// Line that requested the move.
+    /// Line that requested the move; `None` for a client.
     pub source: Option<CodeSource>,
 }
 
@@ -62,7 +62,7 @@ pub struct RecordedMove {
     pub reach: Option<BlendPoint>,
     /// Requested and effective distances of that blend.
     pub blend: BlendEnds,
-    /// Line that requested the move.
+    /// Line that requested the move; `None` for a client.
     pub source: Option<CodeSource>,
 }
 
@@ -107,7 +107,7 @@ pub struct MotionFault {
     pub serial: u64,
     /// The reason.
     pub text: String,
-    /// Line that requested the move.
+    /// Line that requested the move; `None` for a client.
     pub source: Option<CodeSource>,
 }
 
@@ -156,20 +156,21 @@ impl Controller {
             leave: BlendPoint::new(queued.leave, motion.leave_point(queued.serial)),
             reach: BlendPoint::new(queued.reach, motion.reach_point(queued.serial)),
             blend: self.devices.blend_of(queued, origin),
-            source: origin.map(|origin| self.source(origin)),
+            source: origin.and_then(|origin| self.source(origin)),
         }
     }
 
     fn motion_piece(&self, piece: PathPiece) -> MotionPiece {
         let arm = &self.devices.state.arm;
         let position = arm.moves().position(|(queued, _)| queued.serial == piece.serial);
-        let source = arm.origin(piece.serial).map(|origin| self.source(origin));
+        let source = arm.origin(piece.serial).and_then(|origin| self.source(origin));
         MotionPiece { piece, position, source }
     }
 
-    fn source(&self, &MoveOrigin { instruction, at, .. }: &MoveOrigin) -> CodeSource {
+    fn source(&self, &MoveOrigin { instruction, at, .. }: &MoveOrigin) -> Option<CodeSource> {
+        let at = at?;
         let (program, line, file) = self.devices.place(at);
-        CodeSource { instruction, at, program, line, file }
+        Some(CodeSource { instruction, at, program, line, file })
     }
 
     /// Records the unfinished moves at the end of the application, and the fault of the remaining path.
@@ -183,7 +184,7 @@ impl Controller {
     pub fn motion_fault(&self) -> Option<MotionFault> {
         let arm = &self.devices.state.arm;
         let fault = arm.motion().stuck()?;
-        let source = arm.origin(fault.serial).map(|origin| self.source(origin));
+        let source = arm.origin(fault.serial).and_then(|origin| self.source(origin));
         Some(MotionFault { serial: fault.serial, text: fault.to_string(), source })
     }
 

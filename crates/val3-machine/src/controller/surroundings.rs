@@ -103,7 +103,7 @@ impl Controller {
         for Encounter { state, names: [a, b], measured, time, joints, label, at_start } in encounters {
             let axes = self.devices.state.arm.model().axes();
             let of = label.filter(|_| !at_start).map(|(id, MoveOrigin { instruction, at, .. })| {
-                let (program, line, file) = self.devices.place(at);
+                let (program, line, file) = self.devices.place_of_move(at);
                 ClearanceMove { id, instruction, program, line, file }
             });
             let kind = EventKind::Clearance {

@@ -47,7 +47,7 @@ impl Devices {
                 Shortening::StopAtCorner => CutReason::StopAtTarget,
             };
             let cause = shortening.cause().and_then(|serial| self.state.arm.origin(serial));
-            self.cut(reason, cause.map(|origin| origin.at))
+            self.cut(reason, cause.and_then(|origin| origin.at))
         });
         BlendDistance { requested: end.requested.0, effective: end.effective().0, cut }
     }

@@ -96,7 +96,7 @@ impl MotionPort for Devices {
     }
 
     fn is_empty(&mut self) -> bool {
-        self.state.arm.is_empty()
+        self.state.arm.is_done_for_programs()
     }
 
     fn is_settled(&mut self) -> bool {
@@ -133,7 +133,7 @@ impl MotionPort for Devices {
 
     fn reset_motion(&mut self, start: Option<[f64; 6]>) {
         // Programs call it in loops, in which it changes nothing.
-        if self.state.arm.is_stopped() || !self.state.arm.is_empty() || self.state.arm.move_id() != 0.0 {
+        if self.state.arm.is_stopped() || !self.state.arm.is_done_for_programs() || self.state.arm.move_id() != 0.0 {
             self.record_motion_here("reset", "resetMotion", None);
         }
         self.state.arm.reset(start);
@@ -226,7 +226,7 @@ impl Devices {
             let shows_blend = event.kind == MoveEventKind::Blend || cancels_blend;
             if let Some(origin) = origin {
                 let MoveOrigin { instruction, at, .. } = origin;
-                let (program, line, _) = self.place(at);
+                let (program, line, _) = self.place_of_move(at);
                 let blend = if shows_blend { self.blend_at(&event, Some(&origin)) } else { BlendEnds::default() };
                 let (id, phase) = (event.id, event.kind.word());
                 self.record_outside(
@@ -245,15 +245,20 @@ impl Devices {
         }
     }
 
-    /// Reports the unfinished moves at the end of the application, and the fault of a path that the arm has not
+    /// Reports the unfinished moves of programs at the end of the application, and the fault of a path that the arm has not
     /// reached.
     pub(crate) fn record_dropped_moves(&mut self, now: Time) {
         if let Some((fault, Some(origin))) = self.state.arm.take_unreached_fault() {
             self.report_path_fault(now, &fault, &origin, "the arm cannot follow a recorded path");
         }
-        let dropped: Vec<(f64, MoveOrigin)> =
-            self.state.arm.moves().filter_map(|(queued, origin)| Some((queued.id, *origin?))).collect();
-        for (id, MoveOrigin { instruction, at, .. }) in dropped {
+        let moves = self.state.arm.moves();
+        let dropped: Vec<(f64, &'static str, CodePlace)> = moves
+            .filter_map(|(queued, origin)| {
+                let MoveOrigin { instruction, at, .. } = *origin?;
+                Some((queued.id, instruction, at?))
+            })
+            .collect();
+        for (id, instruction, at) in dropped {
             let (program, line, _) = self.place(at);
             let (phase, blend) = ("dropped", BlendEnds::default());
             self.record_outside(now, EventKind::Move { id, phase, instruction, program, line, blend, target: None });
@@ -262,7 +267,12 @@ impl Devices {
 
     fn report_path_fault(&mut self, now: Time, fault: &PathFault, origin: &MoveOrigin, message: &str) {
         let (instruction, text) = (origin.instruction, fault.to_string());
-        let (program, line, file) = self.place(origin.at);
+        let Some(at) = origin.at else {
+            // The fault belongs to the client, so the application has not failed.
+            self.report(&format!("{message} ({instruction} of a client): {text}"), MessageSeverity::Error, now);
+            return;
+        };
+        let (program, line, file) = self.place(at);
         self.report(&format!("{message} ({instruction}, {program}:{line}): {text}"), MessageSeverity::Error, now);
         let queued = self.state.arm.moves().find(|(queued, _)| queued.serial == fault.serial);
         let id = queued.map_or_else(|| self.state.arm.move_id(), |(queued, _)| queued.id);

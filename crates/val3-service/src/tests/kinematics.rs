@@ -5,7 +5,7 @@ use val3_soap::v0::SetRobotJointPos;
 use val3_soap::v1::JointRange;
 use val3_soap::v3::{
     AnthroConfig, ArmConfig, ForwardKin, Matrix, PositiveNegative, PowerResult, ReverseKin, ReversingResult,
-    ScaraConfig, SchedulerRefresh, SchedulingMode, SetPower, SetSchedulingMode, Shoulder, StopMotion,
+    ScaraConfig, SchedulerRefresh, SchedulingMode, SetPower, SetSchedulingMode, Shoulder,
 };
 use val3_soap::{ExceptionCode, SoapAnswer, SoapRequest};
 
@@ -105,5 +105,4 @@ fn the_state_of_the_moves_is_that_of_the_arm() {
     let external = SoapRequest::SetSchedulingMode(SetSchedulingMode { mode: SchedulingMode::External });
     assert_eq!(client.code(external), ExceptionCode::SchedulingMode);
     client.ask(SoapRequest::SetSchedulingMode(SetSchedulingMode { mode: SchedulingMode::Internal }));
-    assert_eq!(client.code(SoapRequest::StopMotion(StopMotion)), ExceptionCode::InvalidSoapHandler);
 }

@@ -27,7 +27,8 @@ impl CutBlends {
     pub(super) fn follow(&mut self, events: &[Event]) {
         for event in events {
             let EventKind::Move { phase: "blend" | "done", program, line, blend, .. } = &event.kind else { continue };
-            if blend.cut().next().is_none() {
+            // A move of a client has no program.
+            if program.is_empty() || blend.cut().next().is_none() {
                 continue;
             }
             let found = self.0.entry((program.clone(), *line)).or_insert_with(|| CutBlend {

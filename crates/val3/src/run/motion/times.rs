@@ -199,7 +199,7 @@ impl RunTimes {
         let arm = controller.arm();
         let present = arm.moves().filter(|(queued, _)| queued.stage >= MoveStage::Started).last();
         if let Some((_, Some(origin))) = present {
-            self.present = Some(origin.at);
+            self.present = origin.at;
         }
         let (place, what) = match arm.sample().phase {
             MotionPhase::Waiting if present.is_none() => (None, NO_MOVE),

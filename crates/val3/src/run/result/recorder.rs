@@ -102,7 +102,8 @@ impl ResultRecorder {
             EventKind::Popup { text } => self.log.push(format!("pop-up: {text}")),
             EventKind::Notice { text } => self.notes.push(text.clone()),
             EventKind::Io { link, value } => self.io.push(IoEntry { t, link: link.clone(), value: *value }),
-            EventKind::Move { phase: "started", instruction, program, line, .. } => {
+            // A move of a client has no program.
+            EventKind::Move { phase: "started", instruction, program, line, .. } if !program.is_empty() => {
                 *self.moves.entry((program.clone(), *line, instruction)).or_default() += 1;
             }
             EventKind::Error { code, program, line, file, .. } => {
