@@ -1,5 +1,7 @@
 //! Answers that no source states. Each is a choice, which a real controller may contradict (docs/fidelity.md).
 
+use std::net::IpAddr;
+
 use val3_soap::ExceptionCode;
 use val3_soap::v0::ControllerParameter;
 
@@ -44,4 +46,18 @@ pub(crate) const fn signal_type(is_digital: bool, is_input: bool) -> &'static st
         (false, true) => "ain",
         (false, false) => "aout",
     }
+}
+
+/// Whether an event service is on this machine. No source states the operations of such a service, so nothing is sent,
+/// and services on other machines are rejected.
+pub(crate) fn is_local_service(url: &str) -> bool {
+    let Some(authority) = url.strip_prefix("http://").and_then(|rest| rest.split(['/', '?', '#']).next()) else {
+        return false;
+    };
+    let host = match authority.rsplit_once(':') {
+        Some((host, port)) if port.parse::<u16>().is_ok() => host,
+        _ => authority,
+    };
+    let address = host.trim_start_matches('[').trim_end_matches(']').parse::<IpAddr>();
+    host.eq_ignore_ascii_case("localhost") || address.is_ok_and(|address| address.is_loopback())
 }

@@ -1,5 +1,7 @@
 //! Projects on the medium with the applications, their files and values, as clients outside read them.
 
+use std::sync::Arc;
+
 use val3_lang::ports::TaskNumber;
 use val3_vm::{InstanceId, Space, Vm};
 
@@ -68,6 +70,18 @@ impl Devices {
     fn saving<'s>(&'s self, space: &'s Space, instance: InstanceId) -> Saving<'s> {
         let (io, lines, limit) = (&self.state.io, &self.lines, self.limits.saved);
         Saving { space, from: instance, saved: instance, io, lines, limit }
+    }
+
+    /// Returns the loaded files of the instance; `None` if the files could not be read.
+    pub(crate) fn loaded_files(&self, instance: InstanceId) -> Option<Arc<LibraryFiles>> {
+        self.state.loaded.files(instance.0)
+    }
+
+    /// Stores the files of an instance that is loaded once more.
+    pub(crate) fn keep_loaded_files(&mut self, instance: InstanceId, files: Option<Arc<LibraryFiles>>) {
+        if let Some(files) = files {
+            self.state.loaded.keep_shared_files(instance.0, files);
+        }
     }
 
     /// Data file of a project on a medium.
