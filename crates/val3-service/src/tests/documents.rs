@@ -3,7 +3,7 @@
 use std::io::Read as _;
 
 use expect_test::expect;
-use val3_soap::v2::{GetProject, GetStackFrame, GetWatches, MimeData, WatchedData};
+use val3_soap::v2::{ExecutionResult, GetProject, GetStackFrame, GetWatches, MimeData, WatchedData};
 use val3_soap::{ExceptionCode, SoapAnswer, SoapRequest};
 
 use super::client::Client;
@@ -73,22 +73,21 @@ fn parameters_and_locals_of_a_stack_frame_are_data() {
 }
 
 #[test]
-fn arrays_by_reference_have_all_values() {
+fn arrays_by_reference_have_their_values() {
     let mut client = Client::logged_in();
-    set(&mut client, &[line("nextSlot", 2, "")]);
     client.run(1);
-    execute(&mut client, "", "nTimes[2]=7");
-    expect![[r#"
-            <Data name="x_bOk" access="private" xsi:type="array" type="bool" size="1">
-              <Value key="0" value="true" />
-            </Data>
-            <Data name="l_jAway" access="private" xsi:type="array" type="jointRx" size="1">
-              <Value key="0" j2="20" j3="110" j5="90" />
-            </Data>
-            <Data name="l_pUp" access="private" xsi:type="array" type="pointRx" size="1">
-              <Value key="0" x="-900" y="650" z="2185" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fCell[0]" />
-            </Data>
-    "#]].assert_eq(&frame_lines(&mut client, "production", 0));
+    set(&mut client, &[line("average", 3, ""), line("nextSlot", 3, "")]);
+    for code in [
+        "nTimes[8]=7",
+        "tSlots[1,2].bFull=true",
+        "taskCreate \"times\",10,average(nTimes[7],nState)",
+        "taskCreate \"slots\",10,nextSlot(tSlots,nTimes[0],nTimes[1],bReport)",
+    ] {
+        assert_eq!(execute(&mut client, "", code).0, ExecutionResult::NoError, "{code}");
+    }
+    client.run(1);
+    expect![[""]].assert_eq(&frame_lines(&mut client, "times", 0));
+    expect![[""]].assert_eq(&frame_lines(&mut client, "slots", 0));
 }
 
 #[test]
@@ -96,6 +95,7 @@ fn watches_are_data_in_the_order_of_the_request() {
     let mut client = Client::logged_in();
     client.run(1);
     execute(&mut client, "", "nTimes[2]=7");
+    execute(&mut client, "", "tSlots[1,2].bFull=true");
     let data = [("nTimes", "2"), ("nTimes", ""), ("nTimes", "3"), ("pCorner", "1"), ("tSlots", "1,2"), ("sState", "")];
     expect![[r#"
             <Data name="nTimes" access="private" xsi:type="array" type="num" size="10">

@@ -32,7 +32,7 @@ fn a_held_task_continues_at_another_line() {
 }
 
 #[test]
-fn a_task_with_an_error_can_continue() {
+fn a_task_that_the_application_has_suspended_can_continue() {
     let mut client = Client::logged_in();
     set(&mut client, &[line("start", 2, "")]);
     client.run(1);
