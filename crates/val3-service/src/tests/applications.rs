@@ -84,6 +84,24 @@ fn requests_wait_until_the_application_has_stopped() {
 }
 
 #[test]
+fn a_restored_controller_repeats_the_restart() {
+    let mut client = Client::logged_in();
+    client.run(1);
+    let snapshot = client.controller().snapshot();
+    for request in [UNLOAD, load(PROJECT), start(PROJECT)] {
+        client.ask(request);
+    }
+    client.controller().devices.take_events();
+    client.run(2);
+    let first = client.controller().devices.take_events();
+    client.controller().restore(&snapshot);
+    client.controller().devices.take_events();
+    client.run(2);
+    assert!(first.iter().any(|event| format!("{event:?}").contains("unload")), "{first:?}");
+    assert_eq!(client.controller().devices.take_events(), first);
+}
+
+#[test]
 fn breakpoints_remain_for_the_next_start() {
     let mut client = Client::logged_in();
     client.run(1);
