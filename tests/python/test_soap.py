@@ -180,6 +180,8 @@ class ControllerTest(unittest.TestCase):
 
     def test_samples_have_answers_of_the_same_form(self) -> None:
         client = self.login()
+        # Only one session debugs at a time.
+        self.addCleanup(client.call, "V0", "logout")
         session = client.session
         for request in sorted(SAMPLES.glob("V*.req.xml")):
             name = request.name.removesuffix(".req.xml")
@@ -238,6 +240,8 @@ class ControllerTest(unittest.TestCase):
 
     def test_debugging(self) -> None:
         client = self.login()
+        # Only one session debugs at a time.
+        self.addCleanup(client.call, "V0", "logout")
         task = f"<taskName>supervisor</taskName><createdBy>{PROJECT}</createdBy>"
         program = f"<appName>{PROJECT}</appName><pgmName>supervisor</pgmName>"
         line = f"<programLine>{program}<lineNumber>7</lineNumber></programLine>"

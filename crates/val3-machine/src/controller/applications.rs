@@ -70,6 +70,7 @@ impl Controller {
         let (image, path) = (Arc::clone(&instance.image), instance.path.clone());
         // The files may have changed since the image was compiled.
         let files = self.devices.loaded_files(self.application);
+        self.devices.origin(self.outside());
         match self.vm.space.load(image, path.clone(), &mut self.devices) {
             Ok(loaded) => {
                 self.devices.keep_loaded_files(loaded, files);
@@ -77,6 +78,8 @@ impl Controller {
             }
             Err(_) => self.devices.no_memory_for(&path),
         }
+        // The application starts only when everything is in memory.
+        self.devices.take_elapsed();
     }
 
     /// Starts the application with its present values.

@@ -7,10 +7,7 @@ use val3_soap::{ExceptionCode, SoapFault};
 use crate::context::{Context, refused};
 
 /// Answers the request.
-pub(super) fn answer(
-    request: &GetStackFrame,
-    context: &mut Context<'_, '_>,
-) -> Result<GetStackFrameAnswer, SoapFault> {
+pub(super) fn answer(request: &GetStackFrame, context: &mut Context<'_, '_>) -> Result<GetStackFrameAnswer, SoapFault> {
     let task = context.target.task(request.task.as_deref(), request.created_by.as_deref())?;
     let depth = context.target.frame_depth(task, request.frame)?;
     let controller = context.controller();

@@ -11,7 +11,8 @@ use crate::inferred::is_local_service;
 pub(super) fn answer(request: &SubscribeToControllerEvents, _: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {
     let url = request.service_url.as_deref().unwrap_or_default();
     if !is_local_service(url) {
-        let explanation = "this controller accepts only event services on its own machine, such as http://127.0.0.1:5656/";
+        let explanation =
+            "this controller accepts only event services on its own machine, such as http://127.0.0.1:5656/";
         return Err(refused(ExceptionCode::ClientCommunication, explanation));
     }
     if request.send_interval <= 0 {

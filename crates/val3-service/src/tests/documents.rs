@@ -55,18 +55,21 @@ fn parameters_and_locals_of_a_stack_frame_are_data() {
             </Data>
             <Data name="l_jAway" access="private" xsi:type="array" type="jointRx" size="1" />
             <Data name="l_pUp" access="private" xsi:type="array" type="pointRx" size="1" />
-    "#]].assert_eq(&frame_lines(&mut client, "production", 0));
+    "#]]
+    .assert_eq(&frame_lines(&mut client, "production", 0));
     expect![[r#"
             <Data name="l_bOk" access="private" xsi:type="array" type="bool" size="1">
               <Value key="0" value="true" />
             </Data>
-    "#]].assert_eq(&frame_lines(&mut client, "production", 1));
+    "#]]
+    .assert_eq(&frame_lines(&mut client, "production", 1));
     expect![[r#"
             <Data name="x_nPause" access="private" xsi:type="array" type="num" size="1">
               <Value key="0" value="0.5" />
             </Data>
             <Data name="l_sLine" access="private" xsi:type="array" type="string" size="1" />
-    "#]].assert_eq(&frame_lines(&mut client, "host", 0));
+    "#]]
+    .assert_eq(&frame_lines(&mut client, "host", 0));
     assert_eq!(client.code(frame("production", 9)), ExceptionCode::StackFrameNotFound);
     assert_eq!(client.code(frame("production", -1)), ExceptionCode::StackFrameNotFound);
     assert_eq!(client.code(frame("nobody", 0)), ExceptionCode::TaskNotFound);
@@ -86,8 +89,74 @@ fn arrays_by_reference_have_their_values() {
         assert_eq!(execute(&mut client, "", code).0, ExecutionResult::NoError, "{code}");
     }
     client.run(1);
-    expect![[""]].assert_eq(&frame_lines(&mut client, "times", 0));
-    expect![[""]].assert_eq(&frame_lines(&mut client, "slots", 0));
+    expect![[r#"
+            <Data name="x_nTimes" access="private" xsi:type="array" type="num" size="3">
+              <Value key="1" value="7" />
+            </Data>
+            <Data name="x_nMean" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="l_i" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="l_nSum" access="private" xsi:type="array" type="num" size="1" />
+    "#]]
+    .assert_eq(&frame_lines(&mut client, "times", 0));
+    expect![[r#"
+            <Data name="x_tSlots" access="private" xsi:type="array" type="Slot" size="2 3">
+              <Value key="0,0">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="200" y="150" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1" />
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+              <Value key="0,1">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="600" y="150" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1" />
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+              <Value key="0,2">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="1000" y="150" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1" />
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+              <Value key="1,0">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="200" y="450" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1" />
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+              <Value key="1,1">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="600" y="450" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1" />
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+              <Value key="1,2">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="1000" y="450" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1">
+                  <Value key="0" value="true" />
+                </Field>
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+            </Data>
+            <Data name="x_nRow" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="x_nColumn" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="x_bFound" access="private" xsi:type="array" type="bool" size="1" />
+            <Data name="l_nColumn" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="l_nRow" access="private" xsi:type="array" type="num" size="1" />
+    "#]].assert_eq(&frame_lines(&mut client, "slots", 0));
 }
 
 #[test]
@@ -108,7 +177,18 @@ fn watches_are_data_in_the_order_of_the_request() {
             <Data name="pCorner" access="private" xsi:type="array" type="pointRx" size="3">
               <Value key="1" y="1200" fatherId="fCell[0]" />
             </Data>
-            <Data name="tSlots" access="public" xsi:type="array" type="Slot" size="2 3" />
+            <Data name="tSlots" access="public" xsi:type="array" type="Slot" size="2 3">
+              <Value key="1,2">
+                <Field name="pPlace" xsi:type="array" type="pointRx" size="1">
+                  <Value key="0" x="1000" y="450" z="20" rx="180" shoulder="lefty" elbow="epositive" wrist="wpositive" fatherId="fPallet[0]" />
+                </Field>
+                <Field name="bFull" xsi:type="array" type="bool" size="1">
+                  <Value key="0" value="true" />
+                </Field>
+                <Field name="nWeight" xsi:type="array" type="num" size="1" />
+                <Field name="sContent" xsi:type="array" type="string" size="1" />
+              </Value>
+            </Data>
             <Data name="sState" access="private" xsi:type="array" type="string" size="4">
               <Value key="0" value="stopped" />
               <Value key="1" value="waiting" />
@@ -117,7 +197,9 @@ fn watches_are_data_in_the_order_of_the_request() {
             </Data>
     "#]].assert_eq(&watch_lines(&mut client, &data));
     assert_eq!(watch_lines(&mut client, &[]), "");
-    for (name, index) in [("nOther", "0"), ("", ""), ("nTimes", "10"), ("nTimes", "-1"), ("nTimes", "x"), ("nDone", "0")] {
+    for (name, index) in
+        [("nOther", "0"), ("", ""), ("nTimes", "10"), ("nTimes", "-1"), ("nTimes", "x"), ("nDone", "0")]
+    {
         assert_eq!(client.code(watches(&[(name, index)])), ExceptionCode::InvalidParameters, "{name} {index}");
     }
     let fault = client.fault(watches(&[("nTimes", "10")]));
