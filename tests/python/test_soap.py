@@ -1,12 +1,16 @@
 """Tests of `val3 run --controller` with a client of the standard library: the samples of the interface, and a session."""
 
 import base64
+import io
 import math
 import re
 import subprocess
+import time
 import unittest
 import urllib.error
 import urllib.request
+import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import ClassVar
 from xml.etree import ElementTree
@@ -21,17 +25,21 @@ SAMPLES = ROOT / "crates/val3-soap/tests/samples"
 SOAP = "http://www.w3.org/2003/05/soap-envelope"
 OLD_SOAP = "http://schemas.xmlsoap.org/soap/envelope/"
 V0 = "CS8ServerV0"
+DATA = "{http://www.staubli.com/robotics/VAL3/Data/2}"
+
+PROJECT = "Disk://palletiser/palletiser.pjx"
 
 #: Samples whose request is not offered.
-NOT_OFFERED = {
-    "getStackFrame", "getWatches", "setCurrentInstruction", "replaceLine", "setProjectAsModified", "getProject",
-    "subscribeToControllerEvents", "unsubscribeToControllerEvents",
-}
+NOT_OFFERED = {"replaceLine", "setProjectAsModified"}
 #: Samples that name an application, task or recording of another cell.
 OTHER_CELL = {
     "getApplicationDatas": "APPLICATION-NOT-FOUND",
     "getRecord": "FILE-NOT-FOUND-CODE",
+    "getProject": "APPLICATION-NOT-FOUND",
+    "getWatches": "APPLICATION-NOT-FOUND",
     "getCallStack": "TASK-NOT-FOUND",
+    "getStackFrame": "TASK-NOT-FOUND",
+    "setCurrentInstruction": "TASK-NOT-FOUND",
     "execVal3": "TASK-NOT-FOUND",
     "taskKill": "TASK-NOT-FOUND",
     "taskResume": "TASK-NOT-FOUND",
@@ -107,6 +115,34 @@ def numbers(element: Element, name: str) -> list[float]:
     return [float(item.text or "") for item in element.findall(f"{name}/item")]
 
 
+def values(answer: Element) -> dict[str, dict[str, str]]:
+    """Attributes of the first value of each data in a document; a default has no value."""
+    root = ElementTree.fromstring(base64.b64decode(answer.findtext("data/data") or ""))
+    found = {}
+    for data in root.iter(f"{DATA}Data"):
+        value = data.find(f"{DATA}Value")
+        found[data.get("name", "")] = {} if value is None else dict(value.attrib)
+    return found
+
+
+def wait_for(client: Client, condition: Callable[[dict[str, Element]], bool]) -> dict[str, Element]:
+    """Wait until the tasks of the controller meet a condition. Return the tasks by name."""
+    end = time.monotonic() + 20
+    while time.monotonic() < end:
+        tasks = {task.findtext("name") or "": task for task in client.call("V2", "getTasks").findall("tasks/Task")}
+        if condition(tasks):
+            return tasks
+        time.sleep(0.05)
+    raise AssertionError(f"the tasks do not meet the condition: {sorted(tasks)}")
+
+
+def line_of(task: Element) -> tuple[str, str, int]:
+    """State of a task, its program and the number of its line."""
+    line = task.find("programLine")
+    assert line is not None
+    return task.findtext("state") or "", line.findtext("pgmName") or "", int(line.findtext("lineNumber") or "")
+
+
 class RunCase(unittest.TestCase):
     """A run of the palletiser with clients, for all tests of a class."""
 
@@ -148,6 +184,8 @@ class ControllerTest(RunCase):
 
     def test_samples_have_answers_of_the_same_form(self) -> None:
         client = self.login()
+        # Only one session debugs at a time.
+        self.addCleanup(client.call, "V0", "logout")
         session = client.session
         for request in sorted(SAMPLES.glob("V*.req.xml")):
             name = request.name.removesuffix(".req.xml")
@@ -203,6 +241,59 @@ class ControllerTest(RunCase):
         client.call("V2", "writeIos", f"{ios}<values><PhysicalIoValue>1</PhysicalIoValue></values>")
         state = client.call("V2", "readIos", f"{ios}<x-getDescription>true</x-getDescription>")
         self.assertEqual(state.findtext("state/PhysicalIoState/value"), "1")
+
+    def test_debugging(self) -> None:
+        client = self.login()
+        # Only one session debugs at a time.
+        self.addCleanup(client.call, "V0", "logout")
+        task = f"<taskName>supervisor</taskName><createdBy>{PROJECT}</createdBy>"
+        program = f"<appName>{PROJECT}</appName><pgmName>supervisor</pgmName>"
+        line = f"<programLine>{program}<lineNumber>7</lineNumber></programLine>"
+        wait_for(client, lambda tasks: "supervisor" in tasks)
+        client.call("V2", "setBreakpoints", f"<breakpoints><BreakPoint>{line}</BreakPoint></breakpoints>")
+        stopped = ("TASKSTATE-STOPPED", "supervisor", 7)
+        wait_for(client, lambda tasks: line_of(tasks["supervisor"]) == stopped)
+        client.call("V2", "taskStep", f"{task}<stepType>TASKSTEP-INTO</stepType>")
+        wait_for(client, lambda tasks: line_of(tasks["supervisor"])[:2] == ("TASKSTATE-STOPPED", "onKey"))
+        stack = client.call("V2", "getCallStack", task).findall("callStack/SfAbstract//pgmName")
+        self.assertEqual([name.text for name in stack], ["onKey", "supervisor"])
+        frame = values(client.call("V2", "getStackFrame", f"{task}<stackFrameIndex>0</stackFrameIndex>"))
+        self.assertEqual(frame["x_nKey"], {"key": "0", "value": "-1"})
+        watch = "".join(
+            f"<SoapData><appName>{PROJECT}</appName><dataName>{name}</dataName><dataIndex>0</dataIndex></SoapData>"
+            for name in ("mFast", "sState")
+        )
+        watched = values(client.call("V2", "getWatches", f"<watch>{watch}</watch>"))
+        self.assertEqual(watched["sState"], {"key": "0", "value": "stopped"})
+        self.assertEqual(list(watched), ["mFast", "sState"])
+        client.call("V2", "taskStep", f"{task}<stepType>TASKSTEP-OUT</stepType>")
+        wait_for(client, lambda tasks: line_of(tasks["supervisor"]) == ("TASKSTATE-STOPPED", "supervisor", 8))
+        for number in (10, 8):
+            next_line = f"<line>{program}<lineNumber>{number}</lineNumber></line>"
+            client.call("V2", "setCurrentInstruction", f"{task}<resetMotion>false</resetMotion>{next_line}")
+            expected = ("TASKSTATE-STOPPED", "supervisor", number)
+            wait_for(client, lambda tasks: line_of(tasks["supervisor"]) == expected)
+        client.call("V2", "clearAllBreakpoints")
+        client.call("V2", "taskResume", task)
+        wait_for(client, lambda tasks: line_of(tasks["supervisor"])[0] == "TASKSTATE-RUNNING")
+
+    def test_project(self) -> None:
+        data = self.login().call("V2", "getProject", f"<name>{PROJECT}</name>").findtext("data") or ""
+        with zipfile.ZipFile(io.BytesIO(base64.b64decode(data))) as archive:
+            self.assertIsNone(archive.testzip())
+            start = archive.read("start.pgx")
+        self.assertEqual(start, (PALLETISER / "start.pgx").read_bytes())
+
+    def test_restart(self) -> None:
+        client = self.login()
+        path = f"<applicationPath>{PROJECT}</applicationPath>"
+        for operation in ("stopAndUnloadAll", "loadProjectAsync", "startApplication"):
+            client.call("V2", operation, path if operation != "stopAndUnloadAll" else "")
+        wait_for(client, lambda tasks: "supervisor" in tasks)
+        client.call("V2", "stopApplication")
+        wait_for(client, lambda tasks: not tasks)
+        client.call("V2", "startApplication", path)
+        wait_for(client, lambda tasks: "supervisor" in tasks)
 
     def test_sessions(self) -> None:
         first, second = self.login(), self.login()

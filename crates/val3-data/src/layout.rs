@@ -159,20 +159,30 @@ impl<'t> DataLayout<'t> {
 
     /// Lines of a new field.
     pub(crate) fn field(&self, data: &SavedData) -> Vec<String> {
+        self.container("Field", "", data)
+    }
+
+    /// Lines of new data.
+    pub(crate) fn data(&self, data: &SavedData, is_public: bool) -> Vec<String> {
+        self.container("Data", if is_public { " access=\"public\"" } else { " access=\"private\"" }, data)
+    }
+
+    /// Lines of a new element with values. `access` is a text for the start tag.
+    fn container(&self, element: &str, access: &str, data: &SavedData) -> Vec<String> {
         let shape = match &data.shape {
             SavedContainer::Keys => format!("xsi:type=\"collection\" type=\"{}\"", data.type_name),
             SavedContainer::Sizes(sizes) => {
                 format!("xsi:type=\"array\" type=\"{}\" size=\"{}\"", data.type_name, spaced(sizes))
             }
         };
-        let head = format!("<Field name=\"{}\" {shape}", data.name);
+        let head = format!("<{element} name=\"{}\"{access} {shape}", data.name);
         let spelt = |value: &&SavedValue| data.shape == SavedContainer::Keys || !value.is_default(&data.type_name);
         let mut values = data.values.iter().filter(spelt).peekable();
         if values.peek().is_none() {
             return vec![format!("{head}{}", self.close)];
         }
         let open = self.open().unwrap_or(">");
-        enclosed(format!("{head}{open}"), values.flat_map(|value| self.value(data, value)), "</Field>")
+        enclosed(format!("{head}{open}"), values.flat_map(|value| self.value(data, value)), &format!("</{element}>"))
     }
 }
 

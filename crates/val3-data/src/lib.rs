@@ -4,6 +4,7 @@
 //! format of a file.
 
 mod declarations;
+mod document;
 mod edits;
 mod layout;
 mod lists;
@@ -16,6 +17,7 @@ mod values;
 mod written;
 
 pub use declarations::{after, duplicate, in_style, remove, rename_key};
+pub use document::{DeclaredData, document};
 pub use edits::compose;
 pub use read::{read, type_name};
 pub use reference::is_old_reference;

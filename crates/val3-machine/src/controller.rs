@@ -1,5 +1,6 @@
 //! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
 
+mod applications;
 mod clicks;
 mod client_moves;
 mod evaluate;
@@ -23,6 +24,7 @@ use crate::script::Script;
 
 pub use crate::run_status::RunStatus;
 
+pub use applications::ApplicationState;
 pub use handling::PartState;
 pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
 pub use operator::OperatorAction;
@@ -318,7 +320,8 @@ impl Controller {
     }
 
     /// Instance of the application in the run time.
-    pub(crate) fn application(&self) -> InstanceId {
+    #[must_use]
+    pub fn application(&self) -> InstanceId {
         self.application
     }
 

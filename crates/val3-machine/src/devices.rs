@@ -45,7 +45,7 @@ use crate::shapes::LinkShape;
 
 pub use lines::{ChannelTable, LinesState};
 pub use outside::{Libraries, MediaState};
-pub use saving::SavedValues;
+pub use saving::{DataSelection, DocumentFault, SavedValues};
 pub use stand_ins::StandIns;
 pub use state::DeviceState;
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use val3_debug::Debugger;
-use val3_machine::controller::Controller;
+use val3_machine::controller::{Controller, OperatorAction};
 use val3_session::{FrameEvaluator, ProfileRights};
 use val3_soap::{ExceptionCode, SoapFault};
 
@@ -81,6 +81,12 @@ impl Context<'_, '_> {
     /// The controller.
     pub(crate) fn controller(&mut self) -> &mut Controller {
         self.target.controller()
+    }
+
+    /// Adds actions of the operator before the next cycle. An action that needs a stopped application waits for it.
+    pub(crate) fn operate(&mut self, actions: &[OperatorAction]) {
+        let controller = self.controller();
+        actions.iter().for_each(|action| controller.operate(*action));
     }
 
     /// Checks the index of a robot. A controller has one.

@@ -1,5 +1,7 @@
 //! Answers that no source states. Each is a choice, which a real controller may contradict (docs/fidelity.md).
 
+use std::net::IpAddr;
+
 use val3_soap::ExceptionCode;
 use val3_soap::v0::ControllerParameter;
 use val3_soap::v3::MotionResult;
@@ -56,3 +58,17 @@ pub(crate) const BLOCKED_MOVE: MotionResult = MotionResult::Misuse;
 /// Speed in mm/s or degrees/s above which no limit applies, so that 99999 m/s and rad/s are no limits. The greatest valid
 /// speed of a motion descriptor.
 pub(crate) const UNLIMITED_SPEED: f64 = 1e6;
+
+/// Whether an event service is on this machine. No source states the operations of such a service, so nothing is sent,
+/// and services on other machines are rejected.
+pub(crate) fn is_local_service(url: &str) -> bool {
+    let Some(authority) = url.strip_prefix("http://").and_then(|rest| rest.split(['/', '?', '#']).next()) else {
+        return false;
+    };
+    let host = match authority.rsplit_once(':') {
+        Some((host, port)) if port.parse::<u16>().is_ok() => host,
+        _ => authority,
+    };
+    let address = host.trim_start_matches('[').trim_end_matches(']').parse::<IpAddr>();
+    host.eq_ignore_ascii_case("localhost") || address.is_ok_and(|address| address.is_loopback())
+}

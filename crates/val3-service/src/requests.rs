@@ -14,6 +14,7 @@ mod get_controller_parameters;
 mod get_cs8_compatibility;
 mod get_cs8_versions;
 mod get_joint_range;
+mod get_project;
 mod get_record;
 mod get_records;
 mod get_robot_dh_parameters;
@@ -21,7 +22,10 @@ mod get_robot_jnt_cart_pos;
 mod get_robot_joint_pos;
 mod get_robots;
 mod get_soap_server_version;
+mod get_stack_frame;
 mod get_tasks;
+mod get_watches;
+mod load_project_async;
 mod lock_all_ios;
 mod lock_ios;
 mod login;
@@ -37,16 +41,22 @@ mod restart_motion;
 mod reverse_kin;
 mod scheduler_refresh;
 mod set_breakpoints;
+mod set_current_instruction;
 mod set_power;
 mod set_robot_joint_pos;
 mod set_scheduling_mode;
+mod start_application;
+mod stop_and_unload_all;
+mod stop_application;
 mod stop_motion;
+mod subscribe_to_controller_events;
 mod task_kill;
 mod task_resume;
 mod task_step;
 mod task_suspend;
 mod unlock_all_ios;
 mod unlock_ios;
+mod unsubscribe_to_controller_events;
 mod write_ios;
 
 use val3_soap::{ExceptionCode, SoapAnswer, SoapFault, SoapRequest};
@@ -90,7 +100,23 @@ pub(crate) fn answer(request: &SoapRequest, context: &mut Context<'_, '_>) -> Re
             handle(q, context, R::Write, clear_all_breakpoints::answer, A::ClearAllBreakpoints)
         }
         Q::GetCallStack(q) => handle(q, context, R::Read, get_call_stack::answer, A::GetCallStack),
+        Q::GetStackFrame(q) => handle(q, context, R::Read, get_stack_frame::answer, A::GetStackFrame),
+        Q::GetWatches(q) => handle(q, context, R::Read, get_watches::answer, A::GetWatches),
         Q::ExecVal3(q) => handle(q, context, R::Write, exec_val3::answer, A::ExecVal3),
+        Q::SetCurrentInstruction(q) => {
+            handle(q, context, R::Write, set_current_instruction::answer, A::SetCurrentInstruction)
+        }
+        Q::GetProject(q) => handle(q, context, R::Read, get_project::answer, A::GetProject),
+        Q::SubscribeToControllerEvents(q) => {
+            handle(q, context, R::Read, subscribe_to_controller_events::answer, A::SubscribeToControllerEvents)
+        }
+        Q::UnsubscribeToControllerEvents(q) => {
+            handle(q, context, R::Read, unsubscribe_to_controller_events::answer, A::UnsubscribeToControllerEvents)
+        }
+        Q::LoadProjectAsync(q) => handle(q, context, R::Write, load_project_async::answer, A::LoadProjectAsync),
+        Q::StartApplication(q) => handle(q, context, R::Write, start_application::answer, A::StartApplication),
+        Q::StopApplication(q) => handle(q, context, R::Write, stop_application::answer, A::StopApplication),
+        Q::StopAndUnloadAll(q) => handle(q, context, R::Write, stop_and_unload_all::answer, A::StopAndUnloadAll),
         Q::ReadIos(q) => handle(q, context, R::Read, read_ios::answer, A::ReadIos),
         Q::WriteIos(q) => handle(q, context, R::WriteIo, write_ios::answer, A::WriteIos),
         Q::LockIos(q) => handle(q, context, R::WriteIo, lock_ios::answer, A::LockIos),

@@ -24,6 +24,16 @@ impl ServiceTarget<'_> {
         task.ok_or_else(|| refused(ExceptionCode::TaskNotFound, "getTasks lists the tasks with their creators"))
     }
 
+    /// Depth of a stack frame of a task; 0 is the innermost.
+    ///
+    /// # Errors
+    /// The task has no stack frame with this index.
+    pub(crate) fn frame_depth(&self, task: TaskNumber, index: i32) -> Result<usize, SoapFault> {
+        let count = val3_debug::frames(&self.debugger.controller.vm, task).len();
+        let depth = usize::try_from(index).ok().filter(|depth| *depth < count);
+        depth.ok_or_else(|| refused(ExceptionCode::StackFrameNotFound, "the task has no such stack frame"))
+    }
+
     /// Checks that a client can continue a task: only a client or a breakpoint holds it.
     ///
     /// # Errors

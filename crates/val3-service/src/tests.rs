@@ -1,9 +1,13 @@
 //! Requests to a controller with a small application.
 
+mod applications;
 mod arms;
 mod client;
 mod data;
 mod debugging;
+mod documents;
+mod events;
+mod goto;
 mod kinematics;
 mod moves;
 mod rights;

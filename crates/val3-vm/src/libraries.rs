@@ -161,6 +161,12 @@ impl Space {
         loaded.map(|(id, _)| id).filter(|id| !used.contains(id)).collect()
     }
 
+    /// Removes the application and all libraries from memory. No task may exist.
+    pub fn unload_application(&mut self) {
+        self.unload(APPLICATION);
+        self.drop_unused();
+    }
+
     fn drop_unused(&mut self) {
         self.unused(None).into_iter().for_each(|id| self.unload(id));
     }

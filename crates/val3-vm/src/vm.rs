@@ -83,9 +83,14 @@ impl Vm {
 
     /// Calls `look` with the memory while it contains the stack of a task. `None` if there is no such task.
     pub fn with_stack<T>(&mut self, id: TaskNumber, look: impl FnOnce(&mut Memory) -> T) -> Option<T> {
+        self.with_stack_in_space(id, |space| look(&mut space.memory))
+    }
+
+    /// Like [`with_stack`](Self::with_stack), but with all applications and libraries.
+    pub fn with_stack_in_space<T>(&mut self, id: TaskNumber, look: impl FnOnce(&mut Space) -> T) -> Option<T> {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at))?;
         std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
-        let seen = look(&mut self.space.memory);
+        let seen = look(&mut self.space);
         std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
         Some(seen)
     }

@@ -17,18 +17,33 @@ pub enum OperatorAction {
     PreviousPage,
     /// Stops the application.
     Stop,
+    /// Removes the application and its libraries from memory, as soon as the application has stopped.
+    Unload,
+    /// Loads the application and its libraries with their initial values, as soon as the application has stopped.
+    Load,
+    /// Starts the application with its present values, as soon as it has stopped.
+    Start,
 }
 
 impl OperatorAction {
-    /// Returns the action as in the record of a run. Scripts have no key for another page.
+    /// Returns the action as in the record of a run. Scripts have no key for another page, and none for loading,
+    /// unloading and starting.
     fn keys(self) -> Map<String, Value> {
         let (key, value): (&str, Value) = match self {
             Self::Tap(code) => ("key", code.into()),
             Self::NextPage => ("userPage", "next".into()),
             Self::PreviousPage => ("userPage", "previous".into()),
             Self::Stop => ("stop", true.into()),
+            Self::Unload => ("application", "unload".into()),
+            Self::Load => ("application", "load".into()),
+            Self::Start => ("application", "start".into()),
         };
         Map::from_iter([(key.to_owned(), value)])
+    }
+
+    /// Whether the action waits until the application has stopped.
+    const fn awaits_stop(self) -> bool {
+        matches!(self, Self::Unload | Self::Load | Self::Start)
     }
 }
 
@@ -41,15 +56,23 @@ pub(super) struct Operations {
 }
 
 impl Operations {
-    /// Returns the next action that is due.
-    fn take_due(&mut self, now: Time) -> Option<OperatorAction> {
+    /// Returns the next action that is due. `has_stopped`: whether the application has stopped.
+    fn take_due(&mut self, now: Time, has_stopped: bool) -> Option<OperatorAction> {
         let (_, operation) = self.recorded.get(self.done).filter(|(time, _)| *time <= now)?;
+        if operation.awaits_stop() && !has_stopped {
+            return None;
+        }
         self.done += 1;
         Some(*operation)
     }
 
     pub(super) fn next_due(&self) -> Option<Time> {
         self.recorded.get(self.done).map(|(time, _)| *time)
+    }
+
+    /// Returns the actions that have not taken effect yet.
+    pub(super) fn pending(&self) -> impl Iterator<Item = OperatorAction> {
+        self.recorded.iter().skip(self.done).map(|(_, operation)| *operation)
     }
 
     /// Returns to an earlier position. Later actions take effect again.
@@ -66,7 +89,7 @@ impl Controller {
     }
 
     pub(super) fn follow_operator(&mut self, now: Time) {
-        while let Some(operation) = self.operations.take_due(now) {
+        while let Some(operation) = self.operations.take_due(now, self.has_stopped()) {
             self.devices.record_outside(now, EventKind::Act { keys: operation.keys() });
             let pendant = &mut self.devices.state.pendant;
             match operation {
@@ -74,6 +97,9 @@ impl Controller {
                 OperatorAction::NextPage => pendant.show_next(),
                 OperatorAction::PreviousPage => pendant.show_previous(),
                 OperatorAction::Stop => self.stop(),
+                OperatorAction::Unload => self.vm.space.unload_application(),
+                OperatorAction::Load => self.load_application(),
+                OperatorAction::Start => self.start_application(now),
             }
         }
     }

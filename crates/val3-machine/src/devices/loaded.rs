@@ -35,7 +35,12 @@ impl LoadedProjects {
 
     /// Stores the files of the instance.
     pub(super) fn keep_files(&mut self, instance: u16, files: LibraryFiles) {
-        self.sources.insert(instance, Arc::new(files));
+        self.keep_shared_files(instance, Arc::new(files));
+    }
+
+    /// Like [`keep_files`](Self::keep_files), for files of an earlier instance.
+    pub(super) fn keep_shared_files(&mut self, instance: u16, files: Arc<LibraryFiles>) {
+        self.sources.insert(instance, files);
     }
 
     /// Returns the loaded files of the instance.

@@ -1,10 +1,12 @@
-//! Projects on the medium with the applications, and their data files, as clients outside read them.
+//! Projects on the medium with the applications, their files and values, as clients outside read them.
 
-use val3_vm::{InstanceId, Space};
+use std::sync::Arc;
+
+use val3_lang::ports::TaskNumber;
+use val3_vm::{InstanceId, Space, Vm};
 
 use super::Devices;
-use super::outside::controller_path;
-use super::saving::Saving;
+use super::saving::{self, DataSelection, DocumentFault, Saving};
 use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, list};
 
 /// Medium with the applications.
@@ -33,9 +35,53 @@ impl Devices {
     /// # Errors
     /// The project is encrypted or has no data file, or the data exceed the limit of `libSave`.
     pub fn current_data_file(&self, space: &Space, instance: InstanceId) -> Result<Vec<u8>, FileFault> {
+        data_file(self.current_files(space, instance)?)
+    }
+
+    /// Files of an application or library in memory as they were loaded, with the current values.
+    ///
+    /// # Errors
+    /// The data exceed the limit of `libSave`.
+    pub fn current_files(&self, space: &Space, instance: InstanceId) -> Result<LibraryFiles, FileFault> {
+        self.saving(space, instance).current(&self.state.loaded)
+    }
+
+    /// Parameters and locals of a task's stack frame as a data file. `depth` 0 is the innermost frame.
+    ///
+    /// # Errors
+    /// There is no such frame, or its values are too large.
+    pub fn frame_document(&self, vm: &mut Vm, task: TaskNumber, depth: usize) -> Result<String, DocumentFault> {
+        let found = vm.tasks().iter().find(|known| known.id == task);
+        let frame = found.and_then(|task| task.thread.frames.iter().rev().nth(depth)).copied();
+        let frame = frame.ok_or(DocumentFault::NoFrame)?;
+        let written =
+            vm.with_stack_in_space(task, |space| saving::frame_document(&self.saving(space, frame.instance), &frame));
+        written.ok_or(DocumentFault::NoFrame)?
+    }
+
+    /// Selected data as a data file. For one value of an array, the file has the sizes of the array.
+    ///
+    /// # Errors
+    /// An application has no such data or value, or the values are too large.
+    pub fn data_document(&self, space: &Space, selections: &[DataSelection]) -> Result<String, DocumentFault> {
+        saving::data_document(selections, |instance| self.saving(space, instance))
+    }
+
+    fn saving<'s>(&'s self, space: &'s Space, instance: InstanceId) -> Saving<'s> {
         let (io, lines, limit) = (&self.state.io, &self.lines, self.limits.saved);
-        let saving = Saving { space, from: instance, saved: instance, io, lines, limit };
-        data_file(saving.current(&self.state.loaded)?)
+        Saving { space, from: instance, saved: instance, io, lines, limit }
+    }
+
+    /// Returns the loaded files of the instance; `None` if the files could not be read.
+    pub(crate) fn loaded_files(&self, instance: InstanceId) -> Option<Arc<LibraryFiles>> {
+        self.state.loaded.files(instance.0)
+    }
+
+    /// Stores the files of an instance that is loaded once more.
+    pub(crate) fn keep_loaded_files(&mut self, instance: InstanceId, files: Option<Arc<LibraryFiles>>) {
+        if let Some(files) = files {
+            self.state.loaded.keep_shared_files(instance.0, files);
+        }
     }
 
     /// Data file of a project on a medium.
@@ -43,8 +89,15 @@ impl Devices {
     /// # Errors
     /// The project does not exist or cannot be read, is encrypted or has no data file.
     pub fn stored_data_file(&mut self, path: &str) -> Result<Vec<u8>, FileFault> {
-        let project = LibraryPath::new(&controller_path("", path)?)?;
-        data_file(self.outside.ask(|media| project.read(&media.roots, ""))?)
+        data_file(self.stored_files(path)?)
+    }
+
+    /// Files of a project on a medium.
+    ///
+    /// # Errors
+    /// The project does not exist or cannot be read.
+    pub fn stored_files(&mut self, path: &str) -> Result<LibraryFiles, FileFault> {
+        self.outside.files(path)
     }
 }
 

@@ -1,8 +1,9 @@
-//! `libSave` (6.7).
+//! `libSave` (6.7), and values in the form of data files.
 //!
 //! The loaded files of applications and libraries stay in memory, so that saving is possible after the files were
 //! deleted or changed. Bytes of unchanged values do not change.
 
+mod documents;
 mod links;
 mod operator_edits;
 mod values;
@@ -16,6 +17,8 @@ use super::media_cost::MediaCost;
 use super::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
+pub use documents::{DataSelection, DocumentFault};
+pub(super) use documents::{data_document, frame_document};
 use links::LoadedLinks;
 pub use operator_edits::SavedValues;
 pub(super) use operator_edits::{SaveRequest, save, save_copies};

@@ -3,6 +3,7 @@
 
 mod archive;
 mod store;
+mod zipped;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;

@@ -2,11 +2,11 @@
 
 use val3_debug::DisplayFormat;
 use val3_session::{Evaluation, EvaluationError, Purpose};
+use val3_soap::SoapFault;
 use val3_soap::v2::{ExecVal3, ExecVal3Answer, ExecutionResult};
-use val3_soap::{ExceptionCode, SoapFault};
 use val3_vm::FragmentContext;
 
-use crate::context::{Context, refused};
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(request: &ExecVal3, context: &mut Context<'_, '_>) -> Result<ExecVal3Answer, SoapFault> {
@@ -15,13 +15,7 @@ pub(super) fn answer(request: &ExecVal3, context: &mut Context<'_, '_>) -> Resul
         "" => FragmentContext::Instance(target.instance(request.project.as_deref().unwrap_or_default())?),
         task => {
             let task = target.task(Some(task), request.created_by.as_deref())?;
-            let depth = usize::try_from(request.frame).ok();
-            let count = val3_debug::frames(&target.debugger.controller.vm, task).len();
-            let depth = depth.filter(|depth| *depth < count);
-            FragmentContext::Frame(
-                task,
-                depth.ok_or_else(|| refused(ExceptionCode::StackFrameNotFound, "the task has no such stack frame"))?,
-            )
+            FragmentContext::Frame(task, target.frame_depth(task, request.frame)?)
         }
     };
     let code = request.command.as_deref().unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use val3_machine::io::{Direction, SignalKind};
 use val3_soap::v2::{GetAllPhysicalIos, GetAllPhysicalIosAnswer, MimeData};
-use val3_soap::{Binary, SoapElement, SoapFault};
+use val3_soap::{SoapElement, SoapFault};
 
 use crate::context::Context;
 use crate::inferred::signal_type;
@@ -24,6 +24,5 @@ pub(super) fn answer(
         ];
         list.children.push(SoapElement::named("physicalIo").with_attributes(&attributes));
     }
-    let data = Binary(list.write().into_bytes());
-    Ok(GetAllPhysicalIosAnswer { data: MimeData { content_type: Some("text/xml".to_owned()), data } })
+    Ok(GetAllPhysicalIosAnswer { data: MimeData::xml(list.write()) })
 }

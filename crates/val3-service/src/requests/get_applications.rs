@@ -1,16 +1,15 @@
 //! `getApplications`: the projects on `Disk`, and all projects in memory.
 
+use val3_soap::SoapFault;
 use val3_soap::v1::{GetApplications, GetApplicationsAnswer, ListedApplication};
-use val3_soap::{ExceptionCode, SoapFault};
 
 use crate::applications;
-use crate::context::{Context, refused};
+use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &GetApplications, context: &mut Context<'_, '_>) -> Result<GetApplicationsAnswer, SoapFault> {
     let controller = context.controller();
-    let unreadable = |_| refused(ExceptionCode::FileNotFound, "the medium Disk cannot be read");
-    let mut names = applications::stored(controller).map_err(unreadable)?;
+    let mut names = applications::stored(controller).map_err(applications::unreadable_medium)?;
     let loaded: Vec<String> = applications::loaded(controller).map(|(_, name)| name).collect();
     let is_in = |names: &[String], name: &str| names.iter().any(|known| known.eq_ignore_ascii_case(name));
     let others: Vec<String> = loaded.iter().filter(|name| !is_in(&names, name)).cloned().collect();

@@ -11,13 +11,13 @@ use val3_soap::{ExceptionCode, SoapAnswer, SoapRequest};
 
 use super::client::Client;
 
-const PROJECT: &str = "Disk://palletiser/palletiser.pjx";
+pub(super) const PROJECT: &str = "Disk://palletiser/palletiser.pjx";
 
-fn some(text: &str) -> Option<String> {
+pub(super) fn some(text: &str) -> Option<String> {
     Some(text.to_owned())
 }
 
-fn tasks(client: &mut Client) -> Vec<TaskStatus> {
+pub(super) fn tasks(client: &mut Client) -> Vec<TaskStatus> {
     match client.ask(SoapRequest::GetTasks(GetTasks)) {
         SoapAnswer::GetTasks(answer) => answer.tasks,
         other => panic!("{other:?}"),
@@ -25,17 +25,17 @@ fn tasks(client: &mut Client) -> Vec<TaskStatus> {
 }
 
 /// State of a task and its line: number and code.
-fn task(client: &mut Client, name: &str) -> (TaskState, i32, String) {
+pub(super) fn task(client: &mut Client, name: &str) -> (TaskState, i32, String) {
     let tasks = tasks(client);
     let task = tasks.iter().find(|task| task.name.as_deref() == Some(name)).unwrap();
     (task.state, task.line.number, task.line.content.clone().unwrap().trim().to_owned())
 }
 
-fn line(program: &str, number: i32, content: &str) -> ProgramLine {
+pub(super) fn line(program: &str, number: i32, content: &str) -> ProgramLine {
     ProgramLine { project: some(PROJECT), program: some(program), number, content: some(content) }
 }
 
-fn set(client: &mut Client, lines: &[ProgramLine]) -> Vec<ExceptionCode> {
+pub(super) fn set(client: &mut Client, lines: &[ProgramLine]) -> Vec<ExceptionCode> {
     let breakpoints = lines.iter().map(|line| LineReference { line: line.clone() }).collect();
     match client.ask(SoapRequest::SetBreakpoints(SetBreakpoints { breakpoints })) {
         SoapAnswer::SetBreakpoints(answer) => {
@@ -47,11 +47,11 @@ fn set(client: &mut Client, lines: &[ProgramLine]) -> Vec<ExceptionCode> {
     }
 }
 
-fn suspend(name: &str) -> SoapRequest {
+pub(super) fn suspend(name: &str) -> SoapRequest {
     SoapRequest::TaskSuspend(TaskSuspend { task: some(name), created_by: some(PROJECT) })
 }
 
-fn resume(name: &str) -> SoapRequest {
+pub(super) fn resume(name: &str) -> SoapRequest {
     SoapRequest::TaskResume(TaskResume { task: some(name), created_by: some(PROJECT) })
 }
 
@@ -60,7 +60,7 @@ fn step(client: &mut Client, name: &str, step: TaskStepKind) {
     client.run(1);
 }
 
-fn execute(client: &mut Client, task: &str, code: &str) -> (ExecutionResult, String) {
+pub(super) fn execute(client: &mut Client, task: &str, code: &str) -> (ExecutionResult, String) {
     let request =
         ExecVal3 { project: some(PROJECT), task: some(task), created_by: some(PROJECT), frame: 0, command: some(code) };
     match client.ask(SoapRequest::ExecVal3(request)) {

@@ -23,6 +23,14 @@ pub struct MimeData {
     pub data: Binary,
 }
 
+impl MimeData {
+    /// XML text.
+    #[must_use]
+    pub fn xml(text: String) -> Self {
+        Self { content_type: Some("text/xml".to_owned()), data: Binary(text.into_bytes()) }
+    }
+}
+
 impl SoapValue for MimeData {
     fn read(element: &SoapElement) -> Result<Self, SoapError> {
         let data = Binary::read_field(element, DATA)?;

@@ -23,7 +23,7 @@ pub(super) struct Saver<'s> {
 
 /// Value within global data, as loaded.
 #[derive(Clone)]
-struct LoadedValue<'l> {
+pub(super) struct LoadedValue<'l> {
     /// The data and the path from it through fields; `None` for a value that was not loaded.
     way: Option<(u32, Vec<(u32, u32)>)>,
     /// The container.
@@ -60,22 +60,20 @@ impl Saver<'_> {
         found
     }
 
-    fn data(&self, data: &DataDef, store: StoreId, number: u32) -> Result<SavedData> {
+    /// Returns global data.
+    pub(super) fn data(&self, data: &DataDef, store: StoreId, number: u32) -> Result<SavedData> {
         let loaded = LoadedValue { way: Some((number, Vec::new())), init: Some(&data.init) };
         self.container(&data.name, store, &loaded).map(|(saved, _)| saved)
     }
 
     /// Returns a container, and whether it is unchanged since it was loaded.
-    fn container(&self, name: &str, id: StoreId, loaded: &LoadedValue<'_>) -> Result<(SavedData, bool)> {
+    pub(super) fn container(&self, name: &str, id: StoreId, loaded: &LoadedValue<'_>) -> Result<(SavedData, bool)> {
         let store = self.memory.store(id)?;
         let mut unchanged = loaded.init.is_some_and(|init| is_like(&init.shape, &store.shape));
         let mut values = Vec::new();
         for (number, key) in keys(&store.shape) {
             let place = store.place(id, number);
-            let (content, same) = match store.kind.base {
-                KindBase::Builtin(base, arm) => self.value(place, base, arm, &store.kind, loaded, &key)?,
-                KindBase::User(_) => self.user_value(place, &store.kind, loaded, &key)?,
-            };
+            let (content, same) = self.content(place, &store.kind, loaded, &key)?;
             unchanged &= same;
             let is_needed =
                 content != SavedContent::Attributes(Vec::new()) || matches!(store.shape, ContainerShape::Collection(_));
@@ -88,6 +86,20 @@ impl Saver<'_> {
             SavedData { name: name.into(), type_name: type_name(&store.kind).into(), shape, values, is_part: false },
             unchanged,
         ))
+    }
+
+    /// Returns a value, and whether it is unchanged since it was loaded.
+    pub(super) fn content(
+        &self,
+        place: Place,
+        kind: &ValueType,
+        loaded: &LoadedValue<'_>,
+        key: &str,
+    ) -> Result<(SavedContent, bool)> {
+        match kind.base {
+            KindBase::Builtin(base, arm) => self.value(place, base, arm, kind, loaded, key),
+            KindBase::User(_) => self.user_value(place, kind, loaded, key),
+        }
     }
 
     fn value(
@@ -202,7 +214,17 @@ impl Saver<'_> {
     }
 }
 
+impl LoadedValue<'_> {
+    /// A value that was not loaded.
+    pub(super) const NONE: Self = Self { way: None, init: None };
+}
+
 impl<'l> LoadedValue<'l> {
+    /// Global data with this number.
+    pub(super) fn of_data(data: &'l DataDef, number: u32) -> Self {
+        Self { way: Some((number, Vec::new())), init: Some(&data.init) }
+    }
+
     /// Returns the number and value that were loaded under a key; a missing value is replaced by the default of `kind`.
     fn value<'k>(&self, kind: &'k ValueType, key: &str) -> (Option<u32>, &'k DetachedValue)
     where
@@ -221,7 +243,7 @@ impl<'l> LoadedValue<'l> {
 }
 
 /// Returns a container's value numbers, each with the key as written in files: `7`, `2,1`, `home`.
-fn keys(shape: &ContainerShape) -> Vec<(u32, String)> {
+pub(super) fn keys(shape: &ContainerShape) -> Vec<(u32, String)> {
     match shape {
         ContainerShape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
         ContainerShape::Array { dims, sizes } => {
@@ -230,7 +252,7 @@ fn keys(shape: &ContainerShape) -> Vec<(u32, String)> {
     }
 }
 
-fn saved_shape(shape: &ContainerShape) -> val3_data::SavedContainer {
+pub(super) fn saved_shape(shape: &ContainerShape) -> val3_data::SavedContainer {
     match shape {
         ContainerShape::Collection(_) => val3_data::SavedContainer::Keys,
         ContainerShape::Array { dims, sizes } => {
@@ -247,7 +269,7 @@ fn is_like(one: &ContainerShape, other: &ContainerShape) -> bool {
     }
 }
 
-fn type_name(kind: &ValueType) -> String {
+pub(super) fn type_name(kind: &ValueType) -> String {
     match &kind.base {
         KindBase::Builtin(base, Some(arm)) => base.file_name(*arm),
         KindBase::Builtin(base, None) => base.name().to_owned(),
