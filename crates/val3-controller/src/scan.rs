@@ -123,6 +123,18 @@ pub fn read_files(
     Ok(contents)
 }
 
+/// Returns the content of one file.
+///
+/// # Errors
+/// If the file does not exist or cannot be read.
+pub fn read_file(files: &mut dyn ControllerFiles, path: &ControllerPath) -> Result<Vec<u8>, ControllerError> {
+    if Presence::default().has(files, path)? {
+        Ok(files.read(path, TOTAL_LIMIT)?)
+    } else {
+        Err(ControllerError::Missing(path.clone()))
+    }
+}
+
 /// Existing entries, listed once for each folder.
 #[derive(Default)]
 pub(crate) struct Presence {

@@ -46,7 +46,7 @@ pub(crate) use report_file::ReportOutput;
 pub(crate) use run::{RunArgs, RunTime, START, SummaryFormat};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
-pub(crate) use transfer::{PullArgs, PushArgs, StatusArgs};
+pub(crate) use transfer::{PullArgs, PushArgs, StatusArgs, TransferFormat};
 
 const EXIT_CODES: &str = "\
 Exit codes:

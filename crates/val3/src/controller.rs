@@ -22,7 +22,7 @@ use crate::user_error::UserError;
 
 pub(crate) use checked::{CheckOutcome, check_new_tree};
 pub(crate) use observer::ProgressObserver;
-pub(crate) use report::{counted_files, planned_lines, shown_bytes, status_lines};
+pub(crate) use report::{change_word, counted_files, planned_lines, shown_bytes, status_lines};
 
 /// A project with a connection to its controller.
 pub(crate) struct ControllerSession {
