@@ -22,7 +22,7 @@ const COUNT_LIMIT: usize = 100_000;
 ///
 /// # Errors
 /// If a folder cannot be listed, a name is not allowed, two names differ only in letter case, or a limit is exceeded.
-pub(crate) fn files_below(
+pub fn files_below(
     files: &mut dyn ControllerFiles,
     folders: &[ControllerPath],
     observer: &mut dyn TransferObserver,
