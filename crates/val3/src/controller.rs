@@ -10,7 +10,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_controller::{
-    ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject, FolderFiles, FtpFiles,
+    AddressFault, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject, FolderFiles, FtpFiles,
     FtpTimeouts, RecoveredPush, RecoveryOutcome, check_identity, recover,
 };
 
@@ -68,10 +68,16 @@ pub(crate) fn parse_address(text: &str) -> Result<ControllerAddress, UserError> 
     let address = ControllerAddress::parse(text).map_err(|fault| {
         let message = match fault {
             // The text may contain the password.
-            val3_controller::AddressFault::Password => format!("this is no address of a controller: {fault}"),
+            AddressFault::Password => format!("this is no address of a controller: {fault}"),
             _ => format!("`{text}` is no address of a controller: {fault}"),
         };
-        UserError::new(message).with_help("write `ftp://PROFILE@HOST`, or the folder of an emulator")
+        UserError::new(message).with_help(match fault {
+            AddressFault::Tls => {
+                "write `ftp://PROFILE@HOST` in the network of the cell, or copy `usr` with an FTPS client and name the folder \
+                 that contains it"
+            }
+            _ => "write `ftp://PROFILE@HOST`, or the folder of an emulator",
+        })
     })?;
     Ok(match address {
         ControllerAddress::Folder(folder) => {

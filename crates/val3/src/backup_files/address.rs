@@ -1,7 +1,7 @@
 //! Files of a controller at an address. Nothing is written, neither here nor on the controller.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use camino::Utf8Path;
 use val3_backup::{BackupFile, BackupFiles};
@@ -30,11 +30,12 @@ pub(crate) fn open_address(address: &Utf8Path, folders: &RemoteFolders) -> Resul
     let contents = read_files(&mut *controller, &paths(folders.downloaded)?, &mut observer)?;
     let listed = files_below(&mut *controller, &paths(folders.listed)?, &mut observer)?;
     observer.end();
-    let sizes = contents.iter().map(|(path, bytes)| (path.as_str().to_owned(), bytes.len().try_into().unwrap_or(u64::MAX)));
-    let sizes: BTreeMap<String, u64> = listed.iter().map(|path| (path.as_str().to_owned(), 0)).chain(sizes).collect();
-    // The clock of a controller is not reliable.
-    let files = sizes.into_iter().map(|(path, size)| BackupFile { path, size, modified: None }).collect();
-    let contents = contents.into_iter().map(|(path, bytes)| (path.as_str().to_owned(), bytes)).collect();
+    let contents: BTreeMap<String, Vec<u8>> =
+        contents.into_iter().map(|(path, bytes)| (path.into(), bytes)).collect();
+    let names: BTreeSet<String> = listed.into_iter().map(String::from).chain(contents.keys().cloned()).collect();
+    let size = |path: &str| contents.get(path).map_or(0, |bytes| bytes.len().try_into().unwrap_or(u64::MAX));
+    // The clock of a controller is not reliable, so that files have no dates.
+    let files = names.into_iter().map(|path| BackupFile { size: size(&path), path, modified: None }).collect();
     let files = RemoteFiles { files, contents: RefCell::new(contents), controller: RefCell::new(controller) };
     Ok(OpenedBackup { files: Box::new(files), root: address.to_string().into(), unread: Vec::new() })
 }

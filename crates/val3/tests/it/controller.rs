@@ -265,6 +265,7 @@ fn wrong_usage_has_a_remedy() {
     assert!(error(&["push", "usr/configs/sio.cfx"]).contains("was never pulled"));
     assert!(error(&["push", "dmeo"]).contains("has no files"));
     assert!(error(&["pull", "http://robot"]).contains("only `ftp://`"));
+    assert!(error(&["pull", "ftps://robot"]).contains("copy `usr` with an FTPS client"));
     folder.write("robot/usr/configs/controller.cfx", &IDENTITY.replace("F10-1", "F10-2"));
     assert!(error(&["status"]).contains("--new-controller"));
     let outside = folder.val3(&["status"]);
