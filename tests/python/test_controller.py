@@ -185,26 +185,31 @@ class ControllerTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("530", self.run_val3("pull", server.address("nobody"), code=2))
 
-    def test_logs_and_the_description_are_read_by_address(self) -> None:
-        log = self.root / "log"
-        log.mkdir()
-        (log / "errors.log").write_text(
+    def description(self, old: bool) -> None:
+        """Logs and the description by address."""
+        (self.root / "log").mkdir()
+        (self.root / "log/errors.log").write_text(
             "[01/05/21 08:00:30]: <0x5402> palletiser application started\n"
             "[01/05/21 08:02:40]: <0x5405> (File start.pgx-line 5) 'host' : undefined program\n"
         )
         before = contents(self.root)
-        for old in (False, True):
-            address = self.start(old).address()
-            output = self.run_val3("log", address)
-            self.assertIn(f"{address}/usr/usrapp/palletiser/start.pgx:8: taskCreate", output)
-            document = json.loads(self.run_val3("log", address, "--format", "json").splitlines()[0])
-            self.assertEqual(document["messages"][0]["file"], f"{address}/log/errors.log")
-            output = self.run_val3("info", address)
-            self.assertIn("F10-0001", output)
-            self.assertIn(f"Logs (val3 log)\n  {address}/log", output)
-            self.assertIn("Missing for val3 run\n  nothing", output)
-            self.assertIn("--since", self.run_val3("log", "--follow", address, code=2))
+        address = self.start(old).address()
+        output = self.run_val3("log", address)
+        self.assertIn(f"{address}/usr/usrapp/palletiser/start.pgx:8: taskCreate", output)
+        document = json.loads(self.run_val3("log", address, "--format", "json").splitlines()[0])
+        self.assertEqual(document["messages"][0]["file"], f"{address}/log/errors.log")
+        self.assertNotIn("start.pgx:8", self.run_val3("log", address, "--sources", "."))
+        output = self.run_val3("info", address)
+        self.assertIn("F10-0001", output)
+        self.assertIn(f"Logs (val3 log)\n  {address}/log", output)
+        self.assertIn("Missing for val3 run\n  nothing", output)
         self.assertEqual((contents(self.root), contents(self.cell)), (before, {}))
+
+    def test_a_new_controller_is_described(self) -> None:
+        self.description(old=False)
+
+    def test_an_old_controller_is_described(self) -> None:
+        self.description(old=True)
 
     def test_one_file_is_printed(self) -> None:
         server = self.start()

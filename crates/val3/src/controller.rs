@@ -10,8 +10,8 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_controller::{
-    AddressFault, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject, FolderFiles, FtpFiles,
-    FtpTimeouts, RecoveredPush, RecoveryOutcome, check_identity, recover,
+    AddressFault, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject,
+    FolderFiles, FtpFiles, FtpTimeouts, RecoveredPush, RecoveryOutcome, check_identity, recover,
 };
 
 use crate::output::to_stderr;

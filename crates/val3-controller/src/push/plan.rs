@@ -106,8 +106,7 @@ impl PushPlan {
     /// Applications whose files change, by their folders below `usr/usrapp`.
     #[must_use]
     pub fn applications(&self) -> Vec<String> {
-        let names: BTreeSet<&str> =
-            self.changes.iter().filter_map(|change| change.path.application()).collect();
+        let names: BTreeSet<&str> = self.changes.iter().filter_map(|change| change.path.application()).collect();
         names.into_iter().map(str::to_owned).collect()
     }
 

@@ -30,8 +30,7 @@ pub(crate) fn open_address(address: &Utf8Path, folders: &RemoteFolders) -> Resul
     let contents = read_files(&mut *controller, &paths(folders.downloaded)?, &mut observer)?;
     let listed = files_below(&mut *controller, &paths(folders.listed)?, &mut observer)?;
     observer.end();
-    let contents: BTreeMap<String, Vec<u8>> =
-        contents.into_iter().map(|(path, bytes)| (path.into(), bytes)).collect();
+    let contents: BTreeMap<String, Vec<u8>> = contents.into_iter().map(|(path, bytes)| (path.into(), bytes)).collect();
     let names: BTreeSet<String> = listed.into_iter().map(String::from).chain(contents.keys().cloned()).collect();
     let size = |path: &str| contents.get(path).map_or(0, |bytes| bytes.len().try_into().unwrap_or(u64::MAX));
     // The clock of a controller is not reliable, so that files have no dates.
