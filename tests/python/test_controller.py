@@ -1,5 +1,6 @@
 """Tests of `val3 pull`, `status`, `push` and `diff` with pyftpdlib, in its usual form and like an old controller."""
 
+import json
 import logging
 import os
 import random
@@ -183,6 +184,47 @@ class ControllerTest(unittest.TestCase):
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("530", self.run_val3("pull", server.address("nobody"), code=2))
+
+    def description(self, old: bool) -> None:
+        """Logs and the description by address."""
+        (self.root / "log").mkdir()
+        (self.root / "log/errors.log").write_text(
+            "[01/05/21 08:00:30]: <0x5402> palletiser application started\n"
+            "[01/05/21 08:02:40]: <0x5405> (File start.pgx-line 5) 'host' : undefined program\n"
+        )
+        before = contents(self.root)
+        address = self.start(old).address()
+        output = self.run_val3("log", address)
+        self.assertIn(f"{address}/usr/usrapp/palletiser/start.pgx:8: taskCreate", output)
+        document = json.loads(self.run_val3("log", address, "--format", "json").splitlines()[0])
+        self.assertEqual(document["messages"][0]["file"], f"{address}/log/errors.log")
+        self.assertNotIn("start.pgx:8", self.run_val3("log", address, "--sources", "."))
+        output = self.run_val3("info", address)
+        self.assertIn("F10-0001", output)
+        self.assertIn(f"Logs (val3 log)\n  {address}/log", output)
+        self.assertIn("Missing for val3 run\n  nothing", output)
+        self.assertEqual((contents(self.root), contents(self.cell)), (before, {}))
+
+    def test_a_new_controller_is_described(self) -> None:
+        self.description(old=False)
+
+    def test_an_old_controller_is_described(self) -> None:
+        self.description(old=True)
+
+    def test_one_file_is_printed(self) -> None:
+        server = self.start()
+        path = "usr/usrapp/palletiser/start.pgx"
+        done = subprocess.run(
+            [val3.find_binary(), "pull", "--print", path, server.address()],
+            cwd=self.cell,
+            env=environment(),
+            capture_output=True,
+            stdin=subprocess.DEVNULL,
+            check=True,
+        )
+        self.assertEqual((done.stdout, done.stderr), ((self.root / path).read_bytes(), b""))
+        self.assertEqual(contents(self.cell), {})
+        self.assertIn("has no file", self.run_val3("pull", "--print", f"{path}x", server.address(), code=2))
 
     def test_a_killed_push_leaves_the_old_or_the_new_application(self) -> None:
         server = self.start()

@@ -7,7 +7,7 @@ use crate::DateTime;
 pub struct BackupFile {
     /// Path in the backup, with `/`.
     pub path: String,
-    /// Size in bytes.
+    /// Size in bytes; 0 for a file on a controller that was listed and not downloaded.
     pub size: u64,
     /// Time of the last change, if the backup has kept it. The time zone is the one of the backup's origin.
     pub modified: Option<DateTime>,

@@ -31,7 +31,7 @@ pub enum FileDifference {
         controller: SideChange,
     },
     /// Both have changed in the same way.
-    Alike,
+    Alike(SideChange),
 }
 
 /// Files with a difference, by path.
@@ -47,7 +47,7 @@ pub fn compare(base: &FileDigests, local: &FileDigests, controller: &FileDigests
             (None, None) => None,
             (Some(local), None) => Some(FileDifference::Local(local)),
             (None, Some(controller)) => Some(FileDifference::Controller(controller)),
-            (Some(_), Some(_)) if local == controller => Some(FileDifference::Alike),
+            (Some(change), Some(_)) if local == controller => Some(FileDifference::Alike(change)),
             (Some(local), Some(controller)) => Some(FileDifference::Conflict { local, controller }),
         }
     };

@@ -20,6 +20,8 @@ pub enum ControllerError {
         /// The reason.
         reason: String,
     },
+    /// The controller has no such file.
+    Missing(ControllerPath),
     /// A path is not allowed.
     Name(NameFault),
     /// A file has an unexpected form.
@@ -95,6 +97,7 @@ impl ControllerError {
                 Special(_) | Name(_) => "rename or remove it on the controller, or name applications with --app",
                 _ => "",
             },
+            Self::Missing(_) => "name a file as `val3 status` does: usr/usrapp/demo/start.pgx",
             Self::SameName(..) => "rename one of them: many disks cannot store both",
             Self::TooMuch(_) | Self::TooMany(_) | Self::TooDeep(_) => "name the applications with --app",
             Self::Conflicts(_) => "merge the changes of both sides with `val3 pull --merge`",
@@ -115,6 +118,7 @@ impl Display for ControllerError {
         match self {
             Self::Access(error) => write!(f, "{error}"),
             Self::Local { path, reason } => write!(f, "`{path}`: {reason}"),
+            Self::Missing(path) => write!(f, "the controller has no file `{path}`"),
             Self::Name(fault) => write!(f, "{fault}"),
             Self::Malformed { file, reason } => write!(f, "cannot read `{file}`: {reason}"),
             Self::SameName(one, other) => write!(f, "`{one}` and `{}` differ only in letter case", other.name()),

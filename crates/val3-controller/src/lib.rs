@@ -43,5 +43,5 @@ pub use push::{
 };
 pub use rules::is_protected;
 pub use running::running_applications;
-pub use scan::{TOTAL_LIMIT, read_files};
+pub use scan::{TOTAL_LIMIT, files_below, read_file, read_files};
 pub use status::{ProjectStatus, check_identity};

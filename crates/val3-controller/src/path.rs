@@ -70,6 +70,14 @@ impl ControllerPath {
         rest.is_some_and(|rest| folder.0.is_empty() || rest.is_empty() || rest.starts_with('/'))
     }
 
+    /// Application of a file or folder: the name of its uppermost folder below the applications. `None` outside of them,
+    /// and for a file directly in their folder.
+    #[must_use]
+    pub fn application(&self) -> Option<&str> {
+        let inner = self.0.strip_prefix(Self::applications().as_str())?.strip_prefix('/')?;
+        inner.split_once('/').map(|(name, _)| name)
+    }
+
     /// Whether the file is a project file.
     #[must_use]
     pub fn is_project(&self) -> bool {
@@ -196,5 +204,9 @@ mod tests {
         assert_eq!((path.name(), path.depth(), path.is_project()), ("demo.PJX", 4, true));
         assert_eq!(path.parent().unwrap().as_str(), "usr/usrapp/demo");
         assert_eq!(path.temporary().name(), "demo.PJX.val3tmp");
+        assert_eq!(path.application(), Some("demo"));
+        for outside in ["usr/usrapp/read.me", "usr/usrapp", "usr/usrapp2/demo/demo.pjx", "usr/configs/arm.cfx"] {
+            assert_eq!(ControllerPath::parse(outside).unwrap().application(), None, "{outside}");
+        }
     }
 }

@@ -125,7 +125,7 @@ fn apply(project: &ControllerProject, status: &ProjectStatus) -> Result<(), Cont
                 let bytes = project::read(&project.stored(INCOMING, path))?;
                 project::write(&project.local(path), &bytes)?;
             }
-            FileDifference::Local(_) | FileDifference::Conflict { .. } | FileDifference::Alike => {}
+            FileDifference::Local(_) | FileDifference::Conflict { .. } | FileDifference::Alike(_) => {}
         }
     }
     Ok(())

@@ -22,7 +22,7 @@ const COUNT_LIMIT: usize = 100_000;
 ///
 /// # Errors
 /// If a folder cannot be listed, a name is not allowed, two names differ only in letter case, or a limit is exceeded.
-pub(crate) fn files_below(
+pub fn files_below(
     files: &mut dyn ControllerFiles,
     folders: &[ControllerPath],
     observer: &mut dyn TransferObserver,
@@ -121,6 +121,18 @@ pub fn read_files(
         Ok(())
     })?;
     Ok(contents)
+}
+
+/// Returns the content of one file.
+///
+/// # Errors
+/// If the file does not exist or cannot be read.
+pub fn read_file(files: &mut dyn ControllerFiles, path: &ControllerPath) -> Result<Vec<u8>, ControllerError> {
+    if Presence::default().has(files, path)? {
+        Ok(files.read(path, TOTAL_LIMIT)?)
+    } else {
+        Err(ControllerError::Missing(path.clone()))
+    }
 }
 
 /// Existing entries, listed once for each folder.

@@ -46,7 +46,7 @@ pub(crate) use report_file::ReportOutput;
 pub(crate) use run::{RunArgs, RunTime, START, SummaryFormat};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
-pub(crate) use transfer::{PullArgs, PushArgs, StatusArgs};
+pub(crate) use transfer::{PullArgs, PushArgs, StatusArgs, TransferFormat};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -178,10 +178,10 @@ pub(crate) enum CliCommand {
     /// Print the page of a finding, an instruction, a type or another word, or search all pages
     Explain(ExplainArgs),
     /// Describe a backup of a controller: serial numbers, arm, version, options, applications, signals, users
-    #[command(after_help = info::EXIT_CODES)]
+    #[command(after_help = info::EXIT_CODES, after_long_help = format!("{}\n\n{}", transfer::PASSWORD, info::EXIT_CODES))]
     Info(InfoArgs),
     /// Show the messages of a controller's logs: what they mean, what to do, and the line of the program
-    #[command(after_help = log::EXIT_CODES)]
+    #[command(after_help = log::EXIT_CODES, after_long_help = format!("{}\n\n{}", transfer::PASSWORD, log::EXIT_CODES))]
     Log(LogArgs),
     /// Print a short primer of VAL 3 and of these commands, for people and for the instructions of an agent
     Guide,

@@ -1,4 +1,6 @@
-//! Backups on the disk: folders and ZIP archives.
+//! Backups on the disk, which are folders and ZIP archives, and controllers at an address.
+
+mod address;
 
 use std::collections::BTreeSet;
 
@@ -8,7 +10,10 @@ use val3_analysis::system::{Disk, PathKind, System as _};
 use val3_backup::{BackupFile, BackupFiles, DateTime, MemoryFiles};
 use val3_files::{FileClass, archive_dates, is_archive_name, unpack};
 
+use crate::paths::is_address;
 use crate::user_error::UserError;
+
+pub(crate) use address::{RemoteFolders, open_address};
 
 /// Maximum depth of searched folders.
 const DEPTH: usize = 32;
@@ -16,14 +21,21 @@ const DEPTH: usize = 32;
 /// Maximum number of files.
 const MOST_FILES: usize = 100_000;
 
-/// A backup on the disk.
+/// An opened backup or controller.
 pub(crate) struct OpenedBackup {
     /// Files of the backup.
     pub(crate) files: Box<dyn BackupFiles>,
-    /// Absolute path of the folder or archive.
+    /// Absolute path of the folder or archive, or the address.
     pub(crate) root: Utf8PathBuf,
     /// Paths of folders and links that were not searched, with the reason.
     pub(crate) unread: Vec<(Utf8PathBuf, String)>,
+}
+
+impl OpenedBackup {
+    /// Whether the files are on a controller instead of on the disk.
+    pub(crate) fn is_remote(&self) -> bool {
+        is_address(&self.root)
+    }
 }
 
 /// Opens the folder or archive at an absolute path.

@@ -10,8 +10,8 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_controller::{
-    ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject, FolderFiles, FtpFiles,
-    FtpTimeouts, RecoveredPush, RecoveryOutcome, check_identity, recover,
+    AddressFault, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject,
+    FolderFiles, FtpFiles, FtpTimeouts, RecoveredPush, RecoveryOutcome, check_identity, recover,
 };
 
 use crate::output::to_stderr;
@@ -22,7 +22,7 @@ use crate::user_error::UserError;
 
 pub(crate) use checked::{CheckOutcome, check_new_tree};
 pub(crate) use observer::ProgressObserver;
-pub(crate) use report::{counted_files, planned_lines, shown_bytes, status_lines};
+pub(crate) use report::{change_word, counted_files, planned_lines, shown_bytes, status_lines};
 
 /// A project with a connection to its controller.
 pub(crate) struct ControllerSession {
@@ -68,10 +68,16 @@ pub(crate) fn parse_address(text: &str) -> Result<ControllerAddress, UserError> 
     let address = ControllerAddress::parse(text).map_err(|fault| {
         let message = match fault {
             // The text may contain the password.
-            val3_controller::AddressFault::Password => format!("this is no address of a controller: {fault}"),
+            AddressFault::Password => format!("this is no address of a controller: {fault}"),
             _ => format!("`{text}` is no address of a controller: {fault}"),
         };
-        UserError::new(message).with_help("write `ftp://PROFILE@HOST`, or the folder of an emulator")
+        UserError::new(message).with_help(match fault {
+            AddressFault::Tls => {
+                "write `ftp://PROFILE@HOST` in the network of the cell, or copy `usr` with an FTPS client and name the folder \
+                 that contains it"
+            }
+            _ => "write `ftp://PROFILE@HOST`, or the folder of an emulator",
+        })
     })?;
     Ok(match address {
         ControllerAddress::Folder(folder) => {

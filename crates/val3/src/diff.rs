@@ -19,7 +19,7 @@ use self::compared_versions::ComparedVersions;
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
 use crate::output::{OutputContent, to_stdout_as};
-use crate::paths::current_folder;
+use crate::paths::{current_folder, is_address};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
@@ -33,7 +33,7 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
         return both_sides(&current, base, args, color);
     }
     let versions = if let [address, local @ ..] = args.paths.as_slice()
-        && controller::is_address(address)
+        && is_address(address)
     {
         let ([] | [_]) = local else { return Err(wrong_number(args.paths.len())) };
         controller::versions(address, local.first().map(|path| path.as_path()))?

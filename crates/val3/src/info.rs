@@ -13,11 +13,17 @@ use val3_backup::log::log_folders;
 
 use self::devices::{DeviceInfo, devices};
 use crate::args::{InfoArgs, InfoFormat};
-use crate::backup_files::{OpenedBackup, open};
+use crate::backup_files::{OpenedBackup, RemoteFolders, open, open_address};
 use crate::color::Color;
 use crate::output::{OutputContent, to_stdout_as};
-use crate::paths::{Paths, current_folder};
+use crate::paths::{Paths, current_folder, is_address};
 use crate::user_error::{EXIT_USAGE, UserError};
+
+/// Folders of a controller at an address that are read.
+const FOLDERS: RemoteFolders = RemoteFolders {
+    downloaded: &["usr/usrapp", "usr/configs", "usr/app", "usr/applicom"],
+    listed: &["sys/configs", "log"],
+};
 
 /// Description of one controller.
 struct DescribedController {
@@ -37,7 +43,10 @@ struct DescribedController {
 pub(crate) fn run(args: &InfoArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
     let paths = Paths::new(&[], &current);
-    let backup = open(&current.join(&args.path))?;
+    let backup = match is_address(&args.path) {
+        true => open_address(&args.path, &FOLDERS)?,
+        false => open(&current.join(&args.path))?,
+    };
     let roots = controller_roots(backup.files.files());
     let described: Vec<DescribedController> = roots.iter().map(|root| describe(&backup, root, &paths)).collect();
     if described.iter().all(is_unknown) {
@@ -56,7 +65,10 @@ pub(crate) fn run(args: &InfoArgs, color: Color) -> Result<ExitCode, UserError> 
 }
 
 fn describe(backup: &OpenedBackup, root: &ControllerRoot, paths: &Paths) -> DescribedController {
-    let place = backup.root.join(&root.path);
+    let place = match root.path.as_str() {
+        "" => backup.root.clone(),
+        path => backup.root.join(path),
+    };
     let info = controller_info(backup.files.as_ref(), root);
     let (devices, unread_devices) = devices(backup.files.as_ref(), &root.usr);
     let logs = log_folders(backup.files.files()).into_iter();
@@ -69,7 +81,7 @@ fn describe(backup: &OpenedBackup, root: &ControllerRoot, paths: &Paths) -> Desc
     DescribedController {
         path: paths.to_open(&place),
         logs: logs.map(|folder| of_backup(&folder.path)).collect(),
-        missing: missing::missing(&place, &info),
+        missing: missing::missing(backup, &place, &info),
         info,
         devices,
         unread,

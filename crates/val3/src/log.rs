@@ -21,7 +21,7 @@ use self::sources::Sources;
 use crate::args::{LogArgs, LogFormat};
 use crate::color::Color;
 use crate::output::{OutputContent, to_stderr, to_stdout_as};
-use crate::paths::{Paths, current_folder};
+use crate::paths::{Paths, current_folder, is_address};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// Version of the JSON document.
@@ -30,12 +30,16 @@ const VERSION: u32 = 1;
 /// Runs the command.
 pub(crate) fn run(args: &LogArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
-    let path = current.join(&args.path);
+    let is_remote = is_address(&args.path);
+    let path = if is_remote { args.path.clone() } else { current.join(&args.path) };
     let paths = Paths::new(&[], &current);
     if args.follow {
         return follow::run(args, &path, &paths, color);
     }
-    let ReadLog { logged, folder, backup } = reading::read(&path, &paths)?;
+    let ReadLog { logged, folder, backup } = match is_remote {
+        true => reading::read_address(&path, args.sources.is_some(), &paths)?,
+        false => reading::read(&path, &paths)?,
+    };
     let unsearched = backup.as_ref().map(|backup| reading::unsearched(backup, &paths)).unwrap_or_default();
     let sources = Sources::open(args.sources.as_deref().map(|path| current.join(path)), &folder, backup)?;
     let selection = Selection::new(args, &logged);

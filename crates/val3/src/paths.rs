@@ -52,8 +52,12 @@ impl Paths {
         one_line(&self.to_open(path)).into_owned()
     }
 
-    /// Path that opens the file from the current folder: relative, or absolute if that is shorter.
+    /// Path that opens the file from the current folder: relative, or absolute if that is shorter. An address is
+    /// unchanged.
     pub(crate) fn to_open(&self, path: &Utf8Path) -> String {
+        if is_address(path) {
+            return slashes(path);
+        }
         let absolute = self.absolute(path);
         let relative = relative(&self.current, &absolute);
         let absolute = slashes(&absolute);
@@ -145,6 +149,7 @@ mod tests {
         assert_eq!(paths.shown("usrapp/a.pgx".into()), "usrapp/a.pgx");
         assert_eq!(paths.shown("../other/a.pgx".into()), "../other/a.pgx");
         assert_eq!(paths.shown("/srv/cell/a.pgx".into()), "/srv/cell/a.pgx");
+        assert_eq!(paths.shown("ftp://robot/log/user.log".into()), "ftp://robot/log/user.log");
     }
 }
 
@@ -154,6 +159,11 @@ mod tests {
 /// The current folder cannot be determined.
 pub(crate) fn from_here(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     Ok(Paths::new(&[], &current_folder()?).to_open(path).into())
+}
+
+/// Whether the text is the address of a controller instead of a path.
+pub(crate) fn is_address(path: &Utf8Path) -> bool {
+    path.as_str().contains("://")
 }
 
 /// Whether the path has this extension, in any letter case.

@@ -1,5 +1,7 @@
 //! `val3 pull`: copies the files of a controller, and keeps local changes.
 
+mod print;
+
 use std::process::ExitCode;
 
 use camino::Utf8Path;
@@ -26,6 +28,9 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
     let folder = project_folder(args.folder.as_deref())?;
     let project = ControllerProject::open(&folder)?;
     let address = address(args, &project)?;
+    if let Some(path) = &args.print {
+        return print::run(path, &project, &address, args.new_controller);
+    }
     let folders = folders(args, &project)?;
     let mut session = ControllerSession::open(project, &address, args.new_controller)?;
     note(&session.identity_line());

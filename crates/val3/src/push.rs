@@ -1,5 +1,6 @@
 //! `val3 push`: uploads local changes after a check and a backup.
 
+mod document;
 mod loaded;
 mod outcome;
 
@@ -10,7 +11,7 @@ use val3_controller::{
     ControllerError, ControllerPath, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected, push,
 };
 
-use crate::args::PushArgs;
+use crate::args::{PushArgs, TransferFormat};
 use crate::color::Color;
 use crate::controller::{
     CheckOutcome, ControllerSession, check_new_tree, counted_files, note, now, open_project, planned_lines,
@@ -49,6 +50,7 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
         note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
     }
     if plan.changes.is_empty() {
+        print(&plan, args.format, color)?;
         note("nothing to push");
         return Ok(ExitCode::SUCCESS);
     }
@@ -58,10 +60,7 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
                 .with_help("repair them, or name rules whose errors do not matter with --ignore"),
         ));
     }
-    let lines = planned_lines(&plan.changes);
-    to_stdout_as(OutputContent::Data, color, |out| {
-        lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
-    })?;
+    print(&plan, args.format, color)?;
     if args.dry_run {
         return Ok(ExitCode::SUCCESS);
     }
@@ -71,6 +70,22 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     // The check and the question may have taken longer than an idle connection lasts.
     session.files.reconnect().map_err(ControllerError::from)?;
     execute(&mut session, &plan)
+}
+
+/// Writes the changes to the standard output.
+fn print(plan: &PushPlan, format: TransferFormat, color: Color) -> Result<(), UserError> {
+    match format {
+        TransferFormat::Human => {
+            let lines = planned_lines(&plan.changes);
+            to_stdout_as(OutputContent::Data, color, |out| {
+                lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
+            })
+        }
+        TransferFormat::Json => {
+            let document = document::document(plan);
+            to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{document}"))
+        }
+    }
 }
 
 /// Pushes, and reports the outcome.

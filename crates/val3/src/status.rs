@@ -1,10 +1,12 @@
 //! `val3 status`: what has changed here and on the controller since the last pull or push.
 
+mod document;
+
 use std::process::ExitCode;
 
 use val3_controller::{ControllerError, FileDifference, ProjectStatus};
 
-use crate::args::StatusArgs;
+use crate::args::{StatusArgs, TransferFormat};
 use crate::color::Color;
 use crate::controller::{ControllerSession, counted_files, note, open_project, status_lines};
 use crate::output::{OutputContent, to_stdout_as};
@@ -28,10 +30,18 @@ pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError
         }
         status => status?,
     };
-    let lines = status_lines(&status.differences);
-    to_stdout_as(OutputContent::Data, color, |out| {
-        lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
-    })?;
+    match args.format {
+        TransferFormat::Human => {
+            let lines = status_lines(&status.differences);
+            to_stdout_as(OutputContent::Data, color, |out| {
+                lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
+            })?;
+        }
+        TransferFormat::Json => {
+            let document = document::document(&session, &status);
+            to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{document}"))?;
+        }
+    }
     let count = |wanted: fn(&FileDifference) -> bool| status.differences.values().filter(|one| wanted(one)).count();
     let here = count(|one| matches!(one, FileDifference::Local(_)));
     let there = count(|one| matches!(one, FileDifference::Controller(_)));

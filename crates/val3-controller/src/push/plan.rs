@@ -1,5 +1,7 @@
 //! Plan of a push as data.
 
+use std::collections::BTreeSet;
+
 use serde::{Deserialize, Serialize};
 
 use super::load_order::{ProjectTexts, ranks};
@@ -55,7 +57,7 @@ impl PushPlan {
                 }),
                 FileDifference::Conflict { .. } if is_selected => conflicts.push(path.clone()),
                 FileDifference::Controller(_) if is_selected => outdated.push(path.clone()),
-                FileDifference::Conflict { .. } | FileDifference::Controller(_) | FileDifference::Alike => {}
+                FileDifference::Conflict { .. } | FileDifference::Controller(_) | FileDifference::Alike(_) => {}
             }
         }
         if !protected.is_empty() {
@@ -104,13 +106,8 @@ impl PushPlan {
     /// Applications whose files change, by their folders below `usr/usrapp`.
     #[must_use]
     pub fn applications(&self) -> Vec<String> {
-        let prefix = format!("{}/", ControllerPath::applications());
-        let names = self.changes.iter().filter_map(|change| {
-            let inner = change.path.as_str().strip_prefix(&prefix)?;
-            inner.split_once('/').map(|(application, _)| application.to_owned())
-        });
-        let names: std::collections::BTreeSet<String> = names.collect();
-        names.into_iter().collect()
+        let names: BTreeSet<&str> = self.changes.iter().filter_map(|change| change.path.application()).collect();
+        names.into_iter().map(str::to_owned).collect()
     }
 
     /// Whether settings change, which the controller reads when it starts.

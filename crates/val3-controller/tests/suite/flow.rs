@@ -5,7 +5,7 @@ use std::fs;
 use expect_test::expect;
 use val3_controller::{
     ControllerError, ControllerProject, FileDifference, FolderFiles, PullRequest, SideChange, SilentObserver,
-    check_identity, pull,
+    check_identity, pull, read_file,
 };
 
 use crate::bench::{Bench, FILES, applications, path, pull_from, shown, tree};
@@ -36,6 +36,22 @@ fn a_change_goes_to_the_controller_and_back() {
             let copy = camino::Utf8Path::from_path(copy.path()).unwrap();
             pull_from(copy, &mut bench.server.connect()).unwrap();
             assert_eq!(fs::read(copy.join("usr/usrapp/demo/start.pgx")).unwrap(), b"start 2");
+        }
+    }
+}
+
+#[test]
+fn one_file_is_read_or_missing() {
+    for form in FORMS {
+        let bench = Bench::pulled(Behaviour { form, ..Behaviour::default() });
+        let mut files = bench.server.connect();
+        let tree = bench.server.state().tree.clone();
+        assert_eq!(
+            read_file(&mut files, &path("usr/usrapp/demo/start.pgx")).as_ref(),
+            Ok(&tree.files["/usr/usrapp/demo/start.pgx"])
+        );
+        for missing in ["usr/usrapp/demo/none.pgx", "usr/none/start.pgx", "none"].map(path) {
+            assert_eq!(read_file(&mut files, &missing), Err(ControllerError::Missing(missing)), "{form:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use camino::Utf8Path;
 
-use super::{ArmAction, CheckArgs, CliCommand, DiffFormat, FmtArgs, InfoFormat, LogFormat};
+use super::{ArmAction, CheckArgs, CliCommand, DiffFormat, FmtArgs, InfoFormat, LogFormat, TransferFormat};
 use crate::format::ReportFormat;
 use crate::output::file_kind::OutputFileKind;
 use crate::user_error::UserError;
@@ -22,6 +22,8 @@ impl CliCommand {
             Self::Explain(args) => (&args.output, OutputFileKind::Text),
             Self::Info(args) => (&args.output, kind_of_info(args.format)),
             Self::Log(args) => (&args.output, kind_of_log(args.format)),
+            Self::Status(args) => (&args.output, kind_of_transfer(args.format)),
+            Self::Push(args) => (&args.output, kind_of_transfer(args.format)),
             Self::Schema(args) => (&args.output, OutputFileKind::Json),
             Self::Completions(args) => (&args.output, OutputFileKind::Text),
             Self::Arm(args) => match &args.action {
@@ -33,8 +35,6 @@ impl CliCommand {
             Self::New(_)
             | Self::Merge(_)
             | Self::Pull(_)
-            | Self::Status(_)
-            | Self::Push(_)
             | Self::Test(_)
             | Self::Lsp(_)
             | Self::Mcp(_)
@@ -73,6 +73,13 @@ const fn kind_of_log(format: LogFormat) -> OutputFileKind {
     match format {
         LogFormat::Json | LogFormat::JsonLines => OutputFileKind::Json,
         LogFormat::Human => OutputFileKind::Text,
+    }
+}
+
+const fn kind_of_transfer(format: TransferFormat) -> OutputFileKind {
+    match format {
+        TransferFormat::Json => OutputFileKind::Json,
+        TransferFormat::Human => OutputFileKind::Text,
     }
 }
 

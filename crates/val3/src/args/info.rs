@@ -13,8 +13,9 @@ Exit codes:
 /// Arguments of `val3 info`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct InfoArgs {
-    /// A folder or a zip with one or several controllers, or with the content of `usr`
-    #[arg(value_name = "PATH", default_value = ".")]
+    /// A folder or a zip with one or several controllers, or with the content of `usr`; or the address of a controller,
+    /// `ftp://PROFILE@HOST`
+    #[arg(value_name = "PATH|ADDRESS", default_value = ".")]
     pub(crate) path: Utf8PathBuf,
     /// How the description is written to the standard output
     #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]

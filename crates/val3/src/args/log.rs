@@ -17,10 +17,12 @@ Exit codes:
 /// Arguments of `val3 log`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LogArgs {
-    /// A log (errors.log, system.log, user.log), or a folder or a zip with the logs of a controller
-    #[arg(value_name = "FILE|FOLDER", default_value = ".")]
+    /// A log (errors.log, system.log, user.log), a folder or a zip with the logs of a controller, or the address of a
+    /// controller, `ftp://PROFILE@HOST`
+    #[arg(value_name = "FILE|FOLDER|ADDRESS", default_value = ".")]
     pub(crate) path: Utf8PathBuf,
-    /// The folder or zip with the applications, for the source lines of messages [default: the cell around the log]
+    /// The folder or zip with the applications, for the source lines of messages [default: the cell around the log, or the
+    /// controller]
     #[arg(long, value_name = "DIR")]
     pub(crate) sources: Option<Utf8PathBuf>,
     /// Only messages from this time on: 2021-01-05, 2021-01-05T08:00, or 30m, 2h, 3d before the last message

@@ -1,10 +1,13 @@
 //! Arguments of `val3 pull`, `val3 status` and `val3 push`.
 
 use camino::Utf8PathBuf;
+use clap::ValueEnum;
+
+use super::OutputArgs;
 
 pub(super) const PULL_EXIT_CODES: &str = "\
 Exit codes:
-  0  the local files are those of the controller, apart from local changes
+  0  the local files are those of the controller, apart from local changes; or the file of --print was printed
   1  files have changed on both sides: nothing was written; or --merge has left conflicts in files
   2  wrong usage, a file that cannot be read or written, or the controller cannot be reached";
 
@@ -45,6 +48,9 @@ pub(crate) struct PullArgs {
     /// Merge files that have changed on both sides, as `val3 merge` does
     #[arg(long)]
     pub(crate) merge: bool,
+    /// Print one file of the controller, by its path as in `val3 status`, and change nothing here or there
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["app", "all", "merge"])]
+    pub(crate) print: Option<String>,
     /// Accept a controller with another serial number than at the last pull
     #[arg(long)]
     pub(crate) new_controller: bool,
@@ -56,6 +62,12 @@ pub(crate) struct StatusArgs {
     /// A folder in the project
     #[arg(value_name = "DIR", default_value = ".")]
     pub(crate) folder: Utf8PathBuf,
+    /// How the differences are written to the standard output
+    #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]
+    pub(crate) format: TransferFormat,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// Arguments of `val3 push`.
@@ -77,4 +89,19 @@ pub(crate) struct PushArgs {
     /// Accept a controller with another serial number than at the last pull, or without one
     #[arg(long)]
     pub(crate) new_controller: bool,
+    /// How the changes are written to the standard output
+    #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]
+    pub(crate) format: TransferFormat,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+/// Output format of `val3 status` and `val3 push`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TransferFormat {
+    /// For people: a line for each file
+    Human,
+    /// One JSON document
+    Json,
 }

@@ -23,17 +23,18 @@ pub(crate) fn status_lines(differences: &FileDifferences) -> Vec<String> {
 
 fn status_line(path: &ControllerPath, difference: FileDifference) -> String {
     let (sides, change) = match difference {
-        FileDifference::Local(change) => ("local", word(change).to_owned()),
-        FileDifference::Controller(change) => ("controller", word(change).to_owned()),
+        FileDifference::Local(change) => ("local", change_word(change).to_owned()),
+        FileDifference::Controller(change) => ("controller", change_word(change).to_owned()),
         FileDifference::Conflict { local, controller } => {
-            ("conflict", format!("{} here, {} on the controller", word(local), word(controller)))
+            ("conflict", format!("{} here, {} on the controller", change_word(local), change_word(controller)))
         }
-        FileDifference::Alike => ("alike", "same change on both sides".to_owned()),
+        FileDifference::Alike(_) => ("alike", "same change on both sides".to_owned()),
     };
     format!("{sides:10}  {path}: {change}")
 }
 
-const fn word(change: SideChange) -> &'static str {
+/// Word for a change of one side.
+pub(crate) const fn change_word(change: SideChange) -> &'static str {
     match change {
         SideChange::Added => "added",
         SideChange::Modified => "changed",

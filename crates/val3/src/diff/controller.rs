@@ -9,11 +9,6 @@ use super::folder;
 use crate::controller::{ProgressObserver, connect, parse_address, project_folder, shown};
 use crate::user_error::UserError;
 
-/// Whether the text is an address instead of a path.
-pub(super) fn is_address(path: &Utf8Path) -> bool {
-    path.as_str().contains("://")
-}
-
 /// Reads the files of a controller, and the files in the same folders here.
 ///
 /// The folders are those of the last pull, or all applications. A push that was killed is not recovered.

@@ -1,9 +1,12 @@
 //! What `val3 run` needs and a backup does not contain.
 
 use camino::Utf8Path;
+use val3_analysis::load::{self, Workspace};
+use val3_analysis::system::{Memory, OverlayFs};
 use val3_backup::info::ControllerInfo;
 use val3_kinematics::Arm;
 
+use crate::backup_files::OpenedBackup;
 use crate::engine::Session;
 use crate::opening::OpenRequest;
 use crate::selection;
@@ -12,8 +15,11 @@ use crate::user_error::UserError;
 /// Rules about missing things: add-ons, files of projects, files that cannot be read, files that a project may not load.
 const RULES: [&str; 4] = ["V0104", "V0501", "V0502", "V0509"];
 
-/// Returns a sentence for each missing thing. `place` is the absolute path of the controller.
-pub(super) fn missing(place: &Utf8Path, info: &ControllerInfo) -> Vec<String> {
+/// Folder of a controller's files in memory.
+const ROOT: &str = "/";
+
+/// Returns a sentence for each missing thing. `place` is the absolute path of the controller, or its address.
+pub(super) fn missing(backup: &OpenedBackup, place: &Utf8Path, info: &ControllerInfo) -> Vec<String> {
     let mut missing = Vec::new();
     missing.extend(missing_arm(info));
     if info.version.is_none() {
@@ -23,7 +29,7 @@ pub(super) fn missing(place: &Utf8Path, info: &ControllerInfo) -> Vec<String> {
         missing.push("there is no application".to_owned());
         return missing;
     }
-    missing.extend(found(place).unwrap_or_else(|error| vec![sentence(&error)]));
+    missing.extend(found(backup, place).unwrap_or_else(|error| vec![sentence(&error)]));
     missing
 }
 
@@ -42,22 +48,36 @@ fn sentence(error: &UserError) -> String {
 }
 
 /// Returns the findings of the check about missing things.
-fn found(place: &Utf8Path) -> Result<Vec<String>, UserError> {
+fn found(backup: &OpenedBackup, place: &Utf8Path) -> Result<Vec<String>, UserError> {
+    let asked = if backup.is_remote() { ROOT.into() } else { place.to_owned() };
     let request = OpenRequest {
-        asked: vec![place.to_owned()],
+        asked: vec![asked],
         selection: selection::read(&RULES.map(str::to_owned), &[], &[])?,
         quiet: true,
         ..OpenRequest::default()
     };
-    let mut session = Session::open(&request)?;
+    let mut session = match backup.is_remote() {
+        true => Session::with_workspace(&request, downloaded(backup)?)?,
+        false => Session::open(&request)?,
+    };
     let checked = session.check()?;
     let report = session.report(checked);
     let findings = report.findings.iter().map(|finding| {
-        let place = &finding.place;
-        format!("{}:{}: {}", place.file.shown, place.start().line, finding.message_with_help())
+        let file = if backup.is_remote() { &finding.place.file.path } else { &finding.place.file.shown };
+        format!("{file}:{}: {}", finding.place.start().line, finding.message_with_help())
     });
     let unread = report.unreadable.iter().map(sentence);
     let found = unread.chain(findings).collect();
     session.abandon();
     Ok(found)
+}
+
+/// Loads the downloaded files of a controller.
+fn downloaded(backup: &OpenedBackup) -> Result<Workspace, UserError> {
+    let mut system = OverlayFs::new(Memory::default());
+    for file in backup.files.files().iter().filter(|file| file.path.starts_with("usr/")) {
+        let bytes = backup.files.read(&file.path).map_err(UserError::new)?;
+        system.store(Utf8Path::new(ROOT).join(&file.path), bytes);
+    }
+    load::load(&system, &[ROOT.into()]).map_err(|error| UserError::new(error.to_string()))
 }

@@ -16,7 +16,7 @@ use super::{records, write_line};
 use crate::args::{LogArgs, LogFormat};
 use crate::color::Color;
 use crate::output::{OutputContent, to_reader};
-use crate::paths::Paths;
+use crate::paths::{Paths, is_address};
 use crate::user_error::UserError;
 
 /// Time between two looks at the file.
@@ -34,6 +34,10 @@ struct Position {
 /// Shows the messages of the file at an absolute path, and then further messages. It ends with an error, or when the
 /// output is closed.
 pub(super) fn run(args: &LogArgs, path: &Utf8Path, paths: &Paths, color: Color) -> Result<ExitCode, UserError> {
+    if is_address(path) {
+        let message = "--follow requires a file, because a controller transfers only entire logs";
+        return Err(UserError::new(message).with_help("repeat the command without --follow, with --since 10m"));
+    }
     if path.is_dir() || is_archive_name(path) {
         let message = "--follow requires a file, because the logs of a folder are merged by time";
         return Err(UserError::new(message).with_help("name a log, such as log/user.log"));

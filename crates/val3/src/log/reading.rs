@@ -4,27 +4,33 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_backup::log::{LogFolder, LoggedEntry, entries, foreign_content, log_folders, merged};
 use val3_files::{FileClass, is_archive_name};
 
-use crate::backup_files::{OpenedBackup, open};
-use crate::paths::Paths;
+use crate::backup_files::{OpenedBackup, RemoteFolders, open, open_address};
+use crate::paths::{Paths, is_address};
 use crate::user_error::UserError;
 
 /// Names of logs, for messages.
 pub(super) const NAMES: &str = "errors.log, system.log or user.log";
 
+/// Folders of a controller at an address: logs, and programs for the source lines of messages.
+const FOLDERS: RemoteFolders = RemoteFolders { downloaded: &[], listed: &["log", "usr/usrapp"] };
+
+/// Folders of a controller whose programs are not searched.
+const LOG_FOLDERS: RemoteFolders = RemoteFolders { downloaded: &[], listed: &["log"] };
+
 /// Entries of the logs.
 pub(super) struct ReadLog {
     /// Entries in the order of their times.
     pub(super) logged: Vec<LoggedEntry>,
-    /// Absolute path of the folder with the logs.
+    /// Absolute path or address of the folder with the logs.
     pub(super) folder: Utf8PathBuf,
-    /// The folder or archive that was read; `None` if the path is a single file.
+    /// The folder, archive or controller that was read; `None` if the path is a single file.
     pub(super) backup: Option<OpenedBackup>,
 }
 
 /// Reads the logs at an absolute path.
 pub(super) fn read(path: &Utf8Path, paths: &Paths) -> Result<ReadLog, UserError> {
     if path.is_dir() || is_archive_name(path) {
-        return read_backup(path, paths);
+        return read_backup(open(path)?, paths);
     }
     let bytes =
         val3_files::read(path, FileClass::Record).map_err(|reason| unreadable(path, &reason.to_string(), paths))?;
@@ -42,8 +48,14 @@ pub(super) fn file_entries(bytes: &[u8], path: &Utf8Path, paths: &Paths) -> Resu
     Ok(entries(bytes).map(|entry| LoggedEntry { file: file.clone(), entry }).collect())
 }
 
-fn read_backup(path: &Utf8Path, paths: &Paths) -> Result<ReadLog, UserError> {
-    let backup = open(path)?;
+/// Reads the logs of the controller at an address. With other sources, its programs are not listed.
+pub(super) fn read_address(address: &Utf8Path, has_sources: bool, paths: &Paths) -> Result<ReadLog, UserError> {
+    let folders = if has_sources { &LOG_FOLDERS } else { &FOLDERS };
+    read_backup(open_address(address, folders)?, paths)
+}
+
+fn read_backup(backup: OpenedBackup, paths: &Paths) -> Result<ReadLog, UserError> {
+    let path = &backup.root;
     let folders = log_folders(backup.files.files());
     let LogFolder { path: folder, logs } =
         uppermost(&folders, path, paths).map_err(|error| error.with_details(unsearched(&backup, paths).join("\n")))?;
@@ -57,7 +69,8 @@ fn read_backup(path: &Utf8Path, paths: &Paths) -> Result<ReadLog, UserError> {
         }
         read.push(log);
     }
-    Ok(ReadLog { logged: merged(read), folder: path.join(folder), backup: Some(backup) })
+    let folder = path.join(folder);
+    Ok(ReadLog { logged: merged(read), folder, backup: Some(backup) })
 }
 
 /// Returns a sentence for each folder of a backup that was not searched for logs.
@@ -73,7 +86,10 @@ fn uppermost<'f>(folders: &'f [LogFolder], path: &Utf8Path, paths: &Paths) -> Re
     let shown = paths.shown(path);
     let Some(first) = folders.first() else {
         let message = format!("there is no log in `{shown}`");
-        return Err(UserError::new(message).with_help(format!("name a file or a folder with {NAMES}")));
+        return Err(UserError::new(message).with_help(match is_address(path) {
+            true => "name the folder of the server that contains `usr` and `log`".to_owned(),
+            false => format!("name a file or a folder with {NAMES}"),
+        }));
     };
     let names: Vec<String> = folders
         .iter()

@@ -20,8 +20,8 @@ pub(super) struct Sources {
 }
 
 impl Sources {
-    /// Opens the folder or archive of `--sources`, otherwise the backup that contains the logs, otherwise the cell
-    /// around the folder with the logs.
+    /// Opens the folder or archive of `--sources`, otherwise the backup or controller that contains the logs, otherwise
+    /// the cell around the folder with the logs.
     pub(super) fn open(
         requested: Option<Utf8PathBuf>,
         logs: &Utf8Path,
@@ -29,7 +29,7 @@ impl Sources {
     ) -> Result<Self, UserError> {
         let opened = match requested {
             Some(path) => Some(open(&path)?),
-            None => match backup.filter(has_programs) {
+            None => match backup.filter(|backup| backup.is_remote() || has_programs(backup)) {
                 Some(backup) => Some(backup),
                 None => applications_around(logs).map(|folder| open(&folder)).transpose()?,
             },

@@ -102,6 +102,161 @@ fn a_conflict_is_merged_on_request() {
     assert_eq!(in_cell(&folder, &["push", "--unloaded"]).code, 1, "the check reports the conflict");
 }
 
+/// The contract of programs that read the documents, such as editors.
+#[test]
+fn programs_read_the_differences_and_the_plan() {
+    let folder = pulled();
+    folder.write("robot/usr/usrapp/other/other.pjx", PROJECT);
+    assert_eq!(in_cell(&folder, &["pull", "--all"]).code, 0);
+    let document = |args: &[&str], code: i32| {
+        let run = in_cell(&folder, args);
+        assert_eq!(run.code, code, "{}", run.stderr);
+        let mut value: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        for key in ["address", "project"] {
+            if let Some(path) = value.get_mut(key) {
+                let shown = path.as_str().unwrap().replace(folder.path().to_str().unwrap(), "…").replace('\\', "/");
+                *path = shown.into();
+            }
+        }
+        serde_json::to_string_pretty(&value).unwrap()
+    };
+    let none = expect![[r#"
+        {
+          "address": "…/robot",
+          "applications": [
+            {
+              "files": [],
+              "name": "demo"
+            },
+            {
+              "files": [],
+              "name": "other"
+            }
+          ],
+          "controller": {
+            "arm": null,
+            "serial": "F10-1"
+          },
+          "project": "…/cell",
+          "settings": [],
+          "version": 1
+        }"#]];
+    none.assert_eq(&document(&["status", "--format", "json"], 0));
+    let empty = expect![[r#"
+        {
+          "changes": [],
+          "version": 1
+        }"#]];
+    empty.assert_eq(&document(&["push", "--dry-run", "--format", "json"], 0));
+    folder.write("cell/usr/usrapp/demo/new.pgx", &program("new", "nCount=9"));
+    folder.write("robot/usr/usrapp/demo/new.pgx", &program("new", "nCount=9"));
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=5"));
+    folder.write("robot/usr/usrapp/demo/start.pgx", &program("start", "nCount=6"));
+    fs::remove_file(folder.path().join("cell/usr/usrapp/demo/stop.pgx")).unwrap();
+    folder.write("robot/usr/configs/sio.cfx", "<sio />");
+    let differences = expect![[r#"
+        {
+          "address": "…/robot",
+          "applications": [
+            {
+              "files": [
+                {
+                  "change": "added",
+                  "path": "usr/usrapp/demo/new.pgx",
+                  "side": "alike"
+                },
+                {
+                  "change": "changed",
+                  "controller_change": "changed",
+                  "path": "usr/usrapp/demo/start.pgx",
+                  "side": "conflict"
+                },
+                {
+                  "change": "removed",
+                  "path": "usr/usrapp/demo/stop.pgx",
+                  "side": "local"
+                }
+              ],
+              "name": "demo"
+            },
+            {
+              "files": [],
+              "name": "other"
+            }
+          ],
+          "controller": {
+            "arm": null,
+            "serial": "F10-1"
+          },
+          "project": "…/cell",
+          "settings": [
+            {
+              "change": "added",
+              "path": "usr/configs/sio.cfx",
+              "side": "controller"
+            }
+          ],
+          "version": 1
+        }"#]];
+    differences.assert_eq(&document(&["status", "--format", "json"], 1));
+    let refused = in_cell(&folder, &["push", "--dry-run", "--format", "json"]);
+    assert_eq!((refused.code, refused.stdout.as_str()), (1, ""), "{}", refused.stderr);
+    folder.write("robot/usr/usrapp/demo/start.pgx", &program("start", "nCount=nCount+1"));
+    folder.write("cell/usr/usrapp/demo/more.pgx", &program("more", "nCount=1"));
+    let plan = expect![[r#"
+        {
+          "changes": [
+            {
+              "action": "create",
+              "path": "usr/usrapp/demo/more.pgx",
+              "size": 221
+            },
+            {
+              "action": "replace",
+              "path": "usr/usrapp/demo/start.pgx",
+              "size": 222
+            },
+            {
+              "action": "remove",
+              "path": "usr/usrapp/demo/stop.pgx",
+              "size": null
+            }
+          ],
+          "version": 1
+        }"#]];
+    plan.assert_eq(&document(&["push", "--dry-run", "--ignore", "V", "--format", "json"], 0));
+    let run = in_cell(&folder, &["push", "--dry-run", "--ignore", "V", "--format", "json", "--output", "plan.json"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+    assert!(folder.read("cell/plan.json").starts_with("{\"changes\":["));
+}
+
+#[test]
+fn one_file_of_the_controller_is_printed() {
+    let folder = pulled();
+    let path = "usr/usrapp/demo/start.pgx";
+    let changed = program("start", "nCount=7");
+    folder.write(&format!("robot/{path}"), &changed);
+    let printed = in_cell(&folder, &["pull", "--print", path]);
+    assert_eq!((printed.code, printed.stdout.as_str(), printed.stderr.as_str()), (0, changed.as_str(), ""));
+    assert!(folder.read(&format!("cell/{path}")).contains("nCount+1"), "nothing was pulled");
+    let without_project = folder.val3(&["pull", "--print", path, "robot"]);
+    assert_eq!((without_project.code, without_project.stdout), (0, changed), "{}", without_project.stderr);
+    let error = |path: &str| {
+        let run = in_cell(&folder, &["pull", "--print", path]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
+        run.stderr
+    };
+    let missing = expect![[r#"
+        error: the controller has no file `usr/usrapp/demo/none.pgx`
+          help: name a file as `val3 status` does: usr/usrapp/demo/start.pgx
+    "#]];
+    missing.assert_eq(&error("usr/usrapp/demo/none.pgx"));
+    assert!(error("../robot").contains("it leads to another folder"));
+    assert!(error("usr/usrapp/demo").contains("usr/usrapp/demo"));
+    folder.write("robot/usr/configs/controller.cfx", &IDENTITY.replace("F10-1", "F10-2"));
+    assert!(error(path).contains("--new-controller"));
+}
+
 #[test]
 fn wrong_usage_has_a_remedy() {
     let folder = pulled();
@@ -116,6 +271,7 @@ fn wrong_usage_has_a_remedy() {
     assert!(error(&["push", "usr/configs/sio.cfx"]).contains("was never pulled"));
     assert!(error(&["push", "dmeo"]).contains("has no files"));
     assert!(error(&["pull", "http://robot"]).contains("only `ftp://`"));
+    assert!(error(&["pull", "ftps://robot"]).contains("copy `usr` with an FTPS client"));
     folder.write("robot/usr/configs/controller.cfx", &IDENTITY.replace("F10-1", "F10-2"));
     assert!(error(&["status"]).contains("--new-controller"));
     let outside = folder.val3(&["status"]);

@@ -5,7 +5,7 @@ use std::fs;
 use expect_test::{Expect, expect};
 
 use crate::archives::pack;
-use crate::support::{CommandOutput, Folder};
+use crate::support::{CommandOutput, Folder, free_port};
 use crate::waiting::OutputLines;
 
 const S7: &str = include_str!("../../../val3-backup/tests/logs/s7-errors.log");
@@ -220,6 +220,29 @@ fn files_that_are_no_log_are_refused() {
     fs::remove_file(folder.path().join("errors.log")).unwrap();
     let run = folder.val3(&["log"]);
     assert!(run.code == 2 && run.stderr.contains("`a/log`, `b/log`"), "{run:?}");
+}
+
+/// `tests/python/test_controller.py` reads logs from a server.
+#[test]
+fn addresses_that_cannot_be_read_have_a_remedy() {
+    let folder = Folder::empty();
+    let closed = format!("ftp://127.0.0.1:{}", free_port());
+    let error = |args: &[&str]| {
+        let run = folder.val3(args);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
+        run.stderr
+    };
+    for command in ["log", "info"] {
+        assert!(error(&[command, &closed]).contains("check the cable"));
+        let message = error(&[command, "ftp://me:hidden@robot"]);
+        assert!(message.contains("a password does not belong") && !message.contains("hidden"), "{message}");
+        assert!(error(&[command, "http://robot"]).contains("write `ftp://PROFILE@HOST`"));
+    }
+    expect![[r#"
+        error: --follow requires a file, because a controller transfers only entire logs
+          help: repeat the command without --follow, with --since 10m
+    "#]]
+    .assert_eq(&error(&["log", "--follow", &closed]));
 }
 
 #[test]
