@@ -20,12 +20,11 @@ const file = (path: string, side: DifferingFile["side"], change: DifferingFile["
 
 const compared: Compared = {
   time: "14:32",
-  controller: { serial: "F10-1" },
   applications: [
     { name: "both", files: [file("usr/usrapp/both/a.pgx", "local"), file("usr/usrapp/both/b.pgx", "controller", "added")] },
-    { name: "clash", files: [file("usr/usrapp/clash/a.pgx", "local"), file("usr/usrapp/clash/clash.dtx", "conflict")] },
+    { name: "clash", files: [file("usr/usrapp/clash/a.pgx", "local"), { ...file("usr/usrapp/clash/clash.dtx", "conflict"), controller_change: "removed" }] },
     { name: "here", files: [file("usr/usrapp/here/sub/a.pgx", "local", "removed")] },
-    { name: "same", files: [] },
+    { name: "same", files: [file("usr/usrapp/same/a.pgx", "alike")] },
     { name: "there", files: [file("usr/usrapp/there/a.pgx", "controller")] },
   ],
   settings: [file("usr/configs/sio.cfx", "controller")],
@@ -44,16 +43,17 @@ test("a project that was not compared shows its controller", () => {
 
 test("applications have a state, and below them the files that differ", () => {
   assert.deepEqual(drawn(projectNode(project, "cell", compared)), [
-    "ftp://maintenance@192.168.0.254: F10-1, 7 files at 14:32",
+    "ftp://maintenance@192.168.0.254: F10-1, 7 files changed at 14:32",
     "  both: changed here and on the controller, 2 files",
     "    a.pgx: changed here",
     "    b.pgx: added on the controller",
     "  clash: conflict, 2 files",
     "    a.pgx: changed here",
-    "    clash.dtx: changed on both sides",
+    "    clash.dtx: changed here, removed on the controller",
     "  here: changed here, 1 file",
     "    sub/a.pgx: removed here",
     "  same: unchanged",
+    "    a.pgx: same change on both sides",
     "  there: changed on the controller, 1 file",
     "    a.pgx: changed on the controller",
     "  Settings: changed on the controller, 1 file",
@@ -77,7 +77,7 @@ test("a file that one side does not have is empty there", () => {
   assert.deepEqual(sides("local", "removed"), [true, false]);
   assert.deepEqual(sides("controller", "added"), [true, false]);
   assert.deepEqual(sides("controller", "removed"), [false, true]);
-  assert.deepEqual(sides("conflict", "removed"), [true, false]);
+  assert.deepEqual([isOnController, isLocal].map((isThere) => isThere({ ...file("x", "conflict", "removed"), controller_change: "changed" })), [true, false]);
 });
 
 test("another version of the output is an error", () => {
@@ -85,10 +85,10 @@ test("another version of the output is an error", () => {
   assert.throws(() => parseComparison(Buffer.from('{"version":2}')), /version 2 .* reads version 1/);
 });
 
-const change = (path: string, action: PlannedChange["action"] = "replace", size = 653): PlannedChange => ({ path, action, size });
+const change = (path: string, action: PlannedChange["action"] = "replace", size: number | null = 653): PlannedChange => ({ path, action, size });
 
 test("the confirmation lists the changes and asks whether the applications are unloaded", () => {
-  const changes = [change("usr/usrapp/b/b.dtx", "create", 12_345), change("usr/usrapp/a/a.pgx"), change("usr/usrapp/a/old.pgx", "remove")];
+  const changes = [change("usr/usrapp/b/b.dtx", "create", 12_345), change("usr/usrapp/a/a.pgx"), change("usr/usrapp/a/old.pgx", "remove", null)];
   const { message, detail, applications } = confirmation(project, changes, ["note: local changes stay here"]);
   assert.equal(message, "Push 3 files to the controller F10-1 at ftp://maintenance@192.168.0.254?");
   assert.deepEqual(applications, ["a", "b"]);

@@ -1,14 +1,18 @@
 // JSON output of `val3 status` and `val3 push --dry-run`. Pure functions.
 
-/** Side that has changed a file since the last pull or push. */
-export type Side = "local" | "controller" | "conflict";
+/** Side that has changed a file since the last pull or push; `alike` if both sides have the same new version. */
+export type Side = "local" | "controller" | "conflict" | "alike";
+
+export type FileChange = "added" | "changed" | "removed";
 
 export interface DifferingFile {
   /** Path on the controller, and below the project's folder: `usr/usrapp/demo/start.pgx`. */
   path: string;
   side: Side;
   /** For a conflict, the local change. */
-  change: "added" | "changed" | "removed";
+  change: FileChange;
+  /** Change of the controller's file in a conflict. */
+  controller_change?: FileChange;
 }
 
 export interface ComparedApplication {
@@ -19,7 +23,6 @@ export interface ComparedApplication {
 
 /** Output of `val3 status`. */
 export interface Comparison {
-  controller: { serial: string };
   /** All applications, also those without differences. */
   applications: ComparedApplication[];
   /** Differing files outside `usr/usrapp`. */
@@ -29,8 +32,8 @@ export interface Comparison {
 export interface PlannedChange {
   path: string;
   action: "create" | "replace" | "remove";
-  /** Bytes of the new file. */
-  size: number;
+  /** Bytes of the new file; `null` if it is removed. */
+  size: number | null;
 }
 
 /** Output of `val3 push --dry-run`. */

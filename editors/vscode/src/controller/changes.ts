@@ -21,7 +21,8 @@ export async function showChanges({ project, file }: ControllerNode, transfers: 
     const finished = await transfers.run({
       ...project,
       title: `Reading ${path} from the controller`,
-      words: ["pull", "--print", path],
+      subcommand: "pull",
+      words: ["--print", path],
     });
     if (finished?.code !== 0) {
       await (finished && transfers.showFailure(finished));

@@ -14,7 +14,8 @@ export async function compare(project: Project, transfers: Transfers, view: Cont
   const finished = await transfers.run({
     ...project,
     title: `Comparing with ${project.address}`,
-    words: ["status", "--format", "json"],
+    subcommand: "status",
+    words: ["--format", "json"],
   });
   if (finished === undefined) {
     return;

@@ -38,7 +38,7 @@ function question(applications: readonly string[]): string {
 
 function lineOf({ path, action, size }: PlannedChange): string {
   const name = path.replace(/^usr\/usrapp\//, "");
-  return action === "remove" ? `${VERBS[action]} ${name}` : `${VERBS[action]} ${name} (${bytes(size)})`;
+  return size === null ? `${VERBS[action]} ${name}` : `${VERBS[action]} ${name} (${bytes(size)})`;
 }
 
 /** Formats a size like `val3`. */

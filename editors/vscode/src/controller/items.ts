@@ -23,8 +23,10 @@ export interface ControllerNode extends ItemContent {
 /** Folder of the applications on a controller. */
 const APPLICATIONS = "usr/usrapp/";
 
-/** State of a file or an application: a side, both sides with different files, or no difference. */
-type State = Side | "both" | "none";
+type Difference = DifferingFile & { side: Exclude<Side, "alike"> };
+
+/** State of an application: a side, both sides with different files, or no difference. */
+type State = Difference["side"] | "both" | "none";
 
 const ICONS: Record<State, Icon> = {
   local: { id: "arrow-up", color: "charts.blue" },
@@ -44,7 +46,7 @@ const PLACES: Record<State, string> = {
 
 /** Returns the item of a project. `compared` is `undefined` before the first comparison. */
 export function projectNode(project: Project, folder: string, compared: Compared | undefined): ControllerNode {
-  const id = project.folder;
+  const id = idOf(project.folder, compared !== undefined);
   const serial = project.serial === "" ? "no serial number" : project.serial;
   const description = `${serial}, ${compared === undefined ? "not compared" : summary(compared)}`;
   return {
@@ -59,15 +61,15 @@ export function projectNode(project: Project, folder: string, compared: Compared
 }
 
 function summary({ applications, settings, time }: Compared): string {
-  const files = [...applications.flatMap(({ files }) => files), ...settings];
-  return `${files.length === 0 ? "no difference" : counted(files.length)} at ${time}`;
+  const files = differing([...applications.flatMap(({ files }) => files), ...settings]);
+  return `${files.length === 0 ? "no difference" : `${counted(files.length)} changed`} at ${time}`;
 }
 
 function children(project: Project, { applications, settings }: Compared): ControllerNode[] {
   const nodes = applications.map(({ name, files }) => ({
     ...groupNode(project, name, files, `${APPLICATIONS}${name}/`),
     application: name,
-    context: ["application", ...(files.some(({ side }) => side !== "controller") ? ["changed"] : [])],
+    context: ["application", ...(files.some(({ side }) => side === "local" || side === "conflict") ? ["changed"] : [])],
   }));
   const others = settings.length === 0 ? [] : [groupNode(project, "Settings", settings, "")];
   return [...nodes, ...others];
@@ -76,8 +78,8 @@ function children(project: Project, { applications, settings }: Compared): Contr
 /** Returns an item with its differing files, whose labels are relative to `folder`. */
 function groupNode(project: Project, label: string, files: readonly DifferingFile[], folder: string): ControllerNode {
   const state = stateOf(files);
-  const description = state === "none" ? PLACES.none : `${PLACES[state]}, ${counted(files.length)}`;
-  const id = `${project.folder}#${label}`;
+  const description = state === "none" ? PLACES.none : `${PLACES[state]}, ${counted(differing(files).length)}`;
+  const id = idOf(`${project.folder}#${label}`, files.length > 0);
   return {
     ...common(project, id, label, ICONS[state]),
     description,
@@ -90,11 +92,11 @@ function groupNode(project: Project, label: string, files: readonly DifferingFil
 }
 
 function fileNode(project: Project, file: DifferingFile, folder: string): ControllerNode {
-  const { path, side, change } = file;
+  const { path, side } = file;
   const label = path.startsWith(folder) ? path.slice(folder.length) : path;
-  const place = { local: `${change} here`, controller: `${change} on the controller`, conflict: "changed on both sides" }[side];
+  const place = placeOf(file);
   return {
-    ...common(project, `${project.folder}#${path}`, label, ICONS[side]),
+    ...common(project, `${project.folder}#${path}`, label, ICONS[side === "alike" ? "none" : side]),
     description: place,
     tooltip: `${path}: ${place}`,
     spoken: `${label}, ${place}`,
@@ -103,6 +105,21 @@ function fileNode(project: Project, file: DifferingFile, folder: string): Contro
     isOpen: false,
     children: undefined,
   };
+}
+
+/** Returns different ids with and without children. VS Code would show children of an item that had none closed. */
+function idOf(id: string, hasChildren: boolean): string {
+  return hasChildren ? `${id}/` : id;
+}
+
+function placeOf({ side, change, controller_change: other = change }: DifferingFile): string {
+  const places: Record<Side, string> = {
+    local: `${change} here`,
+    controller: `${change} on the controller`,
+    conflict: change === other ? `${change} on both sides` : `${change} here, ${other} on the controller`,
+    alike: "same change on both sides",
+  };
+  return places[side];
 }
 
 function common(project: Project, id: string, label: string, icon: Icon) {
@@ -115,12 +132,17 @@ export function isLocal({ side, change }: DifferingFile): boolean {
 }
 
 /** Whether the file exists on the controller, unless it was removed since the comparison. */
-export function isOnController({ side, change }: DifferingFile): boolean {
-  return side === "local" ? change !== "added" : side === "conflict" || change !== "removed";
+export function isOnController({ side, change, controller_change: other = change }: DifferingFile): boolean {
+  return side === "local" ? change !== "added" : other !== "removed";
+}
+
+/** Returns the files that are not alike on both sides. */
+function differing(files: readonly DifferingFile[]): Difference[] {
+  return files.filter((file): file is Difference => file.side !== "alike");
 }
 
 function stateOf(files: readonly DifferingFile[]): State {
-  const sides = new Set(files.map(({ side }) => side));
+  const sides = new Set(differing(files).map(({ side }) => side));
   const [side = "none"] = sides;
   return sides.has("conflict") ? "conflict" : sides.size > 1 ? "both" : side;
 }

@@ -13,15 +13,15 @@ const MERGE = "Merge";
 
 /** Pulls a project. Returns whether files may have changed. */
 export async function pull(project: Project, transfers: Transfers): Promise<boolean> {
-  const transfer = { ...project, title: `Pulling from ${project.address}`, showsOutput: true };
-  const finished = await transfers.run({ ...transfer, words: ["pull"] });
+  const transfer = { ...project, title: `Pulling from ${project.address}`, subcommand: "pull" as const, showsOutput: true };
+  const finished = await transfers.run({ ...transfer, words: [] });
   if (finished === undefined || finished.code !== CONFLICTS) {
     return finished !== undefined && report(finished, transfers);
   }
   if ((await transfers.showFailure(finished, MERGE)) !== MERGE) {
     return false;
   }
-  const merged = await transfers.run({ ...transfer, words: ["pull", "--merge"] });
+  const merged = await transfers.run({ ...transfer, words: ["--merge"] });
   if (merged?.code !== CONFLICTS) {
     return merged !== undefined && report(merged, transfers);
   }
@@ -38,8 +38,8 @@ export async function pullNew(transfers: Transfers): Promise<Project | undefined
   if (folder === undefined || address === undefined || content === undefined) {
     return undefined;
   }
-  const words = ["pull", ...content.options, "--", address, "."];
-  const finished = await transfers.run({ folder, address, title: `Pulling from ${address}`, words, showsOutput: true });
+  const words = [...content.options, "--", address, "."];
+  const finished = await transfers.run({ folder, address, title: `Pulling from ${address}`, subcommand: "pull", words, showsOutput: true });
   const isPulled = finished !== undefined && (await report(finished, transfers));
   return isPulled ? readProject(folder) : undefined;
 }

@@ -17,7 +17,8 @@ export async function push(project: Project, names: readonly string[], transfers
   const plan = await transfers.run({
     ...project,
     title: `Checking, and comparing with ${project.address}`,
-    words: ["push", "--dry-run", "--format", "json", ...names],
+    subcommand: "push",
+    words: ["--dry-run", "--format", "json", ...names],
   });
   if (plan?.code !== 0) {
     await (plan && transfers.showFailure(plan));
@@ -37,7 +38,8 @@ export async function push(project: Project, names: readonly string[], transfers
   const pushed = await transfers.run({
     ...project,
     title: `Pushing to ${project.address}`,
-    words: ["push", ...(choice === UNLOADED ? ["--unloaded"] : []), ...names],
+    subcommand: "push",
+    words: [...(choice === UNLOADED ? ["--unloaded"] : []), ...names],
     showsOutput: true,
   });
   if (pushed?.code !== 0) {

@@ -15,6 +15,7 @@ export interface Transfer {
   folder: string;
   /** Address of the controller, under which its password is stored. */
   address: string;
+  subcommand: "pull" | "status" | "push";
   words: readonly string[];
   /** Whether the output is text for the output channel. */
   showsOutput?: boolean;
@@ -79,11 +80,11 @@ export class Transfers implements vscode.Disposable {
     return choice;
   }
 
-  private async attempt(command: string, { title, folder, address, words, showsOutput }: Transfer): Promise<Finished> {
+  private async attempt(command: string, { title, folder, address, subcommand, words, showsOutput }: Transfer): Promise<Finished> {
     const options = { location: vscode.ProgressLocation.Notification, title, cancellable: true };
-    this.channel.appendLine(`> val3 ${words.join(" ")}`);
+    this.channel.appendLine(`> ${["val3", subcommand, ...words].join(" ")}`);
     const finished = await vscode.window.withProgress(options, async (progress, token) => {
-      const ended = await run(command, [...words, "--color", "never"], {
+      const ended = await run(command, [subcommand, "--color", "never", ...words], {
         folder,
         variables: this.passwords.variables(address),
         onCancel: token.onCancellationRequested,
