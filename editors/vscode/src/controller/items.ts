@@ -50,7 +50,7 @@ export function projectNode(project: Project, folder: string, compared: Compared
   const serial = project.serial === "" ? "no serial number" : project.serial;
   const description = `${serial}, ${compared === undefined ? "not compared" : summary(compared)}`;
   return {
-    ...common(project, id, project.address, { id: "server-environment" }),
+    ...common(project, id, shortAddress(project.address), { id: "server-environment" }),
     description,
     tooltip: `Controller ${project.address}\nSerial number: ${serial}\nFolder: ${folder}`,
     spoken: `${project.address}, controller, ${description}`,
@@ -58,6 +58,12 @@ export function projectNode(project: Project, folder: string, compared: Compared
     isOpen: true,
     children: compared === undefined ? undefined : () => children(project, compared),
   };
+}
+
+/** Returns the profile and host of a server, or the name of an emulator's folder, because the view is narrow. */
+function shortAddress(address: string): string {
+  const isServer = /^\w+:\/\//.test(address);
+  return isServer ? address.slice(address.indexOf("://") + 3) : (address.split(/[\\/]/).findLast((name) => name !== "") ?? address);
 }
 
 function summary({ applications, settings, time }: Compared): string {

@@ -90,7 +90,8 @@ export class Transfers implements vscode.Disposable {
         onCancel: token.onCancellationRequested,
         progress: (text) => {
           this.channel.append(text);
-          progress.report({ message: text.trimEnd().split("\n").at(-1) });
+          // The title contains the address.
+          progress.report({ message: text.trimEnd().split("\n").at(-1)?.replace(`${address}: `, "") });
         },
       });
       return { ...ended, isCancelled: token.isCancellationRequested };
