@@ -99,6 +99,13 @@ const STEPS = {
     assert.equal(read(CELL, START), read(ROBOT, START));
   },
 
+  async "another window shows the controller, and connects only for a command"(user) {
+    // A new window also watches the folders that the pull has created, which the watcher on Linux can miss.
+    await user.page.reload();
+    await user.page.waitForSelector(row(`${ROBOT}, controller, F10-0001, not compared`));
+    await user.page.waitForSelector('.pane-header[aria-label^="Applications"]');
+  },
+
   async "a changed file is below its application"(user) {
     write(CELL, START, program("start", "nCount=nCount+2"));
     await title(user, "Compare with Controller");
