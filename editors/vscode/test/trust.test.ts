@@ -19,7 +19,7 @@ interface Manifest {
 
 /** Commands of the manifest that execute a folder's programs, load its shapes, or connect to the address in it. */
 const EXECUTING = ["val3.tree.run", "val3.tree.debug", "val3.showRobot",
-  ...["pull", "compare", "push", "showChanges"].map((name) => `val3.controller.${name}`)];
+  ...["pull", "compare", "push", "pushApplication", "showChanges"].map((name) => `val3.controller.${name}`)];
 /** Settings that choose the executed command. */
 const SERVER = ["val3.server.path", "val3.server.arguments"];
 

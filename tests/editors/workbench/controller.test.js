@@ -135,7 +135,7 @@ const STEPS = {
 
   async "an application is pushed"(user) {
     await user.page.hover(row("demo, application"));
-    await user.page.click(`${row("demo, application")} .action-label[aria-label^="Push to Controller"]`);
+    await user.page.click(`${row("demo, application")} .action-label[aria-label^="Push This Application"]`);
     await answersDialog(user, "Push 1 file", "Unloaded: Push");
     await user.told("Load on the controller again: demo.");
     await user.page.waitForSelector(row("demo, application, unchanged"));

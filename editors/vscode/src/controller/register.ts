@@ -31,9 +31,8 @@ export function registerController(client: Client, report: (fault: unknown) => v
       await compare(project, transfers, view);
     }
   };
-  const pushAndCompare = async (node: ControllerNode | undefined): Promise<void> => {
+  const pushAndCompare = async (node: ControllerNode | undefined, names: readonly string[]): Promise<void> => {
     const project = await chosen(node, await view.projects());
-    const names = node?.application === undefined ? [] : [node.application];
     if (project !== undefined && (await push(project, names, transfers))) {
       await compare(project, transfers, view);
     }
@@ -41,7 +40,11 @@ export function registerController(client: Client, report: (fault: unknown) => v
   return [
     vscode.Disposable.from(transfers, documents, view),
     command("val3.controller.pull", pullAndCompare),
-    command("val3.controller.push", pushAndCompare),
+    // A button in the title of the view also receives the selected item.
+    command("val3.controller.push", (node) => pushAndCompare(node, [])),
+    command("val3.controller.pushApplication", async (node) => {
+      await (node?.application === undefined ? undefined : pushAndCompare(node, [node.application]));
+    }),
     command("val3.controller.compare", async (node) => {
       const project = await chosen(node, await view.projects());
       await (project && compare(project, transfers, view));
@@ -51,10 +54,14 @@ export function registerController(client: Client, report: (fault: unknown) => v
   ];
 }
 
-/** Returns the project of the item, the only one, or the one that the user selects. */
+/**
+ * Returns the project of the item, the only one, or the one that the user selects. The item may be older than the state of
+ * its project.
+ */
 async function chosen(node: ControllerNode | undefined, projects: readonly Project[]): Promise<Project | undefined> {
-  if (node !== undefined) {
-    return node.project;
+  const ofNode = projects.find(({ folder }) => folder === node?.project.folder);
+  if (ofNode !== undefined) {
+    return ofNode;
   }
   if (projects.length === 0) {
     void vscode.window.showInformationMessage("No folder of the workspace has a controller yet. Pull its files first.");
