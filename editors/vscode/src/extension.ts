@@ -10,6 +10,7 @@ import { registerNewProgram } from "./commands/newProgram";
 import { registerPages } from "./commands/openPage";
 import { registerRename } from "./commands/rename";
 import { registerShowReferences } from "./commands/showReferences";
+import { registerController } from "./controller/register";
 import { registerDataEditor } from "./dataEditor/provider";
 import { registerDebugging } from "./debug/register";
 import { registerEncodings } from "./encoding/documents";
@@ -64,6 +65,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerShowReferences(),
     ...registerRename(views),
     ...registerVariables(context, started, views, report),
+    whenTrusted(() => registerController(started, report)),
     whenTrusted(() => registerTesting(started, output)),
     whenTrusted(() => registerTools(started)),
     ...registerDebugging(context, started, views, walkthrough, report, selection.event),

@@ -17,8 +17,9 @@ interface Manifest {
   };
 }
 
-/** Commands of the manifest that execute a folder's programs or load its shapes. */
-const EXECUTING = ["val3.tree.run", "val3.tree.debug", "val3.showRobot"];
+/** Commands of the manifest that execute a folder's programs, load its shapes, or connect to the address in it. */
+const EXECUTING = ["val3.tree.run", "val3.tree.debug", "val3.showRobot",
+  ...["pull", "compare", "push", "pushApplication", "showChanges"].map((name) => `val3.controller.${name}`)];
 /** Settings that choose the executed command. */
 const SERVER = ["val3.server.path", "val3.server.arguments"];
 
@@ -72,6 +73,7 @@ test("the manifest restricts what executes programs", () => {
 /** All files in which the extension starts a process, each with the protection against code in an untrusted folder. */
 const STARTS: Record<string, string> = {
   "client.ts": "the server, which only reads",
+  "controller/process.ts": "registered by whenTrusted",
   "debug/adapter.ts": "made by debug/register.ts in trusted folders",
   "debug/lenses.ts": "checkTrust",
   "debug/view/preview.ts": "isTrusted",

@@ -38,6 +38,14 @@ const STEPS = {
     await user.keys("Escape");
   },
 
+  async "the view of the controller asks for trust"(user) {
+    await user.command("View: Show VAL 3");
+    const pane = '.pane:has(.pane-header[aria-label^="Controller"])';
+    await user.page.click(`${pane} .pane-header`);
+    await user.page.waitForSelector(`${pane} .monaco-button:has-text("Manage Workspace Trust")`);
+    await user.page.click(`${pane} .pane-header`);
+  },
+
   async "the debugger asks for trust"(user) {
     await user.openFile("start.pgx");
     await user.keys("F5");

@@ -189,6 +189,13 @@ function whole(document: vscode.TextDocument): vscode.Range {
   return document.validateRange(new vscode.Range(0, 0, document.lineCount, 0));
 }
 
+/** Decodes the bytes of a file in its own encoding, like `openDocument`. */
+export async function decodeFile(bytes: Uint8Array): Promise<string> {
+  const encoding = await encodingOf(bytes);
+  // Without an encoding, a byte order mark decides, which VS Code detects.
+  return encoding === undefined ? vscode.workspace.decode(bytes) : decode(bytes, encoding);
+}
+
 // VS Code saves without edits that take too long, so the usual encodings are converted here.
 
 async function decode(bytes: Uint8Array, encoding: string): Promise<string> {

@@ -3,9 +3,9 @@
 import * as vscode from "vscode";
 import type { Location } from "vscode-languageclient/node";
 import { rangeOf } from "../ranges";
-import type { TreeNode } from "./nodes";
+import type { ItemContent } from "./nodes";
 
-export function treeItem(node: TreeNode): vscode.TreeItem {
+export function treeItem(node: ItemContent): vscode.TreeItem {
   const { None, Collapsed, Expanded } = vscode.TreeItemCollapsibleState;
   const item = new vscode.TreeItem(node.label, node.children === undefined ? None : node.isOpen ? Expanded : Collapsed);
   item.id = node.id;
@@ -23,7 +23,7 @@ export function treeItem(node: TreeNode): vscode.TreeItem {
   return item;
 }
 
-function openCommand({ context, label }: TreeNode, { uri, range }: Location): vscode.Command {
+function openCommand({ context, label }: ItemContent, { uri, range }: Location): vscode.Command {
   const resourceUri = vscode.Uri.parse(uri);
   const asCode = vscode.workspace.getConfiguration("val3").get<boolean>("codeView.openByDefault", false);
   if (context.includes("program") && asCode) {

@@ -7,22 +7,27 @@ import { Graph, type Item } from "./graph";
 import { dataIcon, GROUP, type Icon, MISSING, programIcon, projectIcon } from "./icons";
 import { dataTexts, missingTexts, programTexts, projectTexts, referenceTexts, type Texts } from "./texts";
 
-/** Node of the view. */
-export interface TreeNode extends Texts {
+/** Shown part of a node, in this view and in the view "Controller". */
+export interface ItemContent extends Texts {
   /** Constant while the node exists, so that it stays open and selected. */
   id: string;
   label: string;
   icon: Icon;
   /** Words by which menus select their entries. */
   context: string[];
-  /** Project file for additions. */
-  project: TreeProject | undefined;
-  /** Item for rename, delete and find uses. */
-  item: Item | undefined;
   /** Location that a click opens. */
   target: Location | undefined;
   isOpen: boolean;
   /** `undefined` for a node without children. */
+  children: (() => ItemContent[]) | undefined;
+}
+
+/** Node of the view. */
+export interface TreeNode extends ItemContent {
+  /** Project file for additions. */
+  project: TreeProject | undefined;
+  /** Item for rename, delete and find uses. */
+  item: Item | undefined;
   children: (() => TreeNode[]) | undefined;
 }
 

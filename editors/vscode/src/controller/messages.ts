@@ -1,0 +1,19 @@
+// Error output of `val3` as messages. Pure functions.
+
+/** Returns the error and its help, or the last line if there is no error, without line breaks. */
+export function messageOf(errors: string): string {
+  const lines = errors.trimEnd().split("\n");
+  const first = lines.findLastIndex((line) => line.startsWith("error: "));
+  const texts = lines.slice(first).map((line) => line.trim().replace(/^error: /, "").replace(/^help: /, "Help: "));
+  return texts.filter((text) => text !== "").join(". ");
+}
+
+/** Returns the lines that `val3` writes in addition to its result, for example about a push that was recovered. */
+export function notesOf(errors: string): string[] {
+  return errors.split("\n").filter((line) => /^(note|warning): /.test(line));
+}
+
+/** Whether the controller has rejected the password or its absence. The reply is that of FTP (RFC 959). */
+export function isLoginRejected(errors: string): boolean {
+  return /^error: cannot log in at \S+: 530 /m.test(errors);
+}
