@@ -42,6 +42,6 @@ pub use push::{
     recover, remove_new_tree, write_new_tree,
 };
 pub use rules::is_protected;
-pub use running::running_applications;
+pub use running::{LOG_FOLDER, running_applications};
 pub use scan::{TOTAL_LIMIT, files_below, read_file, read_files};
 pub use status::{ProjectStatus, check_identity};

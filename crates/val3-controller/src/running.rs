@@ -10,6 +10,9 @@ use crate::error::ControllerError;
 use crate::path::ControllerPath;
 use crate::scan::Presence;
 
+/// Folder of the controller's logs.
+pub const LOG_FOLDER: &str = "log";
+
 /// Logs, the first existing one counts.
 const LOGS: [&str; 2] = ["log/user.log", "log/errors.log"];
 

@@ -10,6 +10,7 @@ use std::process::ExitCode;
 use camino::Utf8Path;
 use val3_backup::info::{ControllerInfo, ControllerRoot, controller_info, controller_roots};
 use val3_backup::log::log_folders;
+use val3_controller::LOG_FOLDER;
 
 use self::devices::{DeviceInfo, devices};
 use crate::args::{InfoArgs, InfoFormat};
@@ -22,7 +23,7 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// Folders of a controller at an address that are read.
 const FOLDERS: RemoteFolders = RemoteFolders {
     downloaded: &["usr/usrapp", "usr/configs", "usr/app", "usr/applicom"],
-    listed: &["sys/configs", "log"],
+    listed: &["sys/configs", LOG_FOLDER],
 };
 
 /// Description of one controller.

@@ -2,6 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_backup::log::{LogFolder, LoggedEntry, entries, foreign_content, log_folders, merged};
+use val3_controller::LOG_FOLDER;
 use val3_files::{FileClass, is_archive_name};
 
 use crate::backup_files::{OpenedBackup, RemoteFolders, open, open_address};
@@ -12,10 +13,10 @@ use crate::user_error::UserError;
 pub(super) const NAMES: &str = "errors.log, system.log or user.log";
 
 /// Folders of a controller at an address: logs, and programs for the source lines of messages.
-const FOLDERS: RemoteFolders = RemoteFolders { downloaded: &[], listed: &["log", "usr/usrapp"] };
+const FOLDERS: RemoteFolders = RemoteFolders { downloaded: &[], listed: &[LOG_FOLDER, "usr/usrapp"] };
 
 /// Folders of a controller whose programs are not searched.
-const LOG_FOLDERS: RemoteFolders = RemoteFolders { downloaded: &[], listed: &["log"] };
+const LOG_FOLDERS: RemoteFolders = RemoteFolders { downloaded: &[], listed: &[LOG_FOLDER] };
 
 /// Entries of the logs.
 pub(super) struct ReadLog {

@@ -102,132 +102,73 @@ fn a_conflict_is_merged_on_request() {
     assert_eq!(in_cell(&folder, &["push", "--unloaded"]).code, 1, "the check reports the conflict");
 }
 
-/// The contract of programs that read the documents, such as editors.
+/// JSON document of a command in the project, with a line for each element of a list. Programs such as editors read it.
+#[track_caller]
+fn document(folder: &Folder, args: &[&str], code: i32) -> String {
+    let run = in_cell(folder, &[args, &["--format", "json"]].concat());
+    assert_eq!(run.code, code, "{}", run.stderr);
+    let mut value: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    for key in ["address", "project"] {
+        if let Some(path) = value.get_mut(key) {
+            let shown = path.as_str().unwrap().replace(folder.path().to_str().unwrap(), "…").replace('\\', "/");
+            *path = shown.into();
+        }
+    }
+    format!("{value}\n").replace(":[{", ":[\n{").replace("},{", "},\n{")
+}
+
 #[test]
-fn programs_read_the_differences_and_the_plan() {
+fn differences_are_a_document() {
     let folder = pulled();
     folder.write("robot/usr/usrapp/other/other.pjx", PROJECT);
     assert_eq!(in_cell(&folder, &["pull", "--all"]).code, 0);
-    let document = |args: &[&str], code: i32| {
-        let run = in_cell(&folder, args);
-        assert_eq!(run.code, code, "{}", run.stderr);
-        let mut value: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
-        for key in ["address", "project"] {
-            if let Some(path) = value.get_mut(key) {
-                let shown = path.as_str().unwrap().replace(folder.path().to_str().unwrap(), "…").replace('\\', "/");
-                *path = shown.into();
-            }
-        }
-        serde_json::to_string_pretty(&value).unwrap()
-    };
-    let none = expect![[r#"
-        {
-          "address": "…/robot",
-          "applications": [
-            {
-              "files": [],
-              "name": "demo"
-            },
-            {
-              "files": [],
-              "name": "other"
-            }
-          ],
-          "controller": {
-            "arm": null,
-            "serial": "F10-1"
-          },
-          "project": "…/cell",
-          "settings": [],
-          "version": 1
-        }"#]];
-    none.assert_eq(&document(&["status", "--format", "json"], 0));
-    let empty = expect![[r#"
-        {
-          "changes": [],
-          "version": 1
-        }"#]];
-    empty.assert_eq(&document(&["push", "--dry-run", "--format", "json"], 0));
+    expect![[r#"
+        {"address":"…/robot","applications":[
+        {"files":[],"name":"demo"},
+        {"files":[],"name":"other"}],"controller":{"arm":null,"serial":"F10-1"},"project":"…/cell","settings":[],"version":1}
+    "#]].assert_eq(&document(&folder, &["status"], 0));
     folder.write("cell/usr/usrapp/demo/new.pgx", &program("new", "nCount=9"));
     folder.write("robot/usr/usrapp/demo/new.pgx", &program("new", "nCount=9"));
     folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=5"));
     folder.write("robot/usr/usrapp/demo/start.pgx", &program("start", "nCount=6"));
     fs::remove_file(folder.path().join("cell/usr/usrapp/demo/stop.pgx")).unwrap();
     folder.write("robot/usr/configs/sio.cfx", "<sio />");
-    let differences = expect![[r#"
-        {
-          "address": "…/robot",
-          "applications": [
-            {
-              "files": [
-                {
-                  "change": "added",
-                  "path": "usr/usrapp/demo/new.pgx",
-                  "side": "alike"
-                },
-                {
-                  "change": "changed",
-                  "controller_change": "changed",
-                  "path": "usr/usrapp/demo/start.pgx",
-                  "side": "conflict"
-                },
-                {
-                  "change": "removed",
-                  "path": "usr/usrapp/demo/stop.pgx",
-                  "side": "local"
-                }
-              ],
-              "name": "demo"
-            },
-            {
-              "files": [],
-              "name": "other"
-            }
-          ],
-          "controller": {
-            "arm": null,
-            "serial": "F10-1"
-          },
-          "project": "…/cell",
-          "settings": [
-            {
-              "change": "added",
-              "path": "usr/configs/sio.cfx",
-              "side": "controller"
-            }
-          ],
-          "version": 1
-        }"#]];
-    differences.assert_eq(&document(&["status", "--format", "json"], 1));
+    expect![[r#"
+        {"address":"…/robot","applications":[
+        {"files":[
+        {"change":"added","path":"usr/usrapp/demo/new.pgx","side":"alike"},
+        {"change":"changed","controller_change":"changed","path":"usr/usrapp/demo/start.pgx","side":"conflict"},
+        {"change":"removed","path":"usr/usrapp/demo/stop.pgx","side":"local"}],"name":"demo"},
+        {"files":[],"name":"other"}],"controller":{"arm":null,"serial":"F10-1"},"project":"…/cell","settings":[
+        {"change":"added","path":"usr/configs/sio.cfx","side":"controller"}],"version":1}
+    "#]]
+    .assert_eq(&document(&folder, &["status"], 1));
     let refused = in_cell(&folder, &["push", "--dry-run", "--format", "json"]);
     assert_eq!((refused.code, refused.stdout.as_str()), (1, ""), "{}", refused.stderr);
-    folder.write("robot/usr/usrapp/demo/start.pgx", &program("start", "nCount=nCount+1"));
+}
+
+#[test]
+fn changes_of_a_push_are_a_document() {
+    let folder = pulled();
+    let push = ["push", "--dry-run", "--ignore", "V"];
+    expect![[r#"
+        {"changes":[],"version":1}
+    "#]]
+    .assert_eq(&document(&folder, &push, 0));
     folder.write("cell/usr/usrapp/demo/more.pgx", &program("more", "nCount=1"));
-    let plan = expect![[r#"
-        {
-          "changes": [
-            {
-              "action": "create",
-              "path": "usr/usrapp/demo/more.pgx",
-              "size": 221
-            },
-            {
-              "action": "replace",
-              "path": "usr/usrapp/demo/start.pgx",
-              "size": 222
-            },
-            {
-              "action": "remove",
-              "path": "usr/usrapp/demo/stop.pgx",
-              "size": null
-            }
-          ],
-          "version": 1
-        }"#]];
-    plan.assert_eq(&document(&["push", "--dry-run", "--ignore", "V", "--format", "json"], 0));
-    let run = in_cell(&folder, &["push", "--dry-run", "--ignore", "V", "--format", "json", "--output", "plan.json"]);
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=5"));
+    fs::remove_file(folder.path().join("cell/usr/usrapp/demo/stop.pgx")).unwrap();
+    let changes = document(&folder, &push, 0);
+    expect![[r#"
+        {"changes":[
+        {"action":"create","path":"usr/usrapp/demo/more.pgx","size":221},
+        {"action":"replace","path":"usr/usrapp/demo/start.pgx","size":222},
+        {"action":"remove","path":"usr/usrapp/demo/stop.pgx","size":null}],"version":1}
+    "#]]
+    .assert_eq(&changes);
+    let run = in_cell(&folder, &[&push[..], &["--format", "json", "--output", "plan.json"]].concat());
     assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{}", run.stderr);
-    assert!(folder.read("cell/plan.json").starts_with("{\"changes\":["));
+    assert_eq!(folder.read("cell/plan.json").trim(), changes.replace('\n', ""));
 }
 
 #[test]
