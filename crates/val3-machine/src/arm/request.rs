@@ -3,7 +3,9 @@
 use val3_kinematics::Arm;
 use val3_lang::ports::{CodePlace, MoveRequest};
 use val3_lang::values::MdescValue;
-use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, SpeedLimits};
+use val3_motion::{Blend, Cause, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, SpeedLimits};
+
+use super::{CAPACITY, RobotArm};
 
 /// Instruction or client that has recorded a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,8 +20,25 @@ pub struct MoveOrigin {
     pub cancelled_by: Option<CodePlace>,
 }
 
+impl RobotArm {
+    /// Whether no more moves can be recorded before a move is done.
+    pub(super) fn is_full(&self) -> bool {
+        self.motion.moves().len() >= CAPACITY
+    }
+
+    /// Appends a move with this id, requested at a line or by a client.
+    pub(super) fn append(&mut self, request: &MoveRequest, id: f64, at: Option<CodePlace>) -> Result<(), Cause> {
+        self.motion.record(&to_move(&self.model, request, id))?;
+        if let Some(last) = self.motion.moves().last() {
+            let (instruction, descriptor) = (request.instruction, request.descriptor);
+            self.origins.insert(last.serial, MoveOrigin { instruction, at, descriptor, cancelled_by: None });
+        }
+        Ok(())
+    }
+}
+
 /// Converts a request to the move with this id.
-pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
+fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
     let MoveRequest { path, tool, descriptor, manner, .. } = request;
     let MdescValue { blend, leave, reach, .. } = *descriptor;
     let blend = Blend::new(blend, Millimetres(leave), Millimetres(reach));
