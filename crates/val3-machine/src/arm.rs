@@ -384,27 +384,6 @@ impl RobotArm {
         Ok(Some(id))
     }
 
-    /// Whether no more moves can be recorded before a move is done.
-    fn is_full(&self) -> bool {
-        self.motion.moves().len() >= CAPACITY
-    }
-
-    /// Appends a move with this id, requested at a line or by a client.
-    fn append(&mut self, request: &MoveRequest, id: f64, at: Option<CodePlace>) -> Result<(), Cause> {
-        self.motion.record(&request::to_move(&self.model, request, id))?;
-        if let Some(last) = self.motion.moves().last() {
-            let (instruction, descriptor) = (request.instruction, request.descriptor);
-            self.origins.insert(last.serial, MoveOrigin { instruction, at, descriptor, cancelled_by: None });
-        }
-        Ok(())
-    }
-
-    /// Position of the tool centre point at the destination of a move, in mm in `world`, to a micrometre.
-    #[must_use]
-    pub(crate) fn target_of(&self, request: &MoveRequest) -> [f64; 3] {
-        request::target(&self.model, request).map(|coordinate| (coordinate * 1000.0).round() / 1000.0)
-    }
-
     /// `waitEndMove` at a line: the last recorded move of programs ends without a blend. Returns whether all these moves
     /// are done.
     ///

@@ -3,7 +3,11 @@
 use val3_kinematics::Arm;
 use val3_lang::ports::{CodePlace, MoveRequest};
 use val3_lang::values::MdescValue;
-use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, MovePath, SpeedLimits};
+use val3_motion::{
+    Blend, Cause, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, MovePath, SpeedLimits,
+};
+
+use super::{CAPACITY, RobotArm};
 
 /// Instruction or client that has recorded a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,21 +22,39 @@ pub struct MoveOrigin {
     pub cancelled_by: Option<CodePlace>,
 }
 
+impl RobotArm {
+    /// Whether no more moves can be recorded before a move is done.
+    pub(super) fn is_full(&self) -> bool {
+        self.motion.moves().len() >= CAPACITY
+    }
+
+    /// Appends a move with this id, requested at a line or by a client.
+    pub(super) fn append(&mut self, request: &MoveRequest, id: f64, at: Option<CodePlace>) -> Result<(), Cause> {
+        self.motion.record(&to_move(&self.model, request, id))?;
+        if let Some(last) = self.motion.moves().last() {
+            let (instruction, descriptor) = (request.instruction, request.descriptor);
+            self.origins.insert(last.serial, MoveOrigin { instruction, at, descriptor, cancelled_by: None });
+        }
+        Ok(())
+    }
+
+    /// Position of the tool centre point at the destination of a move, in mm in `world`, to a micrometre.
+    pub(crate) fn target_of(&self, request: &MoveRequest) -> [f64; 3] {
+        let pose = match &request.path {
+            MovePath::Joint(joints) => self.model.flange(joints) * request.tool,
+            MovePath::JointToPoint(target) | MovePath::Line(target) | MovePath::Circle(_, target) => target.pose,
+        };
+        let position: [f64; 3] = pose.translation.vector.into();
+        position.map(|coordinate| (coordinate * 1000.0).round() / 1000.0)
+    }
+}
+
 /// Converts a request to the move with this id.
-pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
+fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
     let MoveRequest { path, tool, descriptor, manner, .. } = request;
     let MdescValue { blend, leave, reach, .. } = *descriptor;
     let blend = Blend::new(blend, Millimetres(leave), Millimetres(reach));
     Move { path: path.clone(), tool: *tool, limits: limits(arm, descriptor), blend, id, manner: *manner }
-}
-
-/// Position of the tool centre point at the destination, in mm in `world`.
-pub(super) fn target(arm: &Arm, request: &MoveRequest) -> [f64; 3] {
-    let pose = match &request.path {
-        MovePath::Joint(joints) => arm.flange(joints) * request.tool,
-        MovePath::JointToPoint(target) | MovePath::Line(target) | MovePath::Circle(_, target) => target.pose,
-    };
-    pose.translation.vector.into()
 }
 
 /// Limits of a descriptor, whose percentages refer to the nominal values of the arm (10.3.4).
