@@ -13,6 +13,7 @@ mod debugging;
 mod inferred;
 mod kinematics;
 mod lines;
+mod projects;
 mod requests;
 mod service;
 mod sessions;
