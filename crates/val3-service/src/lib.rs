@@ -14,6 +14,7 @@ mod inferred;
 mod kinematics;
 mod lines;
 mod moves;
+mod projects;
 mod requests;
 mod service;
 mod sessions;

@@ -3,8 +3,8 @@
 use val3_soap::v1::{GetApplicationDatas, GetApplicationDatasAnswer};
 use val3_soap::{Binary, SoapFault};
 
-use crate::applications::{NamedProject, find, unreadable_project};
 use crate::context::Context;
+use crate::projects::{NamedProject, find, unreadable_project};
 
 /// Answers the request.
 pub(super) fn answer(

@@ -5,11 +5,12 @@ use val3_soap::v1::{GetApplications, GetApplicationsAnswer, ListedApplication};
 
 use crate::applications;
 use crate::context::Context;
+use crate::projects::unreadable_medium;
 
 /// Answers the request.
 pub(super) fn answer(_: &GetApplications, context: &mut Context<'_, '_>) -> Result<GetApplicationsAnswer, SoapFault> {
     let controller = context.controller();
-    let mut names = applications::stored(controller).map_err(applications::unreadable_medium)?;
+    let mut names = applications::stored(controller).map_err(unreadable_medium)?;
     let loaded: Vec<String> = applications::loaded(controller).map(|(_, name)| name).collect();
     let is_in = |names: &[String], name: &str| names.iter().any(|known| known.eq_ignore_ascii_case(name));
     let others: Vec<String> = loaded.iter().filter(|name| !is_in(&names, name)).cloned().collect();

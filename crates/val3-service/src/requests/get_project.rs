@@ -3,8 +3,8 @@
 use val3_soap::v2::{GetProject, GetProjectAnswer};
 use val3_soap::{Binary, SoapFault};
 
-use crate::applications::{NamedProject, find, unreadable_project};
 use crate::context::Context;
+use crate::projects::{NamedProject, find, unreadable_project};
 
 /// Answers the request.
 pub(super) fn answer(request: &GetProject, context: &mut Context<'_, '_>) -> Result<GetProjectAnswer, SoapFault> {

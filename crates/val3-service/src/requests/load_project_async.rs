@@ -5,8 +5,8 @@ use val3_machine::controller::{ApplicationState, OperatorAction};
 use val3_soap::v2::LoadProjectAsync;
 use val3_soap::{Empty, SoapFault};
 
-use crate::applications::check_application;
 use crate::context::Context;
+use crate::projects::check_application;
 
 /// Answers the request.
 pub(super) fn answer(request: &LoadProjectAsync, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {

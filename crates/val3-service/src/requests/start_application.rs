@@ -4,8 +4,8 @@ use val3_machine::controller::{ApplicationState, OperatorAction};
 use val3_soap::v2::StartApplication;
 use val3_soap::{Empty, ExceptionCode, SoapFault};
 
-use crate::applications::check_application;
 use crate::context::{Context, refused};
+use crate::projects::check_application;
 
 /// Answers the request.
 pub(super) fn answer(request: &StartApplication, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {

@@ -9,13 +9,14 @@ use val3_soap::{ExceptionCode, SoapAnswer, SoapRequest};
 use super::client::Client;
 use super::debugging::{PROJECT, execute, line, set, some};
 
-/// Lines of the data in a document.
+/// Lines of the data in a document, without the indentation of the list.
 #[track_caller]
 fn data_lines(MimeData { content_type, data }: MimeData) -> String {
     assert_eq!(content_type.as_deref(), Some("text/xml"));
     let text = String::from_utf8(data.0).unwrap();
     let data = text.split_once("<Datas>\n").and_then(|(_, rest)| rest.split_once("  </Datas>"));
-    data.map(|(data, _)| data.to_owned()).unwrap_or_default()
+    let lines = data.map(|(data, _)| data).unwrap_or_default().lines();
+    lines.map(|line| format!("{}\n", line.strip_prefix("    ").unwrap())).collect()
 }
 
 fn frame(task: &str, frame: i32) -> SoapRequest {
