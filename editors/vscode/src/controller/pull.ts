@@ -25,7 +25,7 @@ export async function pull(project: Project, transfers: Transfers): Promise<bool
   if (merged?.code !== CONFLICTS) {
     return merged !== undefined && report(merged, transfers);
   }
-  void vscode.window.showWarningMessage(`${reason(messageOf(merged.errors))} Both sides have changed the same values or lines: `
+  void vscode.window.showWarningMessage(`${reason(summaryOf(merged))} Both sides have changed the same values or lines: `
     + "the files contain both versions, and the check reports them as errors until you choose one.");
   return true;
 }
@@ -49,8 +49,13 @@ async function report(finished: Finished, transfers: Transfers): Promise<boolean
     await transfers.showFailure(finished);
     return false;
   }
-  void vscode.window.showInformationMessage(reason(messageOf(finished.errors)));
+  void vscode.window.showInformationMessage(reason(summaryOf(finished)));
   return true;
+}
+
+/** Returns the last line of `val3 pull` without the folder in which it ran. */
+function summaryOf({ errors }: Finished): string {
+  return messageOf(errors).replace(/^\.: /, "");
 }
 
 async function chooseFolder(): Promise<string | undefined> {

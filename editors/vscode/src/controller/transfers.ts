@@ -90,8 +90,9 @@ export class Transfers implements vscode.Disposable {
         onCancel: token.onCancellationRequested,
         progress: (text) => {
           this.channel.append(text);
-          // The title contains the address.
-          progress.report({ message: text.trimEnd().split("\n").at(-1)?.replace(`${address}: `, "") });
+          // The title contains the address. Errors have their own message.
+          const line = text.trimEnd().split("\n").at(-1)?.replace(`${address}: `, "");
+          progress.report({ message: isError(text) ? undefined : line });
         },
       });
       return { ...ended, isCancelled: token.isCancellationRequested };
@@ -99,6 +100,10 @@ export class Transfers implements vscode.Disposable {
     this.channel.append(showsOutput === true ? finished.output.toString("utf8") : "");
     return finished;
   }
+}
+
+function isError(text: string): boolean {
+  return /^error\b/m.test(text);
 }
 
 function isRejected({ code, errors, isCancelled }: Finished): boolean {
