@@ -19,6 +19,8 @@ export interface Transfer {
   words: readonly string[];
   /** Whether the output is text for the output channel. */
   showsOutput?: boolean;
+  /** Whether open files are not saved, because the command reads no local files. */
+  keepsEdits?: boolean;
 }
 
 export interface Finished extends Ended {
@@ -39,7 +41,7 @@ export class Transfers implements vscode.Disposable {
   }
 
   /**
-   * Runs a command, after saving all files. Returns `undefined`, with a message, if it cannot be started. If the login is
+   * Runs a command, usually after saving all files. Returns `undefined`, with a message, if it cannot be started. If the login is
    * rejected, prompts for the password and repeats the command.
    */
   async run(transfer: Transfer): Promise<Finished | undefined> {
@@ -55,7 +57,7 @@ export class Transfers implements vscode.Disposable {
     }
     this.busy.add(folder);
     try {
-      await vscode.workspace.saveAll(false);
+      await (transfer.keepsEdits === true || vscode.workspace.saveAll(false));
       let finished = await this.attempt(command, transfer);
       while (isRejected(finished) && (await this.passwords.prompt(transfer.address))) {
         finished = await this.attempt(command, transfer);
