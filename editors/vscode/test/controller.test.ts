@@ -37,14 +37,14 @@ function drawn(node: ControllerNode, indent = ""): string[] {
 
 test("a project that was not compared shows its controller", () => {
   const node = projectNode(project, "cell", undefined);
-  assert.deepEqual(drawn(node), ["maintenance@192.168.0.254: F10-1, not compared"]);
+  assert.deepEqual(drawn(node), ["192.168.0.254: F10-1, not compared"]);
   assert.equal(projectNode({ ...project, serial: "" }, "cell", undefined).description, "no serial number, not compared");
   assert.equal(projectNode({ ...project, address: "/srs/robot/" }, "cell", undefined).label, "robot");
 });
 
 test("applications have a state, and below them the files that differ", () => {
   assert.deepEqual(drawn(projectNode(project, "cell", compared)), [
-    "maintenance@192.168.0.254: F10-1, 7 files changed at 14:32",
+    "192.168.0.254: F10-1, 7 files changed at 14:32",
     "  both: changed here and on the controller, 2 files",
     "    a.pgx: changed here",
     "    b.pgx: added on the controller",
