@@ -10,7 +10,7 @@ import { addressFault, serverOf } from "../src/controller/address";
 import { type DifferingFile, parseComparison, parsePlan, type PlannedChange } from "../src/controller/answers";
 import { confirmation } from "../src/controller/confirmation";
 import { type Compared, type ControllerNode, isLocal, isOnController, projectNode } from "../src/controller/items";
-import { isLoginRejected, messageOf, notesOf } from "../src/controller/messages";
+import { isLoginRejected, messageOf, notesOf, summaryOf } from "../src/controller/messages";
 import { Passwords } from "../src/controller/passwords";
 import { run } from "../src/controller/process";
 
@@ -37,14 +37,14 @@ function drawn(node: ControllerNode, indent = ""): string[] {
 
 test("a project that was not compared shows its controller", () => {
   const node = projectNode(project, "cell", undefined);
-  assert.deepEqual(drawn(node), ["maintenance@192.168.0.254: F10-1, not compared"]);
+  assert.deepEqual(drawn(node), ["192.168.0.254: F10-1, not compared"]);
   assert.equal(projectNode({ ...project, serial: "" }, "cell", undefined).description, "no serial number, not compared");
   assert.equal(projectNode({ ...project, address: "/srs/robot/" }, "cell", undefined).label, "robot");
 });
 
 test("applications have a state, and below them the files that differ", () => {
   assert.deepEqual(drawn(projectNode(project, "cell", compared)), [
-    "maintenance@192.168.0.254: F10-1, 7 files changed at 14:32",
+    "192.168.0.254: F10-1, 7 files changed at 14:32",
     "  both: changed here and on the controller, 2 files",
     "    a.pgx: changed here",
     "    b.pgx: added on the controller",
@@ -105,11 +105,12 @@ test("a long list of changes is shortened", () => {
 
 const REJECTED = "error: cannot log in at robot:21: 530 Login incorrect\n  help: check the profile and its password\n";
 
-test("the message is the error with its help, or the last line", () => {
+test("the message is the error with its help, or the effect of an interruption", () => {
   const errors = "/robot: controller F10-1\nerror[V0101]: `nSetle` is not declared\n   = help: did you mean\nerror: the check has found errors\n  help: repair them\n";
   assert.equal(messageOf(errors), "the check has found errors. Help: repair them");
   assert.equal(messageOf("/robot: controller F10-1\ninterrupted: no local file was changed\n"), "interrupted: no local file was changed");
-  assert.equal(messageOf(""), "");
+  assert.equal(messageOf("/robot: controller F10-1\n"), "");
+  assert.equal(summaryOf("/robot: controller F10-1\n.: 4 files of the controller (1 kB), 1 updated\n"), "4 files of the controller (1 kB), 1 updated");
   assert.deepEqual(notesOf("x\nwarning: the last push was interrupted\nnote: y\n"), ["warning: the last push was interrupted", "note: y"]);
   assert.ok(isLoginRejected(REJECTED));
   assert.ok(!isLoginRejected("error: cannot list at robot:21: 530 x"));

@@ -176,7 +176,6 @@ const STEPS = {
     await user.told("1 file changed here and on the controller");
     await title(user, "Pull from Controller");
     await user.told("1 file changed here and on the controller", "Merge");
-    await user.told("1 merged");
     await user.page.waitForSelector(row("demo, application, changed here, 1 file"));
     assert.equal(read(CELL, DATA), data("déjà su", 6));
   },

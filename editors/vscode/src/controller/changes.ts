@@ -23,6 +23,7 @@ export async function showChanges({ project, file }: ControllerNode, transfers: 
       title: `Reading ${path} from the controller`,
       subcommand: "pull",
       words: ["--print", path],
+      keepsEdits: true,
     });
     if (finished?.code !== 0) {
       await (finished && transfers.showFailure(finished));

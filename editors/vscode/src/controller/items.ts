@@ -2,6 +2,7 @@
 
 import type { Icon } from "../tree/icons";
 import type { ItemContent } from "../tree/nodes";
+import { serverOf } from "./address";
 import type { Comparison, DifferingFile, Side } from "./answers";
 import type { Project } from "./projects";
 
@@ -60,10 +61,9 @@ export function projectNode(project: Project, folder: string, compared: Compared
   };
 }
 
-/** Returns the profile and host of a server, or the name of an emulator's folder, because the view is narrow. */
+/** Returns the host of a server, or the name of an emulator's folder, because the view is narrow. */
 function shortAddress(address: string): string {
-  const isServer = /^\w+:\/\//.test(address);
-  return isServer ? address.slice(address.indexOf("://") + 3) : (address.split(/[\\/]/).findLast((name) => name !== "") ?? address);
+  return serverOf(address)?.host ?? address.split(/[\\/]/).findLast((name) => name !== "") ?? address;
 }
 
 function summary({ applications, settings, time }: Compared): string {

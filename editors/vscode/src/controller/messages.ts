@@ -1,11 +1,16 @@
 // Error output of `val3` as messages. Pure functions.
 
-/** Returns the error and its help, or the last line if there is no error, without line breaks. */
+/** Returns the error and its help, or the effect of an interruption, without line breaks; empty if there is neither. */
 export function messageOf(errors: string): string {
   const lines = errors.trimEnd().split("\n");
-  const first = lines.findLastIndex((line) => line.startsWith("error: "));
-  const texts = lines.slice(first).map((line) => line.trim().replace(/^error: /, "").replace(/^help: /, "Help: "));
+  const first = lines.findLastIndex((line) => /^(error|interrupted): /.test(line));
+  const texts = first === -1 ? [] : lines.slice(first).map((line) => line.trim().replace(/^error: /, "").replace(/^help: /, "Help: "));
   return texts.filter((text) => text !== "").join(". ");
+}
+
+/** Returns the last line, which summarises a pull, without the folder in which it ran. */
+export function summaryOf(errors: string): string {
+  return (errors.trimEnd().split("\n").at(-1) ?? "").replace(/^\.: /, "");
 }
 
 /** Returns the lines that `val3` writes in addition to its result, for example about a push that was recovered. */

@@ -3,7 +3,7 @@
 import * as vscode from "vscode";
 import { reason } from "../tree/changes";
 import { addressFault, EXAMPLE } from "./address";
-import { messageOf } from "./messages";
+import { summaryOf } from "./messages";
 import { localFolders, type Project, readProject } from "./projects";
 import type { Finished, Transfers } from "./transfers";
 
@@ -25,7 +25,7 @@ export async function pull(project: Project, transfers: Transfers): Promise<bool
   if (merged?.code !== CONFLICTS) {
     return merged !== undefined && report(merged, transfers);
   }
-  void vscode.window.showWarningMessage(`${reason(messageOf(merged.errors))} Both sides have changed the same values or lines: `
+  void vscode.window.showWarningMessage(`${reason(summaryOf(merged.errors))} Both sides have changed the same values or lines: `
     + "the files contain both versions, and the check reports them as errors until you choose one.");
   return true;
 }
@@ -49,7 +49,7 @@ async function report(finished: Finished, transfers: Transfers): Promise<boolean
     await transfers.showFailure(finished);
     return false;
   }
-  void vscode.window.showInformationMessage(reason(messageOf(finished.errors)));
+  void vscode.window.showInformationMessage(reason(summaryOf(finished.errors)));
   return true;
 }
 

@@ -19,6 +19,8 @@ export interface Transfer {
   words: readonly string[];
   /** Whether the output is text for the output channel. */
   showsOutput?: boolean;
+  /** Whether open files are not saved, because the command reads no local files. */
+  keepsEdits?: boolean;
 }
 
 export interface Finished extends Ended {
@@ -39,7 +41,7 @@ export class Transfers implements vscode.Disposable {
   }
 
   /**
-   * Runs a command, after saving all files. Returns `undefined`, with a message, if it cannot be started. If the login is
+   * Runs a command, usually after saving all files. Returns `undefined`, with a message, if it cannot be started. If the login is
    * rejected, prompts for the password and repeats the command.
    */
   async run(transfer: Transfer): Promise<Finished | undefined> {
@@ -55,7 +57,7 @@ export class Transfers implements vscode.Disposable {
     }
     this.busy.add(folder);
     try {
-      await vscode.workspace.saveAll(false);
+      await (transfer.keepsEdits === true || vscode.workspace.saveAll(false));
       let finished = await this.attempt(command, transfer);
       while (isRejected(finished) && (await this.passwords.prompt(transfer.address))) {
         finished = await this.attempt(command, transfer);
@@ -90,8 +92,9 @@ export class Transfers implements vscode.Disposable {
         onCancel: token.onCancellationRequested,
         progress: (text) => {
           this.channel.append(text);
-          // The title contains the address.
-          progress.report({ message: text.trimEnd().split("\n").at(-1)?.replace(`${address}: `, "") });
+          // The title contains the address. Errors have their own message.
+          const line = text.trimEnd().split("\n").at(-1)?.replace(`${address}: `, "");
+          progress.report({ message: isError(text) ? undefined : line });
         },
       });
       return { ...ended, isCancelled: token.isCancellationRequested };
@@ -99,6 +102,10 @@ export class Transfers implements vscode.Disposable {
     this.channel.append(showsOutput === true ? finished.output.toString("utf8") : "");
     return finished;
   }
+}
+
+function isError(text: string): boolean {
+  return /^error\b/m.test(text);
 }
 
 function isRejected({ code, errors, isCancelled }: Finished): boolean {

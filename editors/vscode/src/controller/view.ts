@@ -38,7 +38,7 @@ export class ControllerView implements vscode.TreeDataProvider<ControllerNode>, 
     if (comparison === undefined) {
       this.compared.delete(folder);
     } else {
-      const time = new Date().toLocaleTimeString(undefined, { hour: "2-digit", minute: "2-digit" });
+      const time = new Date().toLocaleTimeString(undefined, { hour: "2-digit", minute: "2-digit", hour12: false });
       this.compared.set(folder, { ...comparison, time });
     }
     this.changes.fire();
