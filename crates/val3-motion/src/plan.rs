@@ -25,7 +25,7 @@ impl Timeline {
         // A waiting arm stays exactly at the end of the piece.
         if was_at_end && !(is_gated && is_arm_on_path) {
             self.spans.drain(..self.spans.len() - 1);
-            self.cursor = Default::default();
+            (self.cursor, self.has_halt) = (Default::default(), false);
         }
         let unchanged = self.plan_backwards(self.commit());
         self.plan_forwards(unchanged);

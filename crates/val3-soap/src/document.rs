@@ -88,9 +88,14 @@ impl SoapElement {
 
     /// Element with this attribute.
     pub(crate) fn with_attribute(mut self, namespace: &str, name: &str, value: &str) -> Self {
+        self.add_attribute(namespace, name, value);
+        self
+    }
+
+    /// Adds an attribute.
+    pub(crate) fn add_attribute(&mut self, namespace: &str, name: &str, value: &str) {
         let (namespace, name, value) = (namespace.to_owned(), name.to_owned(), value.to_owned());
         self.attributes.push(SoapAttribute { name, namespace, value });
-        self
     }
 
     /// Whether the element has this name in this name space.

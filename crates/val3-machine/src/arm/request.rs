@@ -3,9 +3,7 @@
 use val3_kinematics::Arm;
 use val3_lang::ports::{CodePlace, MoveRequest};
 use val3_lang::values::MdescValue;
-use val3_motion::{
-    Blend, Cause, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, MovePath, SpeedLimits,
-};
+use val3_motion::{Blend, Cause, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, MovePath, SpeedLimits};
 
 use super::{CAPACITY, RobotArm};
 

@@ -42,7 +42,8 @@ impl Motion {
 
     /// Brakes within the limits of the moves, unless the arm is already braking.
     pub(super) fn halt_as_planned(&mut self) {
-        if !self.executor.is_halting() {
+        // A path that was recorded while the arm is held at rest has no halt yet.
+        if !self.executor.is_halting() || !self.timeline.has_halt {
             self.halt(|span, p, x| span.bounds_at(p, None).map_or(f64::NEG_INFINITY, |bounds| bounds.lowest(x)));
         }
     }

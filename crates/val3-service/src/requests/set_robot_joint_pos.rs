@@ -19,6 +19,10 @@ pub(super) fn answer(request: &SetRobotJointPos, context: &mut Context<'_, '_>) 
     if !controller.devices.state.robot.is_power_off() {
         return Err(refused(ExceptionCode::SetPosPowerOn, "switch the power off first"));
     }
+    // An action outside the limits would be recorded before it is rejected.
+    if let Some(violation) = controller.arm().model().violations(&joints).next() {
+        return Err(refused(ExceptionCode::InvalidParameters, &format!("joints: {violation}")));
+    }
     let joints = joints.get(..controller.arm().model().axes()).unwrap_or_default();
     let keys = Map::from_iter([("joints".to_owned(), json!(joints))]);
     let invalid = |reason: String| refused(ExceptionCode::InvalidParameters, &reason);

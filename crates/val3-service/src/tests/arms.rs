@@ -65,7 +65,9 @@ fn a_position_is_that_of_the_tool_in_the_frame() {
 fn a_position_can_be_set_only_without_power() {
     let mut client = Client::logged_in();
     assert_eq!(set(&mut client, &[0.0; 5]), Err(ExceptionCode::InvalidNumberOfAxis));
+    client.controller().devices.take_events();
     assert_eq!(set(&mut client, &[10.0, 0.0, 0.0, 0.0, 0.0, 0.0]), Err(ExceptionCode::InvalidParameters));
+    assert_eq!(client.controller().devices.take_events(), [], "a rejected request is no action");
     client.controller().devices.state.robot.set_power(true);
     assert_eq!(set(&mut client, &[0.0; 6]), Err(ExceptionCode::SetPosPowerOn));
     let request = SoapRequest::GetRobotJointPos(GetRobotJointPos { robot: 1 });

@@ -5,8 +5,8 @@ use crate::document::SoapElement;
 use crate::error::SoapError;
 use crate::value::{SoapField as _, SoapValue};
 
-/// Name spaces of the content type, which differ between stubs. The first is written.
-const NAMESPACES: [&str; 2] = ["http://www.w3.org/2004/11/xmlmime", "http://tempuri.org/xmlmime.xsd"];
+/// Name spaces of the content type, which differ between stubs. The first, of the only stub with this type, is written.
+const NAMESPACES: [&str; 2] = ["http://tempuri.org/xmlmime.xsd", "http://www.w3.org/2004/11/xmlmime"];
 
 /// Name of the attribute.
 const CONTENT_TYPE: &str = "contentType";
@@ -46,11 +46,11 @@ impl SoapValue for MimeData {
     }
 
     fn write(&self, element: &mut SoapElement) {
-        let mut child = SoapElement::plain(DATA);
         if let Some(content_type) = &self.content_type {
             let [namespace, _] = NAMESPACES;
-            child = child.with_attribute(namespace, CONTENT_TYPE, content_type);
+            element.add_attribute(namespace, CONTENT_TYPE, content_type);
         }
+        let mut child = SoapElement::plain(DATA);
         self.data.write(&mut child);
         element.children.push(child);
     }

@@ -32,6 +32,10 @@ const MOST_MOVES: usize = 20;
 /// Help for an interrupted run.
 const RECORDED: &str = "A run that is recorded with --events FILE can be repeated up to this point with --replay.";
 
+/// Help for an interrupted run with clients, whose actions `--replay` cannot repeat.
+const RECORDED_CLIENTS: &str = "A run that is recorded with --events FILE can be repeated without clients: \
+                                `val3 test --record FILE` writes a scenario.";
+
 /// Maximum number of listed tasks. Applications have about ten; a faulty loop with `taskCreate` has thousands.
 const MOST_TASKS: usize = 50;
 
@@ -52,7 +56,9 @@ impl Console {
                 self.list(&format!("note: the run was ended after {now} s (--until)"), EXPECTED, controller);
             }
             End::BrokenOff(_) if !args.interactive => {
-                self.list(&format!("note: the run was interrupted after {now} s"), RECORDED, controller);
+                let has_clients = args.soap.is_some() || args.modbus.is_some();
+                let help = if has_clients { RECORDED_CLIENTS } else { RECORDED };
+                self.list(&format!("note: the run was interrupted after {now} s"), help, controller);
             }
             End::Left => {
                 self.list(&format!("note: the debugger has ended the run after {now} s"), RECORDED, controller)

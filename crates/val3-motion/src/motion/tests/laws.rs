@@ -123,6 +123,28 @@ proptest! {
         prop_assert!((arm().flange(&motion.joints()).translation.vector - moved(0.0, 0.0, 0.0).translation.vector).norm() < 1e-6);
     }
 
+    /// `resetMotion` removes all moves, also those that were recorded while the arm was held.
+    #[test]
+    fn nothing_remains_of_the_moves_after_a_reset(rounds in prop::collection::vec((events(), 1..4_usize), 1..6)) {
+        let mut motion = motion();
+        for (events, moves) in &rounds {
+            let mut moves = 0..*moves;
+            for (cycles, event) in events {
+                if let Some(number) = moves.next() {
+                    let side = if number % 2 == 0 { 20.0 } else { -20.0 };
+                    let path = MovePath::Joint([side, 0.0, 90.0, 0.0, 90.0, 0.0]);
+                    // A connection that is not finished permits no moves.
+                    _ = motion.record(&request(path, fast(), Blend::Off, 0.0));
+                }
+                happen(&mut motion, event);
+                wait(&mut motion, *cycles);
+            }
+            motion.reset();
+            wait(&mut motion, 500);
+            prop_assert!(motion.is_empty() && motion.moves().len() == 0);
+        }
+    }
+
     /// A constant deviation shifts the path, stops included.
     #[test]
     fn an_arm_stays_on_its_deviating_path_whatever_happens(

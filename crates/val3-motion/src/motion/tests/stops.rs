@@ -31,6 +31,27 @@ fn braking_way(stop: fn(&mut Motion)) -> f64 {
     motion.joints()[0] - from
 }
 
+/// Each reset removes the moves that were recorded while the arm had no power.
+#[test]
+fn resets_without_power_leave_no_moves() {
+    let mut motion = motion();
+    motion.brake();
+    for _ in 0..3 {
+        for side in [90.0, 0.0] {
+            let path = MovePath::Joint([side, 0.0, 90.0, 0.0, 90.0, 0.0]);
+            motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap();
+        }
+        wait(&mut motion, 2);
+        assert!(!motion.is_empty());
+        motion.reset();
+        wait(&mut motion, 2);
+        assert!(motion.is_empty());
+    }
+    motion.resume();
+    wait(&mut motion, 100);
+    assert_eq!(motion.joints(), START);
+}
+
 /// A stop outlasts a power loss, and the return of power does not restart the motion.
 #[test]
 fn power_and_stops_hold_the_arm_independently() {
