@@ -61,11 +61,17 @@ impl PushJournal {
 pub(super) struct BackupFolder(Utf8PathBuf);
 
 impl BackupFolder {
-    /// Creates the folder of a new backup. `name` is the time.
+    /// Creates the folder of a new backup. `name` is the time; pushes in the same second are numbered.
     pub(super) fn create(project: &ControllerProject, name: &str) -> Result<Self, ControllerError> {
         let area = project.area("backup");
         val3_files::create_folders(&area).map_err(|reason| local(&area, &reason))?;
-        let folder = area.join(name);
+        let mut folder = area.join(name);
+        for number in 2.. {
+            if !folder.exists() {
+                break;
+            }
+            folder = area.join(format!("{name}-{number:03}"));
+        }
         val3_files::create_folder(&folder).map_err(|reason| local(&folder, &reason))?;
         Ok(Self(folder))
     }
