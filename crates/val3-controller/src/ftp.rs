@@ -28,6 +28,12 @@ impl Password {
     pub fn new(text: String) -> Self {
         Self(text)
     }
+
+    /// The password, for a login.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.0
+    }
 }
 
 impl std::fmt::Debug for Password {

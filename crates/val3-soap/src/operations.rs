@@ -54,7 +54,7 @@ macro_rules! operations {
             /// Body of a message with this request.
             #[must_use]
             pub fn write(&self) -> SoapElement {
-                match self { $(Self::$request(request) => written::<$request, _>($request::NAME, request),)* }
+                match self { $(Self::$request(request) => request_body(request),)* }
             }
 
             /// Whether the operation requires a session.
@@ -154,6 +154,12 @@ operations! {
     SetPower,
 }
 
+/// Body of a message with the request of an operation.
+#[must_use]
+pub fn request_body<O: Operation>(request: &O) -> SoapElement {
+    written::<O, _>(O::NAME, request)
+}
+
 /// Element of a request or an answer of an operation.
 fn written<O: Operation, V: SoapValue>(name: &str, value: &V) -> SoapElement {
     let mut element = SoapElement::qualified(O::SERVER.namespace(), name);
@@ -161,7 +167,11 @@ fn written<O: Operation, V: SoapValue>(name: &str, value: &V) -> SoapElement {
     element
 }
 
-fn read_answer<O: Operation>(body: &SoapElement) -> Result<O::Answer, SoapError> {
+/// Reads the body of the answer to a request.
+///
+/// # Errors
+/// The body is another answer, or a field is missing or has another type.
+pub fn read_answer<O: Operation>(body: &SoapElement) -> Result<O::Answer, SoapError> {
     if body.is(O::SERVER.namespace(), O::ANSWER) {
         return O::Answer::read(body);
     }

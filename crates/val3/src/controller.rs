@@ -3,8 +3,9 @@
 mod checked;
 mod netrc;
 mod observer;
-mod password;
+pub(crate) mod password;
 mod report;
+pub(crate) mod soap_client;
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -92,7 +93,7 @@ pub(crate) fn connect(address: &ControllerAddress) -> Result<Box<dyn ControllerF
     Ok(match address {
         ControllerAddress::Folder(folder) => Box::new(FolderFiles::open(folder).map_err(ControllerError::from)?),
         ControllerAddress::Ftp(server) => {
-            let password = password::read(server)?;
+            let password = password::read(&server.user, &server.host)?;
             let files = FtpFiles::connect(server.clone(), password, FtpTimeouts::default());
             Box::new(files.map_err(ControllerError::from)?)
         }

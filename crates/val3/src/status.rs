@@ -1,6 +1,7 @@
-//! `val3 status`: what has changed here and on the controller since the last pull or push.
+//! `val3 status`: what has changed here and on the controller since the last pull or push, or what a controller does now.
 
 mod document;
+mod live;
 
 use std::process::ExitCode;
 
@@ -8,6 +9,7 @@ use val3_controller::{ControllerError, FileDifference, ProjectStatus};
 
 use crate::args::{StatusArgs, TransferFormat};
 use crate::color::Color;
+use crate::controller::soap_client::SoapTarget;
 use crate::controller::{ControllerSession, counted_files, note, open_project, status_lines};
 use crate::output::{OutputContent, to_stdout_as};
 use crate::printable::one_line;
@@ -18,6 +20,9 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// # Errors
 /// The controller cannot be reached, is another one, or a file cannot be read.
 pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError> {
+    if let Some(target) = &args.soap {
+        return show_live(target, args.format, color);
+    }
     let (project, address) = open_project(&args.folder)?;
     let folders = project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default();
     let mut session = ControllerSession::open(project, &address, false)?;
@@ -51,4 +56,22 @@ pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError
         counted_files(status.controller.len())
     ));
     Ok(if here + there + conflicts == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Shows what a controller does now.
+fn show_live(target: &SoapTarget, format: TransferFormat, color: Color) -> Result<ExitCode, UserError> {
+    let state = live::LiveState::read(target)?;
+    match format {
+        TransferFormat::Human => {
+            let lines = state.lines();
+            to_stdout_as(OutputContent::Data, color, |out| {
+                lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
+            })?;
+        }
+        TransferFormat::Json => {
+            let document = live::document(&state);
+            to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{document}"))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
 }

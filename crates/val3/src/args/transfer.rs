@@ -4,6 +4,7 @@ use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
 use super::OutputArgs;
+use crate::controller::soap_client::SoapTarget;
 
 pub(super) const PULL_EXIT_CODES: &str = "\
 Exit codes:
@@ -13,7 +14,7 @@ Exit codes:
 
 pub(super) const STATUS_EXIT_CODES: &str = "\
 Exit codes:
-  0  no difference
+  0  no difference; with --soap, the state was read
   1  files differ
   2  wrong usage, a file that cannot be read, or the controller cannot be reached";
 
@@ -62,7 +63,11 @@ pub(crate) struct StatusArgs {
     /// A folder in the project
     #[arg(value_name = "DIR", default_value = ".")]
     pub(crate) folder: Utf8PathBuf,
-    /// How the differences are written to the standard output
+    /// Show what a controller does now, by its SOAP interface: position, applications in memory, and tasks with their
+    /// lines; compare no files, and change nothing. The port is 5653 if none is named; newer controllers have 851
+    #[arg(long, value_name = "PROFILE@HOST:PORT", conflicts_with = "folder")]
+    pub(crate) soap: Option<SoapTarget>,
+    /// How the differences or the state are written to the standard output
     #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]
     pub(crate) format: TransferFormat,
     /// The destination of the text

@@ -4,7 +4,7 @@ use std::env;
 use std::io::IsTerminal as _;
 
 use camino::Utf8PathBuf;
-use val3_controller::{FtpAddress, Password};
+use val3_controller::Password;
 use val3_files::{FileClass, Unreadable};
 
 use super::netrc;
@@ -17,18 +17,17 @@ const VARIABLE: &str = "VAL3_PASSWORD";
 ///
 /// # Errors
 /// `VAL3_PASSWORD` or `~/.netrc` is not UTF-8, or the prompt fails.
-pub(super) fn read(server: &FtpAddress) -> Result<Password, UserError> {
+pub(crate) fn read(user: &str, host: &str) -> Result<Password, UserError> {
     if let Some(text) = env::var_os(VARIABLE) {
         let text = text.into_string().map_err(|_| UserError::new(format!("`{VARIABLE}` is not UTF-8")))?;
         return Ok(Password::new(text));
     }
-    if let Some(password) = stored(server)? {
+    if let Some(password) = stored(user, host)? {
         return Ok(Password::new(password));
     }
     if !std::io::stdin().is_terminal() {
         return Ok(Password::new(String::new()));
     }
-    let FtpAddress { user, host, .. } = server;
     let typed = rpassword::prompt_password(format!("Password of the profile {user} at {host}: "));
     typed.map(Password::new).map_err(|error| {
         UserError::new(format!("cannot read the password: {error}"))
@@ -37,11 +36,11 @@ pub(super) fn read(server: &FtpAddress) -> Result<Password, UserError> {
 }
 
 /// Password in `~/.netrc`.
-fn stored(server: &FtpAddress) -> Result<Option<String>, UserError> {
+fn stored(user: &str, host: &str) -> Result<Option<String>, UserError> {
     let Some(home) = env::var_os("HOME").or_else(|| env::var_os("USERPROFILE")) else { return Ok(None) };
     let Some(path) = home.to_str().map(|home| Utf8PathBuf::from(home).join(".netrc")) else { return Ok(None) };
     match val3_files::read_text(&path, FileClass::Settings) {
-        Ok(text) => Ok(netrc::password(&text, &server.host, &server.user)),
+        Ok(text) => Ok(netrc::password(&text, host, user)),
         Err(Unreadable::Missing) => Ok(None),
         Err(reason) => Err(UserError::new(format!("cannot read `{path}`: {reason}"))),
     }

@@ -5,6 +5,7 @@ use std::net::TcpStream;
 use std::process::{Child, Stdio};
 use std::time::Duration;
 
+use expect_test::expect;
 use rustix::process::{Pid, Signal, kill_process};
 
 use crate::support::Folder;
@@ -105,4 +106,33 @@ fn a_run_with_a_limit_ends() {
     let mut run = ControlledRun::of("delay(100)\n", &["--until", "0.5", "--until-ok"]);
     assert_eq!(ended(&mut run.process).code(), Some(0));
     assert!(TcpStream::connect(&run.address).is_err());
+}
+
+/// `val3 status --soap` reads what the virtual controller offers.
+#[test]
+fn a_controller_shows_its_state() {
+    let mut run = ControlledRun::of("delay(100)\n", &["--start", "10,20,80,-30,40,50"]);
+    let shown = run.folder.val3(&["status", "--soap", &run.address]);
+    assert_eq!(shown.code, 0, "{}", shown.stderr);
+    expect![[r#"
+        ADDRESS: interface 1.2
+        arm 0: tx2_90-S1
+          joints  10.000 20.000 80.000 -30.000 40.000 50.000
+          flange  666.249 135.614 257.445 -16.539 135.287 30.613 in world
+        in memory: Disk://main/main.pjx
+        task main~: running, start line 2: delay(100)
+    "#]]
+    .assert_eq(&shown.stdout.replace(&run.address, "ADDRESS"));
+    let json = run.folder.val3(&["status", "--format", "json", "--soap", &format!("http://{}/", run.address)]);
+    let document: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(document["tasks"][0]["line"], 2);
+    let joints: Vec<f64> =
+        document["arms"][0]["joints"].as_array().unwrap().iter().filter_map(serde_json::Value::as_f64).collect();
+    assert!(joints.iter().zip([10.0, 20.0, 80.0, -30.0, 40.0, 50.0]).all(|(read, set)| (read - set).abs() < 1e-9));
+    let stranger = run.folder.val3(&["status", "--soap", &format!("nobody@{}", run.address)]);
+    assert_eq!(stranger.code, 2);
+    assert!(stranger.stderr.contains("rejects the login of the profile `nobody`"), "{}", stranger.stderr);
+    run.interrupt();
+    let silent = run.folder.val3(&["status", "--soap", &run.address]);
+    assert!(silent.code == 2 && silent.stderr.contains("does not answer `login`"), "{}", silent.stderr);
 }
