@@ -52,7 +52,11 @@ def free_arm(client: Client) -> None:
                 # A task may have ended meanwhile.
                 if fault.code != "TASK-NOT-FOUND":
                     raise
-    assert client.call("V3", "resetMotion").findtext("motRet") == "SCSV3-MOT-NO-ERR"
+    # After the last task, the controller executes the program `stop`, whose task owns the arm.
+    end = time.monotonic() + 20
+    while client.call("V3", "resetMotion").findtext("motRet") != "SCSV3-MOT-NO-ERR":
+        assert time.monotonic() < end, "the moves of the application cannot be discarded"
+        time.sleep(0.01)
     assert client.call("V3", "setPower", "<power>true</power>").findtext("code") == "POWER-NO-ERR"
 
 
