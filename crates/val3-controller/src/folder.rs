@@ -72,7 +72,7 @@ impl ControllerFiles for FolderFiles {
     }
 
     fn write(&mut self, file: &ControllerPath, bytes: &[u8]) -> Result<(), AccessError> {
-        // A push has temporary names of its own, which its recovery knows.
+        // The recovery of a killed push removes the temporary files of the push only, so a write creates no others.
         self.written(format!("write `{file}`"), val3_files::write_directly(&self.local(file), bytes))
     }
 

@@ -5,6 +5,7 @@ mod live;
 
 use std::process::ExitCode;
 
+use serde_json::Value;
 use val3_controller::{ControllerError, FileDifference, ProjectStatus};
 
 use crate::args::{StatusArgs, TransferFormat};
@@ -35,18 +36,7 @@ pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError
         }
         status => status?,
     };
-    match args.format {
-        TransferFormat::Human => {
-            let lines = status_lines(&status.differences);
-            to_stdout_as(OutputContent::Data, color, |out| {
-                lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
-            })?;
-        }
-        TransferFormat::Json => {
-            let document = document::document(&session, &status);
-            to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{document}"))?;
-        }
-    }
+    write(args.format, color, || status_lines(&status.differences), || document::document(&session, &status))?;
     let count = |wanted: fn(&FileDifference) -> bool| status.differences.values().filter(|one| wanted(one)).count();
     let here = count(|one| matches!(one, FileDifference::Local(_)));
     let there = count(|one| matches!(one, FileDifference::Controller(_)));
@@ -61,17 +51,21 @@ pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError
 /// Shows what a controller does now.
 fn show_live(target: &SoapTarget, format: TransferFormat, color: Color) -> Result<ExitCode, UserError> {
     let state = live::LiveState::read(target)?;
-    match format {
-        TransferFormat::Human => {
-            let lines = state.lines();
-            to_stdout_as(OutputContent::Data, color, |out| {
-                lines.iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
-            })?;
-        }
-        TransferFormat::Json => {
-            let document = live::document(&state);
-            to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{document}"))?;
-        }
-    }
+    write(format, color, || state.lines(), || live::document(&state))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes a result as lines or as a document.
+fn write(
+    format: TransferFormat,
+    color: Color,
+    lines: impl FnOnce() -> Vec<String>,
+    document: impl FnOnce() -> Value,
+) -> Result<(), UserError> {
+    match format {
+        TransferFormat::Human => to_stdout_as(OutputContent::Data, color, |out| {
+            lines().iter().try_for_each(|line| writeln!(out, "{}", one_line(line)))
+        }),
+        TransferFormat::Json => to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{}", document())),
+    }
 }
