@@ -4,6 +4,7 @@
 //! object a line. Each line that is not blank becomes one [`LogEntry`]; a line in no known form is an entry with
 //! [`LineForm::Unknown`], so that no line is lost.
 
+mod application_state;
 mod entry;
 mod explanation;
 mod json_form;
@@ -15,6 +16,7 @@ mod source;
 mod subject;
 mod text_form;
 
+pub use application_state::{ApplicationHistory, ApplicationState, UnknownCause};
 pub use entry::{LineForm, LogEntry};
 pub use explanation::{EntryExplanation, Topic, explanation};
 pub use lines::{entries, foreign_content, line_entry};

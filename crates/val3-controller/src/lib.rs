@@ -21,7 +21,6 @@ mod project;
 mod pull;
 mod push;
 mod rules;
-mod running;
 mod scan;
 mod status;
 
@@ -41,7 +40,6 @@ pub use push::{
     FailureOutcome, LockOwner, PlannedChange, PushFailure, PushPlan, PushRequest, RecoveredPush, RecoveryOutcome, push,
     recover, remove_new_tree, write_new_tree,
 };
-pub use rules::is_protected;
-pub use running::{LOG_FOLDER, running_applications};
+pub use rules::{LOG_FOLDER, is_protected};
 pub use scan::{TOTAL_LIMIT, files_below, read_file, read_files};
 pub use status::{ProjectStatus, check_identity};

@@ -2,6 +2,9 @@
 
 use crate::path::{ControllerPath, has_suffix};
 
+/// Folder of the controller's logs.
+pub const LOG_FOLDER: &str = "log";
+
 /// Name of the lock below the applications.
 pub(crate) const LOCK_NAME: &str = "val3.lock";
 

@@ -2,6 +2,7 @@
 
 mod document;
 mod loaded;
+mod logs;
 mod outcome;
 
 use std::process::ExitCode;
@@ -64,7 +65,9 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if args.dry_run {
         return Ok(ExitCode::SUCCESS);
     }
-    if let Some(reason) = loaded::refusal(&mut *session.files, &plan, args.unloaded)? {
+    let loaded = loaded::refusal(&mut *session.files, &plan, &mut session.observer, args.unloaded);
+    session.observer.end();
+    if let Some(reason) = loaded? {
         return Ok(refused(&reason));
     }
     // The check and the question may have taken longer than an idle connection lasts.

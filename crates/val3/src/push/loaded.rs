@@ -2,9 +2,12 @@
 
 use std::io::{BufRead as _, IsTerminal as _};
 
-use val3_controller::{ControllerFiles, PushPlan, running_applications};
+use val3_backup::log::{ApplicationState, UnknownCause};
+use val3_controller::{ControllerFiles, PushPlan, TransferObserver};
 
+use super::logs::application_state;
 use crate::output::to_stderr;
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Option that states that no application is loaded.
@@ -17,28 +20,34 @@ const OPTION: &str = "stop and unload it on the controller, then add --unloaded"
 pub(super) fn refusal(
     files: &mut dyn ControllerFiles,
     plan: &PushPlan,
+    observer: &mut dyn TransferObserver,
     is_unloaded: bool,
 ) -> Result<Option<UserError>, UserError> {
     let applications = plan.applications();
     if is_unloaded || applications.is_empty() {
         return Ok(None);
     }
-    match running_applications(files)? {
-        Some(running) if running.is_empty() => Ok(None),
-        Some(running) => {
+    match application_state(files, observer)? {
+        ApplicationState::NoneRuns => Ok(None),
+        ApplicationState::Running(running) => {
             let names = running.into_iter().collect::<Vec<_>>().join("`, `");
             let message = format!("`{names}` runs on the controller, according to its log");
             Ok(Some(UserError::new(message).with_help(OPTION)))
         }
-        None if std::io::stdin().is_terminal() => ask(&applications.join("`, `")),
-        None => {
-            let message = "the log of the controller does not state whether an application is loaded";
-            Ok(Some(UserError::new(message).with_help(OPTION)))
-        }
+        ApplicationState::Unknown(cause) if std::io::stdin().is_terminal() => ask(&applications.join("`, `"), &cause),
+        ApplicationState::Unknown(cause) => Ok(Some(unknown(&cause))),
     }
 }
 
-fn ask(names: &str) -> Result<Option<UserError>, UserError> {
+fn unknown(cause: &UnknownCause) -> UserError {
+    UserError::new("the log of the controller does not state whether an application is loaded")
+        .with_details(one_line(&cause.to_string()).into_owned())
+        .with_help(OPTION)
+}
+
+fn ask(names: &str, cause: &UnknownCause) -> Result<Option<UserError>, UserError> {
+    let cause = cause.to_string();
+    to_stderr(|out| writeln!(out, "note: whether an application runs is unknown: {}", one_line(&cause)));
     to_stderr(|out| write!(out, "Are the applications stopped and unloaded: `{names}`? [y/N] "));
     let mut answer = String::new();
     let read = std::io::stdin().lock().read_line(&mut answer);

@@ -82,6 +82,40 @@ fn errors_and_running_applications_stop_a_push() {
     assert!(folder.read("robot/usr/usrapp/demo/start.pgx").contains("+1"));
 }
 
+/// Each log was pushed over without a question once, or must stay pushable without one.
+#[test]
+fn a_push_needs_logs_that_prove_that_nothing_runs() {
+    let folder = pulled();
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=3"));
+    let s8 =
+        |code: &str, text: &str| format!("{{\"entry\":{{\"type\":\"msg\",\"id\":\"{code}\",\"val\":\"{text}\"}}}}\n");
+    let [start, stop] = [("0x5402", "started"), ("0x5403", "stopped")]
+        .map(|(code, what)| move |name: &str| s8(code, &format!("Application '{name}' {what}.")));
+    let pushed = |old: &str, new: &str, log: &str| {
+        for (name, text) in [("user.old", old), ("user.log", new), ("errors.log", log)] {
+            folder.write(&format!("robot/log/{name}"), text);
+        }
+        let run = in_cell(&folder, &["push"]);
+        (run.code, run.stderr.lines().skip(1).collect::<Vec<_>>().join("\n"))
+    };
+    let help = "\n  help: stop and unload it on the controller, then add --unloaded";
+    let runs = |name: &str| (1, format!("error: `{name}` runs on the controller, according to its log{help}"));
+    let cs8 = "[01/05/21 08:00:30]: <0x5402> palletiser application started {1a2b3c4d}\n";
+    assert_eq!(pushed("", "", cs8), runs("palletiser"));
+    assert_eq!(pushed(&[start("palletiser"), start("tool")].concat(), &stop("tool"), ""), runs("palletiser"));
+    let unknown = |why: &str| {
+        let what = "error: the log of the controller does not state whether an application is loaded";
+        (1, format!("{what}\n{why}{help}"))
+    };
+    let run = "{\"entry\":{\"type\":\"run\",\"version\":\"3.0.0\"}}\n";
+    let line = "this line names no application that can be read: [01/05/21 08:00:30]: <0x5402> started";
+    assert_eq!(pushed("", "", "[01/05/21 08:00:30]: <0x5402> started\n").0, 1);
+    assert_eq!(pushed("", run, "[01/05/21 08:00:30: <0x5402> started\n"), unknown(&line.replace("30]", "30")));
+    assert_eq!(pushed("", &stop("tool"), ""), unknown("the logs do not reach back to the start of the controller"));
+    let (code, text) = pushed(&[run, &start("demo")].concat(), &stop("demo"), "");
+    assert!(code == 0 && text.contains("pushed and verified: 1 file"), "{text}");
+}
+
 #[test]
 fn a_conflict_is_merged_on_request() {
     let folder = pulled();
