@@ -45,6 +45,10 @@ pub enum ControllerError {
     Outdated(Vec<ControllerPath>),
     /// Files that are never written.
     Protected(Vec<ControllerPath>),
+    /// A push would remove this number of files, and leave no application.
+    NoApplicationLeft(usize),
+    /// A push would remove settings.
+    RemovesSettings(Vec<ControllerPath>),
     /// The address belongs to another controller than the last pull.
     OtherController {
         /// Identity at the last pull.
@@ -103,6 +107,11 @@ impl ControllerError {
             Self::Conflicts(_) => "merge the changes of both sides with `val3 pull --merge`",
             Self::Outdated(_) => "run `val3 pull` first, and check the result",
             Self::Protected(_) => "change safety, profiles, the arm and the controller's identity on the controller",
+            Self::NoApplicationLeft(_) => {
+                "restore the folder, for example with git, or pull the controller to another folder: `val3 pull ADDRESS DIR`; \
+                 remove applications that are not used on the controller"
+            }
+            Self::RemovesSettings(_) => "restore the files here, or remove them on the controller",
             Self::OtherController { .. } => "if the controller was replaced on purpose, add --new-controller",
             Self::NoSerial => "if it is an emulator or its number was erased, add --new-controller",
             Self::Locked(_) => "wait for its end; 10 minutes after the last change the lock is ignored",
@@ -132,6 +141,12 @@ impl Display for ControllerError {
                 write!(f, "{} changed on the controller since the last pull: {}", count(paths), names(paths))
             }
             Self::Protected(paths) => write!(f, "{} never written: {}", is_or_are(paths), names(paths)),
+            Self::NoApplicationLeft(count) => write!(
+                f,
+                "no application is left in the local folder `{}`: the push would remove {count} files from the controller",
+                ControllerPath::applications()
+            ),
+            Self::RemovesSettings(paths) => write!(f, "the push would remove settings: {}", names(paths)),
             Self::OtherController { expected, found } => write!(
                 f,
                 "this is another controller: its serial number is {}, and at the last pull it was {}",

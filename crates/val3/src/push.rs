@@ -4,6 +4,8 @@ mod document;
 mod loaded;
 mod logs;
 mod outcome;
+mod question;
+mod removal;
 
 use std::process::ExitCode;
 
@@ -12,6 +14,7 @@ use val3_controller::{
     ControllerError, ControllerPath, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected, push,
 };
 
+use self::removal::Removal;
 use crate::args::{PushArgs, TransferFormat};
 use crate::color::Color;
 use crate::controller::{
@@ -40,7 +43,12 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     session.observer.end();
     let (plan, status) = match plan {
         Ok(planned) => planned,
-        Err(error @ (ControllerError::Conflicts(_) | ControllerError::Outdated(_))) => {
+        Err(
+            error @ (ControllerError::Conflicts(_)
+            | ControllerError::Outdated(_)
+            | ControllerError::NoApplicationLeft(_)
+            | ControllerError::RemovesSettings(_)),
+        ) => {
             return Ok(refused(&UserError::from(error)));
         }
         Err(ControllerError::Interrupted) => return Ok(interrupted(&session)),
@@ -50,6 +58,7 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if !plan.unselected.is_empty() {
         note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
     }
+    let removal = Removal::new(&plan, &args.remove)?;
     if plan.changes.is_empty() {
         print(&plan, args.format, color)?;
         note("nothing to push");
@@ -63,7 +72,11 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     }
     print(&plan, args.format, color)?;
     if args.dry_run {
+        removal.note().iter().for_each(|line| note(line));
         return Ok(ExitCode::SUCCESS);
+    }
+    if let Some(reason) = removal.refusal()? {
+        return Ok(refused(&reason));
     }
     let loaded = loaded::refusal(&mut *session.files, &plan, &mut session.observer, args.unloaded);
     session.observer.end();

@@ -32,6 +32,32 @@ pub(super) fn ranks(projects: &ProjectTexts) -> BTreeMap<ControllerPath, usize> 
     ranks
 }
 
+/// Returns the project files that a change concerns: of the changed files' folders, and of their direct and indirect
+/// users.
+pub(super) fn affected<'c>(
+    projects: &ProjectTexts,
+    changed: impl Iterator<Item = &'c ControllerPath> + Clone,
+) -> BTreeSet<ControllerPath> {
+    let mut affected = BTreeSet::new();
+    let mut folders = BTreeSet::new();
+    loop {
+        let is_affected = |path: &ControllerPath, text: &str| {
+            let has_changed = |folder: ControllerPath| changed.clone().any(|change| change.is_in(&folder));
+            path.parent().is_some_and(has_changed) || used_folders(text).iter().any(|used| folders.contains(used))
+        };
+        let found: Vec<&ControllerPath> = projects
+            .iter()
+            .filter(|(path, text)| !affected.contains(*path) && is_affected(path, text))
+            .map(|(path, _)| path)
+            .collect();
+        if found.is_empty() {
+            return affected;
+        }
+        folders.extend(found.iter().filter_map(|path| path.parent()));
+        affected.extend(found.into_iter().cloned());
+    }
+}
+
 /// Folders of the project files that a project names by `Disk://`. Paths relative to the project stay in its folder.
 fn used_folders(text: &str) -> BTreeSet<ControllerPath> {
     let lower = text.to_ascii_lowercase();
@@ -59,6 +85,20 @@ mod tests {
         let ranks = ranks(&projects.into_iter().collect());
         let rank = |name: &str| ranks[&ControllerPath::parse(&format!("usr/usrapp/{name}")).unwrap()];
         assert!(rank("types/Slot") < rank("lib") && rank("lib") < rank("a"));
+    }
+
+    #[test]
+    fn a_change_concerns_all_users() {
+        let path = |text: &str| ControllerPath::parse(&format!("usr/usrapp/{text}")).unwrap();
+        let project = |name: &str, used: &str| (path(&format!("{name}/x.pjx")), format!("\"Disk://{used}/x.pjx\""));
+        let projects = [project("a", "lib"), project("lib", "Slot"), project("Slot", "none"), project("z", "a")];
+        let affected = |changed: &str| {
+            let found = affected(&projects.clone().into_iter().collect(), [path(changed)].iter());
+            found.iter().filter_map(|path| path.application().map(str::to_owned)).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(affected("Slot/x.dtx"), "Slot a lib z");
+        assert_eq!(affected("a/sub/x.txt"), "a z");
+        assert_eq!(affected("other/x.dtx"), "");
     }
 
     #[test]

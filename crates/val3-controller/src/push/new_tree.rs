@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use camino::Utf8PathBuf;
 
+use super::load_order::{ProjectTexts, affected};
 use super::plan::PushPlan;
 use crate::error::ControllerError;
 use crate::path::ControllerPath;
@@ -21,18 +22,8 @@ pub fn write_new_tree(
 ) -> Result<Utf8PathBuf, ControllerError> {
     let folder = project.area("checked");
     project::remove_tree(&folder)?;
-    let unselected: BTreeSet<&ControllerPath> = plan.unselected.iter().collect();
-    let paths: BTreeSet<&ControllerPath> = status.local.keys().chain(status.controller.keys()).collect();
-    for path in paths {
-        let bytes = match (unselected.contains(path), status.controller.contains_key(path)) {
-            (true, true) => {
-                let content = project.base_content(path);
-                content.ok_or_else(|| local(&project.stored("base", path), &"run `val3 pull` to store it again"))?
-            }
-            (false, _) if status.local.contains_key(path) => project::read(&project.local(path))?,
-            _ => continue,
-        };
-        project::write_copy(&folder.join(path.as_str()), &bytes)?;
+    for path in plan.new_files(status) {
+        project::write_copy(&folder.join(path.as_str()), &new_content(project, plan, path)?)?;
     }
     Ok(folder)
 }
@@ -43,4 +34,36 @@ pub fn write_new_tree(
 /// If they cannot be removed.
 pub fn remove_new_tree(project: &ControllerProject) -> Result<(), ControllerError> {
     project::remove_tree(&project.area("checked"))
+}
+
+/// Returns the project files of the applications that the push changes, and of their direct and indirect users, as the
+/// controller will have them.
+///
+/// # Errors
+/// If a project file cannot be read, or the controller's content is not stored.
+pub fn affected_projects(
+    project: &ControllerProject,
+    status: &ProjectStatus,
+    plan: &PushPlan,
+) -> Result<BTreeSet<ControllerPath>, ControllerError> {
+    let projects = plan.new_files(status).filter(|path| path.is_project());
+    let text = |path: &ControllerPath| {
+        let bytes = new_content(project, plan, path)?;
+        Ok((path.clone(), String::from_utf8_lossy(&bytes).into_owned()))
+    };
+    let texts: Result<ProjectTexts, ControllerError> = projects.map(text).collect();
+    Ok(affected(&texts?, plan.changes.iter().map(|change| &change.path)))
+}
+
+/// Content of a file after the push: the local one, unless its change is not selected.
+fn new_content(
+    project: &ControllerProject,
+    plan: &PushPlan,
+    path: &ControllerPath,
+) -> Result<Vec<u8>, ControllerError> {
+    if !plan.unselected.contains(path) {
+        return project::read(&project.local(path));
+    }
+    let content = project.base_content(path);
+    content.ok_or_else(|| local(&project.stored("base", path), &"run `val3 pull` to store it again"))
 }

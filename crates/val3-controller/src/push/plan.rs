@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use super::load_order::{ProjectTexts, ranks};
+use super::removals::removed_applications;
 use crate::compare::FileDifference;
 use crate::digest::FileDigest;
 use crate::error::ControllerError;
@@ -31,13 +32,15 @@ pub struct PushPlan {
     pub changes: Vec<PlannedChange>,
     /// Changed local files that are not selected.
     pub unselected: Vec<ControllerPath>,
+    /// Folders of applications that are removed from the controller.
+    pub removed_applications: BTreeSet<ControllerPath>,
 }
 
 impl PushPlan {
     /// Plans the upload of all local changes in the selected folders and files.
     ///
     /// # Errors
-    /// If a selected file has changed on the controller, or is never written.
+    /// If a selected file has changed on the controller, or is never written; or if no application would remain.
     pub fn new(
         project: &ControllerProject,
         status: &ProjectStatus,
@@ -69,6 +72,7 @@ impl PushPlan {
         if !outdated.is_empty() {
             return Err(ControllerError::Outdated(outdated));
         }
+        plan.removed_applications = removed_applications(&plan.changes, status)?;
         plan.sort(&project_texts(project, status)?);
         Ok(plan)
     }
@@ -108,6 +112,26 @@ impl PushPlan {
     pub fn applications(&self) -> Vec<String> {
         let names: BTreeSet<&str> = self.changes.iter().filter_map(|change| change.path.application()).collect();
         names.into_iter().map(str::to_owned).collect()
+    }
+
+    /// Changed applications that exist after the push, by their folders below `usr/usrapp`.
+    #[must_use]
+    pub fn remaining_applications(&self) -> Vec<String> {
+        let is_removed = |name: &String| {
+            let changes = || self.changes.iter().filter(|change| change.path.application() == Some(name));
+            changes().all(|change| change.new.is_none()) && changes().any(|change| change.path.is_project())
+        };
+        self.applications().into_iter().filter(|name| !is_removed(name)).collect()
+    }
+
+    /// Files that the controller has after the push, in the compared folders.
+    pub fn new_files<'s>(&self, status: &'s ProjectStatus) -> impl Iterator<Item = &'s ControllerPath> {
+        let unselected: BTreeSet<&ControllerPath> = self.unselected.iter().collect();
+        let paths: BTreeSet<&ControllerPath> = status.local.keys().chain(status.controller.keys()).collect();
+        paths.into_iter().filter(move |path| match unselected.contains(path) {
+            true => status.controller.contains_key(*path),
+            false => status.local.contains_key(*path),
+        })
     }
 
     /// Whether settings change, which the controller reads when it starts.

@@ -4,8 +4,8 @@ use std::fs;
 
 use expect_test::expect;
 use val3_controller::{
-    ControllerError, ControllerProject, FileDifference, FolderFiles, PullRequest, SideChange, SilentObserver,
-    check_identity, pull, read_file,
+    ControllerError, ControllerProject, FileDifference, FolderFiles, ProjectStatus, PullRequest, PushPlan, SideChange,
+    SilentObserver, check_identity, pull, read_file,
 };
 
 use crate::bench::{Bench, FILES, applications, path, pull_from, shown, tree};
@@ -99,6 +99,52 @@ fn a_removed_application_leaves_no_folder() {
     bench.push().unwrap();
     let state = bench.server.state();
     assert!(!state.tree.folders.contains("/usr/usrapp/tools") && state.tree.folders.contains("/usr/usrapp/demo"));
+}
+
+/// A clone with only `.val3/controller.toml`, or with project files that were moved, must not empty the controller.
+#[test]
+fn a_push_that_leaves_no_application_is_refused() {
+    let remove = |bench: &Bench, paths: &[&str]| {
+        for path in paths.iter().map(|path| bench.folder.join(path)) {
+            if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) }.unwrap();
+        }
+    };
+    for (removed, count) in [
+        (&["usr"][..], 5),
+        (&["usr/usrapp/demo", "usr/usrapp/tools"], 5),
+        (&["usr/usrapp/demo/demo.pjx", "usr/usrapp/tools/tools.pjx"], 2),
+    ] {
+        let bench = Bench::pulled(Behaviour::default());
+        remove(&bench, removed);
+        assert_eq!(bench.plan().unwrap_err(), ControllerError::NoApplicationLeft(count), "{removed:?}");
+        let selection = [path("usr/usrapp/demo")];
+        PushPlan::new(&bench.project(), &bench.status().unwrap(), &selection).unwrap_err();
+    }
+    let bench = Bench::pulled(Behaviour::default());
+    remove(&bench, &["usr/usrapp/tools/tools.pjx"]);
+    let plan = bench.plan().unwrap();
+    assert_eq!(plan.removed_applications, [path("usr/usrapp/tools")].into());
+    assert_eq!(plan.remaining_applications(), Vec::<String>::new());
+    bench.write("usr/usrapp/demo/start.pgx", "start 2");
+    remove(&bench, &["usr/usrapp/tools"]);
+    assert_eq!(bench.plan().unwrap().remaining_applications(), ["demo"]);
+}
+
+#[test]
+fn a_push_removes_no_settings() {
+    let bench = Bench::pulled(Behaviour::default());
+    bench.server.state().tree.files.insert("/usr/configs/sio.cfx".into(), b"<sio/>".to_vec());
+    bench.server.state().tree.files.remove("/usr/configs/controller.cfx");
+    let folders = [path("usr/configs"), path("usr/usrapp")];
+    let mut project = bench.project();
+    let mut files = bench.server.connect();
+    let identity = check_identity(&project, &mut files, true).unwrap();
+    let request = PullRequest { address: "a".into(), identity, folders: folders.to_vec(), merge: None };
+    pull(&mut project, &mut files, request, &mut SilentObserver).unwrap();
+    fs::remove_dir_all(bench.folder.join("usr/configs")).unwrap();
+    let status = ProjectStatus::read(&project, &mut files, &folders, &mut SilentObserver).unwrap();
+    let error = PushPlan::new(&project, &status, &folders[..1]).unwrap_err();
+    assert_eq!(error, ControllerError::RemovesSettings(vec![path("usr/configs/sio.cfx")]));
 }
 
 #[test]

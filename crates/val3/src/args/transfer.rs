@@ -21,7 +21,8 @@ Exit codes:
 pub(super) const PUSH_EXIT_CODES: &str = "\
 Exit codes:
   0  done, or nothing to push; with --dry-run, the push can be done
-  1  the check has found errors, a file has changed on the controller, or an application runs: nothing was written
+  1  the check has found errors, a file has changed on the controller, an application runs, or an application or
+     settings would be removed: nothing was written
   2  wrong usage, a file that cannot be read or written, or the controller cannot be reached";
 
 pub(super) const PASSWORD: &str = "\
@@ -88,6 +89,10 @@ pub(crate) struct PushArgs {
     /// Do not let errors of these rules stop the push: codes (V0203), prefixes of codes or names, separated by commas
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
+    /// Confirm that the push removes this application from the controller, because its local files were removed; may be
+    /// repeated
+    #[arg(long, value_name = "APP")]
+    pub(crate) remove: Vec<String>,
     /// State that none of the applications is loaded on the controller, instead of its log or an answer to the question
     #[arg(long)]
     pub(crate) unloaded: bool,

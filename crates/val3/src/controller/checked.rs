@@ -4,6 +4,7 @@ use camino::Utf8PathBuf;
 use val3_check::settings::RuleSelection;
 use val3_controller::{ControllerPath, ControllerProject, ProjectStatus, PushPlan, remove_new_tree, write_new_tree};
 
+use super::note;
 use crate::color::Color;
 use crate::engine::Session;
 use crate::format::{self, ReportFormat};
@@ -34,16 +35,13 @@ pub(crate) fn check_new_tree(
     color: Color,
 ) -> Result<CheckOutcome, UserError> {
     let applications = ControllerPath::applications();
-    if !plan.changes.iter().any(|change| change.path.is_in(&applications)) {
-        return Ok(CheckOutcome::Clean);
-    }
-    if !status.local.keys().any(ControllerPath::is_project) {
-        // The last application is removed.
-        return Ok(CheckOutcome::Clean);
-    }
     let selection = selection::read(&[], &[], ignore)?;
-    let is_whole = !plan.unselected.iter().any(|path| path.is_in(&applications));
-    if is_whole {
+    if !plan.new_files(status).any(|path| path.is_in(&applications) && path.is_project()) {
+        note("note: nothing was checked, because the controller has no application");
+        return Ok(CheckOutcome::Clean);
+    }
+    // Settings count too: the check compares applications with inputs, outputs and lines.
+    if plan.unselected.is_empty() {
         return check(project.local(&applications), selection, color);
     }
     let folder = write_new_tree(project, status, plan)?;

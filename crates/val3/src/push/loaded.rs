@@ -1,12 +1,11 @@
 //! Loaded applications: a controller may reject files of an application that it has loaded, or run old and new files.
 
-use std::io::{BufRead as _, IsTerminal as _};
-
 use val3_backup::log::{ApplicationState, UnknownCause};
 use val3_controller::{ControllerFiles, PushPlan, TransferObserver};
 
 use super::logs::application_state;
-use crate::output::to_stderr;
+use super::question::{can_ask, is_confirmed};
+use crate::controller::note;
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
@@ -34,7 +33,7 @@ pub(super) fn refusal(
             let message = format!("`{names}` runs on the controller, according to its log");
             Ok(Some(UserError::new(message).with_help(OPTION)))
         }
-        ApplicationState::Unknown(cause) if std::io::stdin().is_terminal() => ask(&applications.join("`, `"), &cause),
+        ApplicationState::Unknown(cause) if can_ask() => ask(&applications.join("`, `"), &cause),
         ApplicationState::Unknown(cause) => Ok(Some(unknown(&cause))),
     }
 }
@@ -46,12 +45,7 @@ fn unknown(cause: &UnknownCause) -> UserError {
 }
 
 fn ask(names: &str, cause: &UnknownCause) -> Result<Option<UserError>, UserError> {
-    let cause = cause.to_string();
-    to_stderr(|out| writeln!(out, "note: whether an application runs is unknown: {}", one_line(&cause)));
-    to_stderr(|out| write!(out, "Are the applications stopped and unloaded: `{names}`? [y/N] "));
-    let mut answer = String::new();
-    let read = std::io::stdin().lock().read_line(&mut answer);
-    read.map_err(|error| UserError::new(format!("cannot read the answer: {error}")))?;
-    let is_yes = matches!(answer.trim().to_ascii_lowercase().as_str(), "y" | "yes");
-    Ok((!is_yes).then(|| UserError::new("nothing was pushed").with_help(OPTION)))
+    note(&format!("note: whether an application runs is unknown: {cause}"));
+    let is_unloaded = is_confirmed(&format!("Are the applications stopped and unloaded: `{names}`?"))?;
+    Ok((!is_unloaded).then(|| UserError::new("nothing was pushed").with_help(OPTION)))
 }

@@ -16,7 +16,7 @@ pub(super) fn done(plan: &PushPlan, project: &ControllerProject) -> Result<(), U
         plan.changes.len() - uploads,
         shown(&project.folder().join(".val3/backup"))?
     ));
-    let applications = plan.applications();
+    let applications = plan.remaining_applications();
     if !applications.is_empty() {
         note(&format!("load on the controller again: {}", applications.join(", ")));
     }

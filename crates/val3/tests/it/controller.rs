@@ -117,6 +117,56 @@ fn a_push_needs_logs_that_prove_that_nothing_runs() {
 }
 
 #[test]
+fn a_push_removes_an_application_only_on_request() {
+    let folder = pulled();
+    for name in ["other", "third"] {
+        folder.write(&format!("robot/usr/usrapp/{name}/{name}.pjx"), "<Project />");
+    }
+    assert_eq!(in_cell(&folder, &["pull"]).code, 0);
+    let remove = |path: &str| fs::remove_dir_all(folder.path().join(path)).unwrap();
+    remove("cell/usr/usrapp/other");
+    remove("cell/usr/usrapp/third");
+    let push = |words: &[&str]| {
+        let run = in_cell(&folder, &[&["push", "--ignore", "V", "--unloaded"], words].concat());
+        (run.code, run.stderr.lines().skip(1).collect::<Vec<_>>().join("\n"))
+    };
+    let note = "note: the push removes the applications `other`, `third` from the controller, which needs --remove other \
+                --remove third";
+    assert_eq!(push(&["--dry-run"]), (0, note.to_owned()));
+    let refused = "error: the push would remove the application `third` from the controller\n  \
+                   help: restore the local files with the `.pjx`, or add --remove third";
+    assert_eq!(push(&["--remove", "other"]), (1, refused.to_owned()));
+    let unknown = in_cell(&folder, &["push", "--ignore", "V", "--remove", "demo"]);
+    assert!(
+        unknown.code == 2 && unknown.stderr.contains("does not remove the application `demo`"),
+        "{}",
+        unknown.stderr
+    );
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=8"));
+    let (code, text) = push(&["--remove", "other", "--remove", "third"]);
+    assert_eq!(code, 0, "{text}");
+    assert!(text.contains("2 removed") && text.ends_with("load on the controller again: demo"), "{text}");
+    // A clone without the files of the controller.
+    remove("cell/usr");
+    let (code, text) = push(&[]);
+    expect![[r#"
+        error: no application is left in the local folder `usr/usrapp`: the push would remove 4 files from the controller
+          help: restore the folder, for example with git, or pull the controller to another folder: `val3 pull ADDRESS DIR`; remove applications that are not used on the controller"#]]
+    .assert_eq(&text);
+    assert!(code == 1 && folder.read("robot/usr/usrapp/demo/start.pgx").contains("nCount=8"));
+}
+
+/// The project files come from the last pull if they are missing here and are not selected.
+#[test]
+fn applications_are_checked_also_without_their_local_project_file() {
+    let folder = pulled();
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCuont=1"));
+    fs::remove_file(folder.path().join("cell/usr/usrapp/demo/demo.pjx")).unwrap();
+    let run = in_cell(&folder, &["push", "--unloaded", "usr/usrapp/demo/start.pgx"]);
+    assert!(run.code == 1 && run.stderr.contains("nCuont"), "{}", run.stderr);
+}
+
+#[test]
 fn a_conflict_is_merged_on_request() {
     let folder = pulled();
     folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=5"));
