@@ -12,6 +12,7 @@ pub use entity::{decode_entities, resolve as resolve_entity};
 
 use rowan::{TextRange, TextSize};
 
+use crate::conflict::is_mark;
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::never::TextSlice;
@@ -109,9 +110,8 @@ impl<'t> Lexer<'t> {
     fn conflict_marker(&self) -> Option<usize> {
         let rest = self.rest().as_bytes();
         let at_line_start = self.pos == 0 || self.text.as_bytes().get(self.pos - 1) == Some(&b'\n');
-        let starts = [&b"<<<<<<< "[..], b">>>>>>> ", b"||||||| ", ESCAPED_OPENING, ESCAPED_END];
-        let marked = starts.iter().any(|start| rest.starts_with(start))
-            || (rest.starts_with(b"=======") && matches!(rest.get(7), None | Some(b'\r' | b'\n')));
+        let marked =
+            is_mark(rest) || (rest.starts_with(b"=======") && matches!(rest.get(7), None | Some(b'\r' | b'\n')));
         (at_line_start && marked).then(|| self.line_end(self.pos))
     }
 
@@ -129,13 +129,6 @@ impl<'t> Lexer<'t> {
         true
     }
 }
-
-/// The first and the last line of a conflict in escaped code.
-const ESCAPED_OPENING: &[u8] = b"&lt;&lt;&lt;&lt;&lt;&lt;&lt; ";
-const ESCAPED_END: &[u8] = b"&gt;&gt;&gt;&gt;&gt;&gt;&gt; ";
-
-/// Prefix of a comment in which a merge conflict stores the other versions of an element.
-const CONFLICT_COMMENT: &str = "<!-- <<<<<<<";
 
 /// Converts an offset; texts are shorter than 4 GiB.
 fn offset(at: usize) -> u32 {

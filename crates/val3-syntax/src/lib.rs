@@ -6,6 +6,7 @@
 pub mod arm_file;
 pub mod ast;
 pub mod characters;
+pub mod conflict;
 pub mod document;
 mod edit;
 pub mod encoding;

@@ -2,7 +2,8 @@
 
 use memchr::{memchr, memchr2, memmem};
 
-use super::{CONFLICT_COMMENT, Lexer, entity};
+use super::{Lexer, entity};
+use crate::conflict::CONFLICT_COMMENT;
 use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::{self, *};
 use crate::never::TextSlice;

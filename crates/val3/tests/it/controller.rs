@@ -82,6 +82,41 @@ fn errors_and_running_applications_stop_a_push() {
     assert!(folder.read("robot/usr/usrapp/demo/start.pgx").contains("+1"));
 }
 
+#[test]
+fn conflicts_and_broken_settings_stop_a_push() {
+    let folder = pulled();
+    let sio = |port: &str| format!("<sio>\n  <String name=\"a\" value=\"{port}\" />\n</sio>\n");
+    folder.write("robot/usr/configs/sio.cfx", &sio("1"));
+    folder.write("robot/usr/usrapp/demo/recipes.csv", "part;count\n");
+    assert_eq!(in_cell(&folder, &["pull", "--all"]).code, 0);
+    let push = |words: &[&str]| {
+        let run = in_cell(&folder, &[&["push", "--unloaded"], words].concat());
+        (run.code, run.stderr.lines().skip(1).collect::<Vec<_>>().join("\n"))
+    };
+    let setting = "usr/configs/sio.cfx";
+    for (name, port) in [("robot", "2"), ("cell", "3")] {
+        folder.write(&format!("{name}/{setting}"), &sio(port));
+    }
+    assert_eq!(in_cell(&folder, &["pull", "--merge"]).code, 1);
+    let (code, text) = push(&[setting]);
+    assert!(code == 1 && text.contains("sio.cfx`, line 2: a merge conflict is not resolved"), "{text}");
+    folder.write(&format!("cell/{setting}"), "<sio><broken");
+    folder.write("cell/usr/usrapp/demo/recipes.csv", "part;count\n<<<<<<< HEAD\n1;2\n=======\n1;3\n>>>>>>> other\n");
+    let (code, text) = push(&[setting, "demo"]);
+    assert_eq!(code, 1);
+    expect![[r#"
+        error: `usr/configs/sio.cfx`: line 1: an element is not closed; the file is cut off or damaged
+          help: repair it, or restore it: `.val3/base` contains the version of the last pull
+        error: `usr/usrapp/demo/recipes.csv`, line 2: a merge conflict is not resolved
+          help: keep one of the versions, and remove the marks
+        nothing was pushed"#]]
+    .assert_eq(&text);
+    folder.write("cell/usr/usrapp/demo/recipes.csv", "part;count\n1;3\n");
+    folder.write(&format!("cell/{setting}"), &sio("3"));
+    let (code, text) = push(&[setting, "demo"]);
+    assert!(code == 0 && text.contains("pushed and verified: 2 files"), "{text}");
+}
+
 /// Each log was pushed over without a question once, or must stay pushable without one.
 #[test]
 fn a_push_needs_logs_that_prove_that_nothing_runs() {
