@@ -9,6 +9,7 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 use salsa::{Database as _, Setter as _};
 use val3_analysis::db::{Database, Db, Project, Sources};
+use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{Workspace, loads_alike};
 use val3_analysis::paths::path_key;
@@ -110,6 +111,19 @@ impl<'r> Session<'r> {
         let baseline = known.apply(named.as_deref(), mode, &mut checked.findings)?;
         let unread = unread.into_errors(mode != request.mode);
         Ok(CheckResult { diagnostics: checked.findings, silenced: checked.silenced, baseline, unread })
+    }
+
+    /// Findings with which the controller's compiler rejects the requested projects in these folders, which are absolute.
+    pub(crate) fn refusals(&self, folders: &[Utf8PathBuf]) -> Vec<Diagnostic> {
+        let db = self.db();
+        let projects = self.opened.workspace.projects.iter().copied();
+        let projects = projects.filter(|project| folders.iter().any(|known| known == folder(db, *project)));
+        projects.flat_map(|project| val3_check::refusals(db, project)).collect()
+    }
+
+    /// Whether one of the requested projects is in this folder, which is absolute.
+    pub(crate) fn has_project(&self, known: &Utf8Path) -> bool {
+        self.opened.workspace.projects.iter().any(|project| folder(self.db(), *project) == known)
     }
 
     /// Returns all findings of all loaded files, also outside the request.

@@ -117,6 +117,47 @@ fn conflicts_and_broken_settings_stop_a_push() {
     assert!(code == 0 && text.contains("pushed and verified: 2 files"), "{text}");
 }
 
+/// What the controller's compiler rejects stops a push of a changed application, as it stops `val3 run`.
+#[test]
+fn no_configuration_hides_what_the_compiler_rejects() {
+    let folder = pulled();
+    let library = PROJECT.replace("demo.dtx", "other.dtx");
+    folder.write("robot/usr/usrapp/other/other.pjx", &library);
+    folder.write("robot/usr/usrapp/other/other.dtx", DATA);
+    for name in ["start", "stop"] {
+        folder.write(&format!("robot/usr/usrapp/other/{name}.pgx"), &program(name, "nCount=0"));
+    }
+    assert_eq!(in_cell(&folder, &["pull"]).code, 0);
+    let push = |words: &[&str]| in_cell(&folder, &[&["push", "--dry-run"], words].concat());
+    folder.write("cell/usr/usrapp/other/start.pgx", &program("start", "nCuont=1"));
+    for settings in [
+        "exclude = [\"usr/usrapp/other/**\"]\n",
+        "exclude = [\"**/start.pgx\"]\n",
+        "[rules]\nall = \"off\"\n",
+        "[rules]\nunknown-name = \"info\"\n",
+    ] {
+        folder.write("cell/val3.toml", settings);
+        let run = push(&[]);
+        assert!(run.code == 1 && run.stderr.contains("nCuont"), "{settings}: {}", run.stderr);
+        assert_eq!(push(&["--ignore", "unknown-name"]).code, 0, "{settings}");
+    }
+    folder.write("cell/val3.toml", "exclude = [\"usr/usrapp/other/**\"]\n");
+    assert_eq!(in_cell(&folder, &["push", "--unloaded", "--ignore", "V"]).code, 0);
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=3"));
+    let run = push(&[]);
+    let note = "note: unchanged and not checked, because val3.toml excludes them: `usr/usrapp/other`";
+    assert!(run.code == 0 && run.stderr.contains(note), "{}", run.stderr);
+    // Now `other` uses what changes.
+    let used = library.replace(
+        "</Project>",
+        "  <Libraries>\n    <Library alias=\"demo\" path=\"Disk://demo/demo.pjx\" />\n  </Libraries>\n</Project>",
+    );
+    folder.write("cell/usr/usrapp/other/other.pjx", &used);
+    assert_eq!(in_cell(&folder, &["push", "--unloaded", "--ignore", "V", "other"]).code, 0);
+    let run = push(&[]);
+    assert!(run.code == 1 && run.stderr.contains("nCuont"), "{}", run.stderr);
+}
+
 /// Each log was pushed over without a question once, or must stay pushable without one.
 #[test]
 fn a_push_needs_logs_that_prove_that_nothing_runs() {
