@@ -11,13 +11,40 @@ pub(crate) const LOCK_NAME: &str = "val3.lock";
 /// Folder of the controller's settings.
 const SETTINGS: &str = "usr/configs";
 
-/// Whether a file is neither transferred nor compared: files of tools, temporary files and the lock.
+/// Files and folders of version control, file managers, editors and other clients. A repository or an editor's folder on a
+/// controller is of no use there. Names of files that a program could write are not in the list.
+const TOOLS: [&str; 18] = [
+    ".bzr",
+    ".ds_store",
+    ".git",
+    ".gitattributes",
+    ".github",
+    ".gitignore",
+    ".gitmodules",
+    ".hg",
+    ".hgignore",
+    ".idea",
+    ".outlining.json",
+    ".pyftpsync-meta.json",
+    ".svn",
+    ".val3",
+    ".vs",
+    ".vscode",
+    "desktop.ini",
+    "thumbs.db",
+];
+
+/// Endings of backups and temporary files.
+const ENDINGS: [&str; 6] = [".bak", ".swp", ".val3tmp", ".val3-tmp", ".val3-old", "~"];
+
+/// Whether a file or folder is neither transferred nor compared: those of tools, temporary files and the lock.
 pub(crate) fn is_ignored(path: &ControllerPath) -> bool {
-    let name = path.name();
-    name == ".pyftpsync-meta.json"
-        || name == ".outlining.json"
+    let name = path.name().to_ascii_lowercase();
+    TOOLS.contains(&name.as_str())
+        // Resource forks, which macOS writes to other file systems.
+        || name.starts_with("._")
         || name == LOCK_NAME && path.parent() == Some(ControllerPath::applications())
-        || [".bak", ".val3tmp", ".val3-tmp", ".val3-old"].iter().any(|suffix| has_suffix(name, suffix))
+        || ENDINGS.iter().any(|ending| name.ends_with(ending))
 }
 
 /// Whether a push may write a file. Profiles, the arm, the controller's identity, safety and the fieldbus images decide
@@ -63,9 +90,24 @@ mod tests {
 
     #[test]
     fn files_of_tools_are_ignored() {
-        for path in ["usr/usrapp/val3.lock", "usr/usrapp/a/.pyftpsync-meta.json", "usr/a.BAK", "usr/a.pgx.val3tmp"] {
+        for path in [
+            "usr/usrapp/val3.lock",
+            "usr/usrapp/a/.pyftpsync-meta.json",
+            "usr/a.BAK",
+            "usr/a.pgx.val3tmp",
+            "usr/usrapp/.git",
+            "usr/usrapp/a/.svn",
+            "usr/usrapp/a/.DS_Store",
+            "usr/usrapp/a/._start.pgx",
+            "usr/usrapp/a/Thumbs.db",
+            "usr/usrapp/a/start.pgx~",
+        ] {
             assert!(is_ignored(&ControllerPath::parse(path).unwrap()), "{path}");
         }
-        assert!(!is_ignored(&ControllerPath::parse("usr/usrapp/demo/val3.lock").unwrap()));
+        for path in
+            ["usr/usrapp/demo/val3.lock", "usr/usrapp/git/git.pjx", "usr/usrapp/a/.settings", "usr/usrapp/a/git"]
+        {
+            assert!(!is_ignored(&ControllerPath::parse(path).unwrap()), "{path}");
+        }
     }
 }

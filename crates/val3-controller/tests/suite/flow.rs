@@ -130,6 +130,25 @@ fn a_push_that_leaves_no_application_is_refused() {
     assert_eq!(bench.plan().unwrap().remaining_applications(), ["demo"]);
 }
 
+/// The repository and the tools of either side stay there.
+#[test]
+fn repositories_are_not_transferred() {
+    let bench = Bench::pulled(Behaviour::default());
+    for name in [".git/config", ".git/objects/ab/cdef", "demo/.svn/entries", "demo/Thumbs.db"] {
+        bench.write(&format!("usr/usrapp/{name}"), "x");
+    }
+    bench.write("usr/usrapp/demo/start.pgx", "start 2");
+    let changes: Vec<String> = bench.plan().unwrap().changes.into_iter().map(|change| change.path.into()).collect();
+    assert_eq!(changes, ["usr/usrapp/demo/start.pgx"]);
+    bench.push().unwrap();
+    assert_eq!(bench.server.state().tree.folders, tree().folders);
+    let mut controller = bench.server.state().tree.clone();
+    controller.folders.insert("/usr/usrapp/.hg".into());
+    controller.files.insert("/usr/usrapp/.hg/store".into(), b"x".to_vec());
+    bench.server.state().tree = controller;
+    assert!(bench.status().unwrap().differences.is_empty());
+}
+
 #[test]
 fn a_push_removes_no_settings() {
     let bench = Bench::pulled(Behaviour::default());
