@@ -59,7 +59,12 @@ pub enum ControllerError {
     /// The controller has no serial number by which it could be identified.
     NoSerial,
     /// Another push is running.
-    Locked(String),
+    Locked {
+        /// First line of the lock.
+        owner: String,
+        /// Seconds by which the time in the lock is ahead of the clock here; 0 if a difference of clocks explains it.
+        ahead: u64,
+    },
     /// A file was changed during the push.
     ChangedMeanwhile(ControllerPath),
     /// A file on the controller is not what was written.
@@ -114,7 +119,10 @@ impl ControllerError {
             Self::RemovesSettings(_) => "restore the files here, or remove them on the controller",
             Self::OtherController { .. } => "if the controller was replaced on purpose, add --new-controller",
             Self::NoSerial => "if it is an emulator or its number was erased, add --new-controller",
-            Self::Locked(_) => "wait for its end; 10 minutes after the last change the lock is ignored",
+            Self::Locked { ahead: 1.., .. } => {
+                "set the clocks; if no push is running, remove `usr/usrapp/val3.lock` on the controller, for example with an FTP client"
+            }
+            Self::Locked { .. } => "wait for its end; 10 minutes after the last change the lock is ignored",
             Self::ChangedMeanwhile(_) => "run `val3 pull`, then push again",
             Self::UnfinishedElsewhere { .. } => "connect to that controller, and run `val3 status`",
             _ => "",
@@ -154,7 +162,12 @@ impl Display for ControllerError {
                 shown(&expected.serial)
             ),
             Self::NoSerial => f.write_str("the controller has no serial number by which it could be identified"),
-            Self::Locked(owner) => write!(f, "another push is running: {owner}"),
+            Self::Locked { owner, ahead: 0 } => write!(f, "another push is running: {owner}"),
+            Self::Locked { owner, ahead } => write!(
+                f,
+                "another push may be running: {owner}, whose clock is {} minutes ahead of the clock here",
+                ahead / 60
+            ),
             Self::ChangedMeanwhile(path) => write!(f, "`{path}` was changed on the controller during the push"),
             Self::NotAsWritten(path) => write!(f, "`{path}` on the controller is not what was written"),
             Self::Interrupted => f.write_str("interrupted"),

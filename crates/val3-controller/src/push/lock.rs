@@ -48,7 +48,8 @@ pub(super) fn acquire(files: &mut dyn ControllerFiles, text: &str, now: u64) -> 
 pub(super) fn check_free(files: &mut dyn ControllerFiles, text: &str, now: u64) -> Result<(), ControllerError> {
     match read(files, &path()?)? {
         Some(other) if !text.starts_with(&other) && !is_stale(&other, now) => {
-            Err(ControllerError::Locked(other.lines().next().unwrap_or_default().to_owned()))
+            let ahead = time_of(&other).map_or(0, |time| time.saturating_sub(now));
+            Err(held(&other, if ahead > STALE_SECONDS { ahead } else { 0 }))
         }
         _ => Ok(()),
     }
@@ -61,7 +62,7 @@ pub(super) fn check_free(files: &mut dyn ControllerFiles, text: &str, now: u64) 
 pub(super) fn check(files: &mut dyn ControllerFiles, text: &str) -> Result<(), ControllerError> {
     match read(files, &path()?)? {
         Some(found) if found == text => Ok(()),
-        Some(other) => Err(ControllerError::Locked(other.lines().next().unwrap_or_default().to_owned())),
+        Some(other) => Err(held(&other, 0)),
         None => Err(ControllerError::ChangedMeanwhile(path()?)),
     }
 }
@@ -87,9 +88,17 @@ fn read(files: &mut dyn ControllerFiles, path: &ControllerPath) -> Result<Option
     Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
 }
 
-/// Whether the lock has no time, or an old one. The clocks of two computers may differ.
+fn held(lock: &str, ahead: u64) -> ControllerError {
+    ControllerError::Locked { owner: lock.lines().next().unwrap_or_default().to_owned(), ahead }
+}
+
+/// Whether the lock has no time, or an old one. A lock from a clock that is ahead does not end by itself: whether its push
+/// is running cannot be known, so that a person decides.
 fn is_stale(text: &str, now: u64) -> bool {
-    let time =
-        text.lines().find_map(|line| line.strip_prefix("time ")).and_then(|time| time.trim().parse::<u64>().ok());
-    time.is_none_or(|time| now.saturating_sub(time) > STALE_SECONDS)
+    time_of(text).is_none_or(|time| now.saturating_sub(time) > STALE_SECONDS)
+}
+
+/// Time in a lock, in seconds since 1970 on the clock of its owner.
+fn time_of(text: &str) -> Option<u64> {
+    text.lines().find_map(|line| line.strip_prefix("time ")).and_then(|time| time.trim().parse().ok())
 }

@@ -114,7 +114,7 @@ impl RunningPush {
     ) -> Result<(), ControllerError> {
         check_interrupt(observer)?;
         let locked = lock::acquire(files, &self.journal.lock, now);
-        self.was_locked = matches!(locked, Err(ControllerError::Locked(_)));
+        self.was_locked = matches!(locked, Err(ControllerError::Locked { .. }));
         locked?;
         self.back_up(files, observer)?;
         self.upload(files, observer)?;
@@ -232,7 +232,7 @@ impl RunningPush {
         let may_have_changed = self.journal.phase == PushPhase::Renaming;
         let unfinished =
             |error| FailureOutcome::Unfinished { error, may_have_changed, backup: self.backup.path().to_string() };
-        if matches!(error, ControllerError::Locked(_)) {
+        if matches!(error, ControllerError::Locked { .. }) {
             // The temporary files may belong to the other push.
             let outcome = match self.was_locked {
                 true => {

@@ -116,10 +116,33 @@ fn a_second_push_waits_for_the_lock() {
     bench.edit();
     bench.server.state().tree.files.insert("/usr/usrapp/val3.lock".into(), lock(NOW - 60));
     let failure = bench.push().unwrap_err();
-    assert_eq!(failure.error, ControllerError::Locked("val3 push by you at shop".into()));
+    assert_eq!(failure.error, ControllerError::Locked { owner: "val3 push by you at shop".into(), ahead: 0 });
     assert_eq!(failure.outcome, FailureOutcome::Unchanged);
     assert!(bench.recover().unwrap().is_empty());
     bench.server.state().tree.files.insert("/usr/usrapp/val3.lock".into(), lock(NOW - 700));
+    bench.push().unwrap();
+}
+
+/// A clock that is ahead would hold the lock until its time has come.
+#[test]
+fn a_lock_from_the_future_has_a_remedy() {
+    let bench = Bench::pulled(Behaviour::default());
+    bench.edit();
+    let lock = |ahead: u64| format!("val3 push by you at shop\ntime {}\n", NOW + ahead).into_bytes();
+    for (ahead, expected) in [(590, 0), (70_000, 70_000)] {
+        bench.server.state().tree.files.insert("/usr/usrapp/val3.lock".into(), lock(ahead));
+        let failure = bench.push().unwrap_err();
+        assert_eq!(failure.outcome, FailureOutcome::Unchanged);
+        let locked = ControllerError::Locked { owner: "val3 push by you at shop".into(), ahead: expected };
+        assert_eq!(failure.error, locked);
+    }
+    let error = bench.push().unwrap_err().error;
+    expect![
+        "another push may be running: val3 push by you at shop, whose clock is 1166 minutes ahead of the clock here"
+    ]
+    .assert_eq(&error.to_string());
+    assert!(error.help().contains("remove `usr/usrapp/val3.lock`"));
+    bench.server.state().tree.files.remove("/usr/usrapp/val3.lock");
     bench.push().unwrap();
 }
 
