@@ -21,8 +21,7 @@ Exit codes:
 pub(super) const PUSH_EXIT_CODES: &str = "\
 Exit codes:
   0  done, or nothing to push; with --dry-run, the push can be done
-  1  the check has found errors, a file has changed on the controller, an application runs, or an application or
-     settings would be removed: nothing was written
+  1  the check has found errors, a file has changed on the controller, an application runs or would be removed: nothing was written
   2  wrong usage, a file that cannot be read or written, or the controller cannot be reached";
 
 pub(super) const PASSWORD: &str = "\
