@@ -16,4 +16,5 @@ mod failures;
 mod flow;
 mod listings;
 mod memory;
+mod pulls;
 mod server;
