@@ -20,6 +20,13 @@ pub enum ControllerError {
         /// The reason.
         reason: String,
     },
+    /// What is remembered of the controller cannot be read.
+    DamagedState {
+        /// The file.
+        path: Utf8PathBuf,
+        /// The reason.
+        reason: String,
+    },
     /// The controller has no such file.
     Missing(ControllerPath),
     /// The address has no folder of applications.
@@ -126,6 +133,9 @@ impl ControllerError {
                 _ => "",
             },
             Self::Missing(_) => "name a file as `val3 status` does: usr/usrapp/demo/start.pgx",
+            Self::DamagedState { .. } => {
+                "restore the file, for example from git; or remove it and run `val3 pull ADDRESS`, which stops at files that differ"
+            }
             Self::NoApplications { .. } => "name the folder that contains `usr`, or the root of the server",
             Self::RemovesFolders(_) => {
                 "if they were removed on the controller on purpose, add --accept-removals; else check the address and the \
@@ -158,7 +168,7 @@ impl Display for ControllerError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Access(error) => write!(f, "{error}"),
-            Self::Local { path, reason } => write!(f, "`{path}`: {reason}"),
+            Self::Local { path, reason } | Self::DamagedState { path, reason } => write!(f, "`{path}`: {reason}"),
             Self::Missing(path) => write!(f, "the controller has no file `{path}`"),
             Self::NoApplications { place } => write!(f, "there is no folder `usr/usrapp` at {place}"),
             Self::NoApplication { folder, .. } => write!(f, "the controller has no files in `{folder}`"),
