@@ -12,6 +12,7 @@
 
 mod bench;
 mod crashes;
+mod damage;
 mod failures;
 mod flow;
 mod listings;
