@@ -65,6 +65,18 @@ impl ControllerAddress {
     }
 }
 
+impl ControllerAddress {
+    /// Whether both addresses lead to the same files. The profile of the login may differ.
+    pub(crate) fn is_same_place(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Ftp(one), Self::Ftp(other)) => {
+                one.host.eq_ignore_ascii_case(&other.host) && (one.port, &one.base) == (other.port, &other.base)
+            }
+            _ => self == other,
+        }
+    }
+}
+
 impl FtpAddress {
     /// Parses the part after `ftp://`.
     fn parse(rest: &str) -> Result<Self, AddressFault> {

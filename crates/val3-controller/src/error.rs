@@ -20,8 +20,38 @@ pub enum ControllerError {
         /// The reason.
         reason: String,
     },
+    /// What is remembered of the controller cannot be read.
+    DamagedState {
+        /// The file.
+        path: Utf8PathBuf,
+        /// The reason.
+        reason: String,
+    },
     /// The controller has no such file.
     Missing(ControllerPath),
+    /// The address has no folder of applications.
+    NoApplications {
+        /// Host and port, or the folder.
+        place: String,
+    },
+    /// A requested application has no files, neither on the controller nor at the last pull.
+    NoApplication {
+        /// The requested folder.
+        folder: ControllerPath,
+        /// Names of the controller's applications.
+        present: Vec<String>,
+    },
+    /// A pull would remove whole applications or folders of settings here. Each has the number of its files.
+    RemovesFolders(Vec<(ControllerPath, usize)>),
+    /// A local file is where a pull needs a folder, or in a folder where it needs a file.
+    Obstacle {
+        /// The file of the controller.
+        path: ControllerPath,
+        /// The local file.
+        obstacle: ControllerPath,
+    },
+    /// A conflict was decided where no file has one.
+    NoConflict(ControllerPath),
     /// A path is not allowed.
     Name(NameFault),
     /// A file has an unexpected form.
@@ -58,6 +88,11 @@ pub enum ControllerError {
     },
     /// The controller has no serial number by which it could be identified.
     NoSerial,
+    /// The controller has no serial number, and another address than the one of the last pull.
+    OtherAddress {
+        /// Address of the last pull.
+        expected: String,
+    },
     /// Another push is running.
     Locked {
         /// First line of the lock.
@@ -107,6 +142,20 @@ impl ControllerError {
                 _ => "",
             },
             Self::Missing(_) => "name a file as `val3 status` does: usr/usrapp/demo/start.pgx",
+            Self::DamagedState { .. } => {
+                "restore the file, for example from git; or remove it and run `val3 pull ADDRESS`, which stops at files that differ"
+            }
+            Self::NoApplications { .. } => "name the folder that contains `usr`, or the root of the server",
+            Self::RemovesFolders(_) => {
+                "if they were removed on the controller on purpose, add --accept-removals; else check the address and the \
+                 rights of the profile"
+            }
+            Self::Obstacle { .. } => "move it to another place, or remove it, then pull again",
+            Self::NoConflict(_) => "`val3 status` lists the files that have changed on both sides",
+            Self::OtherAddress { .. } => {
+                "if this project belongs to the controller at the new address, add --new-controller; else pull into a new folder"
+            }
+            Self::LocalChanged(_) => "repeat the command when no other program writes the file",
             Self::SameName(..) => "rename one of them: many disks cannot store both",
             Self::TooMuch(_) | Self::TooMany(_) | Self::TooDeep(_) => "name the applications with --app",
             Self::Conflicts(_) => "merge the changes of both sides with `val3 pull --merge`",
@@ -117,7 +166,9 @@ impl ControllerError {
                  remove applications that are not used on the controller"
             }
             Self::RemovesSettings(_) => "restore the files here, or remove them on the controller",
-            Self::OtherController { .. } => "if the controller was replaced on purpose, add --new-controller",
+            Self::OtherController { .. } => {
+                "if the controller was replaced on purpose, add --new-controller; else pull into a new folder"
+            }
             Self::NoSerial => "if it is an emulator or its number was erased, add --new-controller",
             Self::Locked { ahead: 1.., .. } => {
                 "set the clocks; if no push is running, remove `usr/usrapp/val3.lock` on the controller, for example with an FTP client"
@@ -134,8 +185,22 @@ impl Display for ControllerError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Access(error) => write!(f, "{error}"),
-            Self::Local { path, reason } => write!(f, "`{path}`: {reason}"),
+            Self::Local { path, reason } | Self::DamagedState { path, reason } => write!(f, "`{path}`: {reason}"),
             Self::Missing(path) => write!(f, "the controller has no file `{path}`"),
+            Self::NoApplications { place } => write!(f, "there is no folder `usr/usrapp` at {place}"),
+            Self::NoApplication { folder, .. } => write!(f, "the controller has no files in `{folder}`"),
+            Self::RemovesFolders(folders) => {
+                let folders = folders.iter().map(|(folder, files)| format!("`{folder}` ({files} here)"));
+                let folders = folders.collect::<Vec<_>>().join(", ");
+                write!(
+                    f,
+                    "the controller no longer has any files in {folders}, so the pull would remove all of them here"
+                )
+            }
+            Self::Obstacle { path, obstacle } => {
+                write!(f, "`{path}` cannot be written here, because `{obstacle}` exists")
+            }
+            Self::NoConflict(path) => write!(f, "no file has changed on both sides at `{path}`"),
             Self::Name(fault) => write!(f, "{fault}"),
             Self::Malformed { file, reason } => write!(f, "cannot read `{file}`: {reason}"),
             Self::SameName(one, other) => write!(f, "`{one}` and `{}` differ only in letter case", other.name()),
@@ -168,10 +233,15 @@ impl Display for ControllerError {
                 "another push may be running: {owner}, whose clock is {} minutes ahead of the clock here",
                 ahead / 60
             ),
+            Self::OtherAddress { expected } => write!(
+                f,
+                "the controller has no serial number by which it could be identified, and at the last pull the address was \
+                 `{expected}`"
+            ),
             Self::ChangedMeanwhile(path) => write!(f, "`{path}` was changed on the controller during the push"),
             Self::NotAsWritten(path) => write!(f, "`{path}` on the controller is not what was written"),
             Self::Interrupted => f.write_str("interrupted"),
-            Self::LocalChanged(path) => write!(f, "`{path}` was changed here during the push"),
+            Self::LocalChanged(path) => write!(f, "`{path}` was changed here meanwhile"),
             Self::UnfinishedElsewhere { serial, backup } => write!(
                 f,
                 "a push to the controller with the serial number {} was not finished (backup: `{backup}`)",

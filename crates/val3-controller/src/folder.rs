@@ -4,7 +4,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::{FileClass, FolderEntryKind, Unreadable, Unwritable};
 
 use crate::access::{AccessError, AccessFault, ControllerFiles, ListedEntry};
-use crate::path::ControllerPath;
+use crate::path::{ControllerPath, NameFault, NameFaultKind};
 
 /// Folder that contains `usr`.
 #[derive(Debug)]
@@ -46,8 +46,13 @@ impl ControllerFiles for FolderFiles {
     fn list(&mut self, folder: &ControllerPath) -> Result<Vec<ListedEntry>, AccessError> {
         let step = format!("list `{folder}`");
         let entries = val3_files::list_folder(&self.local(folder));
-        let entries = entries.map_err(|reason| self.error(step.clone(), reason.to_string()))?;
         let fault = |reason| AccessError { step: step.clone(), place: self.folder.to_string(), reason };
+        let entries = entries.map_err(|reason| match reason {
+            Unreadable::NameNotUtf8(name) => {
+                fault(AccessFault::Name(NameFault { name, reason: NameFaultKind::NotUtf8 }))
+            }
+            reason => fault(AccessFault::FileSystem(reason.to_string())),
+        })?;
         let entries = entries.into_iter().map(|entry| {
             let path = folder.child(&entry.name).map_err(|reason| fault(AccessFault::Name(reason)))?;
             match entry.kind {

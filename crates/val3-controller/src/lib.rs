@@ -35,11 +35,11 @@ pub use identity::ControllerIdentity;
 pub use observer::{SilentObserver, TransferObserver, TransferStep};
 pub use path::{ControllerPath, NameFault, NameFaultKind};
 pub use project::{ControllerProject, ProjectState};
-pub use pull::{ConflictVersions, MergeConflict, PullRequest, PullResult, pull};
+pub use pull::{ConflictVersions, MergeConflict, PullDecisions, PullRequest, PullResult, pull};
 pub use push::{
     FailureOutcome, LockOwner, PlannedChange, PushFailure, PushPlan, PushRequest, RecoveredPush, RecoveryOutcome,
     affected_projects, push, recover, remove_new_tree, write_new_tree,
 };
 pub use rules::{LOG_FOLDER, is_protected};
-pub use scan::{TOTAL_LIMIT, files_below, read_file, read_files};
+pub use scan::{TOTAL_LIMIT, check_applications, files_below, read_file, read_files};
 pub use status::{ProjectStatus, check_identity};

@@ -1,5 +1,6 @@
 //! Paths of files and folders on a controller.
 
+use std::collections::BTreeSet;
 use std::fmt::{self, Display};
 
 use serde::{Deserialize, Serialize};
@@ -68,6 +69,18 @@ impl ControllerPath {
     pub fn is_in(&self, folder: &Self) -> bool {
         let rest = self.0.strip_prefix(&folder.0);
         rest.is_some_and(|rest| folder.0.is_empty() || rest.is_empty() || rest.starts_with('/'))
+    }
+
+    /// Whether this is one of the folders, or below one.
+    pub(crate) fn is_in_any(&self, folders: &[Self]) -> bool {
+        folders.iter().any(|folder| self.is_in(folder))
+    }
+
+    /// Paths without those in other ones, sorted.
+    pub(crate) fn outermost(paths: impl IntoIterator<Item = Self>) -> Vec<Self> {
+        let all: BTreeSet<Self> = paths.into_iter().collect();
+        let is_inner = |path: &&Self| all.iter().any(|other| other != *path && path.is_in(other));
+        all.iter().filter(|path| !is_inner(path)).cloned().collect()
     }
 
     /// Application of a file or folder: the name of its uppermost folder below the applications. `None` outside of them,

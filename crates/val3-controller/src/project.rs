@@ -76,14 +76,14 @@ impl ControllerProject {
     /// If the state cannot be read.
     pub fn open(folder: &Utf8Path) -> Result<Self, ControllerError> {
         let path = folder.join(STATE);
-        let state = match val3_files::read_text(&path, FileClass::Record) {
+        let state: Option<ProjectState> = match val3_files::read_text(&path, FileClass::Record) {
             Err(Unreadable::Missing) => None,
-            Err(reason) => return Err(local(&path, &reason)),
-            Ok(text) => Some(toml::from_str::<ProjectState>(&text).map_err(|error| local(&path, &error.message()))?),
+            Err(reason) => return Err(damaged(&path, &reason)),
+            Ok(text) => Some(toml::from_str(&text).map_err(|error| damaged(&path, &toml_fault(&text, &error)))?),
         };
         match &state {
             Some(state) if state.version != VERSION => {
-                Err(local(&path, &format!("it was written by another version of val3 (form {})", state.version)))
+                Err(damaged(&path, &format!("it was written by another version of val3 (form {})", state.version)))
             }
             _ => Ok(Self { folder: folder.to_owned(), state }),
         }
@@ -204,6 +204,18 @@ pub(crate) fn remove(path: &Utf8Path) -> Result<(), ControllerError> {
 /// Removes a folder with its content.
 pub(crate) fn remove_tree(folder: &Utf8Path) -> Result<(), ControllerError> {
     val3_files::remove_tree(folder).map_err(|reason| local(folder, &reason))
+}
+
+/// Error of the state.
+fn damaged(path: &Utf8Path, reason: &dyn std::fmt::Display) -> ControllerError {
+    ControllerError::DamagedState { path: path.to_owned(), reason: reason.to_string() }
+}
+
+/// Line and reason of a fault in TOML.
+fn toml_fault(text: &str, error: &toml::de::Error) -> String {
+    let before = error.span().and_then(|span| text.get(..span.start));
+    let line = before.map(|before| format!("line {}: ", before.matches('\n').count() + 1));
+    format!("{}{}", line.unwrap_or_default(), error.message())
 }
 
 /// Error of a local file.

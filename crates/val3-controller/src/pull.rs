@@ -1,18 +1,28 @@
 //! Pull: the controller's files become the local files, and local changes are kept.
 
+mod apply;
+mod obstacles;
+mod plan;
+mod removals;
+
 use std::collections::BTreeSet;
 
 use crate::access::ControllerFiles;
-use crate::compare::{FileDifference, SideChange};
 use crate::error::ControllerError;
 use crate::identity::ControllerIdentity;
 use crate::observer::TransferObserver;
 use crate::path::ControllerPath;
 use crate::project::{self, ControllerProject, ProjectState};
+use crate::scan::application_names;
 use crate::status::ProjectStatus;
+
+use self::plan::PullPlan;
 
 /// Folder of downloaded files until all are complete.
 const INCOMING: &str = "incoming";
+
+/// Folder of the files at the last pull or push, for merges.
+const BASE: &str = "base";
 
 /// Versions of a file that both sides have changed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,8 +35,9 @@ pub struct ConflictVersions {
     pub controller: Vec<u8>,
 }
 
-/// Merges the versions of a file that both sides have changed. Returns the local content.
-pub type MergeConflict<'a> = dyn FnMut(&ControllerPath, &ConflictVersions) -> Result<Vec<u8>, ControllerError> + 'a;
+/// Merges the versions of a file that both sides have changed. Returns the new local content; `None` if the versions
+/// cannot be merged, so that the conflict remains.
+pub type MergeConflict<'a> = dyn FnMut(&ControllerPath, &ConflictVersions) -> Option<Vec<u8>> + 'a;
 
 /// Arguments of a pull.
 pub struct PullRequest<'a> {
@@ -38,6 +49,19 @@ pub struct PullRequest<'a> {
     pub folders: Vec<ControllerPath>,
     /// Merge of conflicts; without it, they are an error.
     pub merge: Option<&'a mut MergeConflict<'a>>,
+    /// Conflicts that are decided for one side.
+    pub decisions: PullDecisions,
+    /// Whether applications and folders that the controller no longer has are removed here; otherwise they are an error.
+    pub accepts_removals: bool,
+}
+
+/// Files and folders whose conflicts are decided for one side.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct PullDecisions {
+    /// The local version is kept, and becomes a local change, which the next push uploads.
+    pub local: Vec<ControllerPath>,
+    /// The controller's version replaces the local one. This applies to files that were removed here, too.
+    pub controller: Vec<ControllerPath>,
 }
 
 /// Result of a pull.
@@ -45,8 +69,16 @@ pub struct PullRequest<'a> {
 pub struct PullResult {
     /// Both sides before the pull.
     pub status: ProjectStatus,
-    /// Files that were merged.
+    /// Local files that have the controller's version now.
+    pub updated: Vec<ControllerPath>,
+    /// Local files that were removed, because the controller no longer has them.
+    pub removed: Vec<ControllerPath>,
+    /// Local files with the changes of both sides.
     pub merged: Vec<ControllerPath>,
+    /// Files that cannot be merged. Both versions are unchanged, and the conflict remains.
+    pub unmerged: Vec<ControllerPath>,
+    /// Files that were changed here during the pull. The local file is kept, and is a conflict now.
+    pub changed_meanwhile: Vec<ControllerPath>,
 }
 
 /// Downloads the files, and updates local files that have no local change.
@@ -54,8 +86,9 @@ pub struct PullResult {
 /// All files are downloaded before the first local file is written. An interrupted pull can be repeated.
 ///
 /// # Errors
-/// If a file cannot be read or written, or if both sides have changed a file and conflicts are not merged. In the last
-/// case, no local file has changed.
+/// If a file cannot be read or written, if both sides have changed a file and conflicts are neither decided nor merged, if
+/// a requested application or the files of a whole folder are missing on the controller, or if a file is where a folder
+/// is needed. In all cases but the first, no local file has changed.
 pub fn pull(
     project: &mut ControllerProject,
     files: &mut dyn ControllerFiles,
@@ -69,97 +102,82 @@ pub fn pull(
             |path: &ControllerPath, bytes: &[u8]| project::write_copy(&project.stored(INCOMING, path), bytes);
         ProjectStatus::read_with(project, files, &request.folders, observer, &mut store)?
     };
-    let merges = merged_contents(project, &status, request.merge.as_deref_mut())?;
-    apply(project, &status)?;
-    for (path, content) in &merges {
-        project::write(&project.local(path), content)?;
+    check_applications_exist(project, files, &request.folders, &status)?;
+    let plan = PullPlan::new(project, &status, &request.decisions, request.merge.as_deref_mut())?;
+    if !request.accepts_removals {
+        removals::check(&plan, &status, &request.folders)?;
     }
-    remember(project, &status, request)?;
+    obstacles::check(project, &plan)?;
+    remove_old_base(project, &status, &request.folders)?;
+    let changed_meanwhile = apply::apply(project, &status, &plan)?;
+    let is_done = |path: &&ControllerPath| !changed_meanwhile.contains(*path);
+    let done = |paths: &[ControllerPath]| paths.iter().filter(is_done).cloned().collect::<Vec<_>>();
+    let merged: Vec<ControllerPath> = plan.merges.iter().map(|(path, _)| path.clone()).collect();
+    let (updated, removed, merged) = (done(&plan.updates), done(&plan.removals), done(&merged));
+    let open: BTreeSet<&ControllerPath> = plan.unmerged.iter().chain(&changed_meanwhile).collect();
+    remember(project, &status, &open, request)?;
     project::remove_tree(&project.area(INCOMING))?;
-    Ok(PullResult { status, merged: merges.into_iter().map(|(path, _)| path).collect() })
+    let changed_meanwhile = changed_meanwhile.into_iter().collect();
+    Ok(PullResult { status, updated, removed, merged, unmerged: plan.unmerged, changed_meanwhile })
 }
 
-/// Merges all conflicts in which both sides have the file.
-fn merged_contents(
+/// Checks that each requested application exists on the controller, or did at the last pull. A wrong name would otherwise
+/// be an application without files.
+fn check_applications_exist(
     project: &ControllerProject,
+    files: &mut dyn ControllerFiles,
+    folders: &[ControllerPath],
     status: &ProjectStatus,
-    merge: Option<&mut MergeConflict<'_>>,
-) -> Result<Vec<(ControllerPath, Vec<u8>)>, ControllerError> {
-    let conflicts: Vec<&ControllerPath> = status
-        .differences
-        .iter()
-        .filter(|(_, difference)| matches!(difference, FileDifference::Conflict { .. }))
-        .map(|(path, _)| path)
-        .collect();
-    if conflicts.is_empty() {
-        return Ok(Vec::new());
-    }
-    let Some(merge) = merge else {
-        return Err(ControllerError::Conflicts(conflicts.into_iter().cloned().collect()));
-    };
-    let mut merges = Vec::new();
-    for path in conflicts {
-        if status.local.contains_key(path) && status.controller.contains_key(path) {
-            let versions = ConflictVersions {
-                base: project.base_content(path).unwrap_or_default(),
-                local: project::read(&project.local(path))?,
-                controller: project::read(&project.stored(INCOMING, path))?,
-            };
-            merges.push((path.clone(), merge(path, &versions)?));
+) -> Result<(), ControllerError> {
+    let (applications, base) = (ControllerPath::applications(), project.base());
+    let is_known = |folder: &ControllerPath| status.controller.keys().chain(base.keys()).any(|path| path.is_in(folder));
+    let is_missing =
+        |folder: &&ControllerPath| **folder != applications && folder.is_in(&applications) && !is_known(folder);
+    match folders.iter().find(is_missing) {
+        None => Ok(()),
+        Some(folder) => {
+            Err(ControllerError::NoApplication { folder: folder.clone(), present: application_names(files)? })
         }
     }
-    Ok(merges)
 }
 
-/// Copies the controller's changes. A file that one side has removed and the other side has changed is kept.
-fn apply(project: &ControllerProject, status: &ProjectStatus) -> Result<(), ControllerError> {
-    for (path, difference) in &status.differences {
-        match difference {
-            FileDifference::Controller(SideChange::Removed) => project::remove(&project.local(path))?,
-            FileDifference::Controller(SideChange::Added) => {
-                let incoming = project.stored(INCOMING, path);
-                project::write_copy(&project.stored("base", path), &project::read(&incoming)?)?;
-                project::move_file(&incoming, &project.local(path))?;
-            }
-            FileDifference::Controller(_) | FileDifference::Conflict { local: SideChange::Removed, .. } => {
-                let bytes = project::read(&project.stored(INCOMING, path))?;
-                project::write(&project.local(path), &bytes)?;
-            }
-            FileDifference::Local(_) | FileDifference::Conflict { .. } | FileDifference::Alike(_) => {}
+/// Removes the stored contents of files that the controller no longer has, so that their names are free.
+fn remove_old_base(
+    project: &ControllerProject,
+    status: &ProjectStatus,
+    folders: &[ControllerPath],
+) -> Result<(), ControllerError> {
+    for path in project.base().keys().filter(|path| path.is_in_any(folders)) {
+        if !status.controller.contains_key(path) {
+            apply::remove_with_folders(&project.area(BASE), path)?;
         }
     }
     Ok(())
 }
 
-/// Stores the digests and contents for the next comparison.
+/// Stores the digests and contents for the next comparison. Files with an open conflict keep the old ones, so that they
+/// are conflicts in the next comparison, too.
 fn remember(
     project: &mut ControllerProject,
     status: &ProjectStatus,
+    open: &BTreeSet<&ControllerPath>,
     request: PullRequest<'_>,
 ) -> Result<(), ControllerError> {
     let base = project.base();
-    let is_pulled = |path: &ControllerPath| request.folders.iter().any(|folder| path.is_in(folder));
-    for path in base.keys().filter(|path| is_pulled(path) && !status.controller.contains_key(*path)) {
-        project::remove(&project.stored("base", path))?;
-    }
-    for path in status.controller.keys() {
-        let is_stored = base.get(path) == status.controller.get(path) && project.stored("base", path).exists();
+    for path in status.controller.keys().filter(|path| !open.contains(path)) {
+        let is_stored = base.get(path) == status.controller.get(path) && project.stored(BASE, path).exists();
         let incoming = project.stored(INCOMING, path);
         // A new file was moved to its place before.
         if !is_stored && incoming.exists() {
-            project::move_file(&incoming, &project.stored("base", path))?;
+            project::move_file(&incoming, &project.stored(BASE, path))?;
         }
     }
     let mut state = ProjectState::new(request.address, request.identity);
     let known = project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default();
-    state.folders = joined(known.into_iter().chain(request.folders.iter().cloned()));
-    state.files = base.into_iter().filter(|(path, _)| !is_pulled(path)).chain(status.controller.clone()).collect();
+    state.folders = ControllerPath::outermost(known.into_iter().chain(request.folders.iter().cloned()));
+    let controller = status.controller.clone().into_iter().filter(|(path, _)| !open.contains(path));
+    let kept = base.into_iter().filter(|(path, _)| open.contains(path) || !path.is_in_any(&request.folders));
+    state.files = kept.chain(controller).collect();
     project.state = Some(state);
     project.save()
-}
-
-/// Folders without those inside others.
-fn joined(folders: impl Iterator<Item = ControllerPath>) -> Vec<ControllerPath> {
-    let all: BTreeSet<ControllerPath> = folders.collect();
-    all.iter().filter(|folder| !all.iter().any(|other| other != *folder && folder.is_in(other))).cloned().collect()
 }

@@ -135,6 +135,26 @@ pub fn read_file(files: &mut dyn ControllerFiles, path: &ControllerPath) -> Resu
     }
 }
 
+/// Checks that the controller has the folder of the applications: another place, such as the folder `usr` itself, has no
+/// applications, which must not look like a controller whose applications were all removed.
+///
+/// # Errors
+/// If the folder does not exist, or a folder above it cannot be listed.
+pub fn check_applications(files: &mut dyn ControllerFiles) -> Result<(), ControllerError> {
+    if Presence::default().has(files, &ControllerPath::applications())? {
+        Ok(())
+    } else {
+        Err(ControllerError::NoApplications { place: files.place().to_owned() })
+    }
+}
+
+/// Names of the folders below the applications.
+pub(crate) fn application_names(files: &mut dyn ControllerFiles) -> Result<Vec<String>, ControllerError> {
+    let entries = files.list(&ControllerPath::applications())?;
+    let names = entries.iter().filter(|entry| entry.is_folder && !is_ignored(&entry.path));
+    Ok(names.map(|entry| entry.path.name().to_owned()).collect())
+}
+
 /// Existing entries, listed once for each folder.
 #[derive(Default)]
 pub(crate) struct Presence {

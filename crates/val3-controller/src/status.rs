@@ -1,6 +1,7 @@
 //! Comparison of a project with its controller.
 
 use crate::access::ControllerFiles;
+use crate::address::ControllerAddress;
 use crate::compare::{FileDifferences, compare};
 use crate::digest::FileDigests;
 use crate::error::ControllerError;
@@ -9,7 +10,7 @@ use crate::identity_files::read_identity;
 use crate::observer::TransferObserver;
 use crate::path::ControllerPath;
 use crate::project::ControllerProject;
-use crate::scan::{StoreFile, check_case, download, files_below};
+use crate::scan::{StoreFile, check_applications, check_case, download, files_below};
 
 /// Files of both sides, compared with the last pull or push.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,31 +45,38 @@ impl ProjectStatus {
         observer: &mut dyn TransferObserver,
         store: &mut StoreFile<'_>,
     ) -> Result<Self, ControllerError> {
-        let local = project.local_files(folders)?;
         let paths = files_below(files, folders, observer)?;
         let controller = download(files, &paths, observer, store)?;
+        // After the download, which can take minutes in which the user saves files.
+        let local = project.local_files(folders)?;
         check_case(local.keys().chain(controller.keys()))?;
         let mut base = project.base();
-        base.retain(|path, _| folders.iter().any(|folder| path.is_in(folder)));
+        base.retain(|path, _| path.is_in_any(folders));
         let differences = compare(&base, &local, &controller);
         Ok(Self { local, controller, differences })
     }
 }
 
-/// Reads the controller's identity, and checks that it is the controller of the last pull.
+/// Reads the controller's identity, and checks that it is the controller of the last pull. Without a serial number, the
+/// address must be that of the last pull.
 ///
 /// # Errors
-/// If the identity cannot be read, or differs.
+/// If the address has no folder of applications, or the identity cannot be read, or differs.
 pub fn check_identity(
     project: &ControllerProject,
+    address: &ControllerAddress,
     files: &mut dyn ControllerFiles,
     accepts_new: bool,
 ) -> Result<ControllerIdentity, ControllerError> {
+    check_applications(files)?;
     let found = read_identity(files)?;
-    match &project.state {
-        Some(state) if state.controller.serial != found.serial && !accepts_new => {
-            Err(ControllerError::OtherController { expected: state.controller.clone(), found })
-        }
-        _ => Ok(found),
+    let Some(state) = project.state.as_ref().filter(|_| !accepts_new) else { return Ok(found) };
+    if state.controller.serial != found.serial {
+        return Err(ControllerError::OtherController { expected: state.controller.clone(), found });
     }
+    let is_same_place = || ControllerAddress::parse(&state.address).is_ok_and(|last| last.is_same_place(address));
+    if found.serial.is_empty() && !is_same_place() {
+        return Err(ControllerError::OtherAddress { expected: state.address.clone() });
+    }
+    Ok(found)
 }

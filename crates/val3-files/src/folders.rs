@@ -38,7 +38,8 @@ pub fn list_folder(folder: &Utf8Path) -> Result<Vec<FolderEntry>, Unreadable> {
 }
 
 fn folder_entry(entry: &fs::DirEntry) -> Result<FolderEntry, Unreadable> {
-    let name = entry.file_name().into_string().map_err(|_| Unreadable::NotUtf8)?;
+    let name = entry.file_name().into_string();
+    let name = name.map_err(|name| Unreadable::NameNotUtf8(name.to_string_lossy().into_owned()))?;
     let ty = entry.file_type()?;
     let kind = match ty {
         ty if ty.is_file() => FolderEntryKind::File,
@@ -125,6 +126,15 @@ mod tests {
         }
         assert_eq!(list_folder(&folder).unwrap(), expected);
         assert_eq!(list_folder(&folder.join("none")), Err(Unreadable::Missing));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_name_that_is_not_utf8_is_named() {
+        use std::os::unix::ffi::OsStrExt as _;
+        let (_kept, folder) = folder();
+        fs::write(folder.as_std_path().join(std::ffi::OsStr::from_bytes(b"Gr\xfcn.pgx")), "").unwrap();
+        assert_eq!(list_folder(&folder), Err(Unreadable::NameNotUtf8("Gr\u{fffd}n.pgx".to_owned())));
     }
 
     #[test]

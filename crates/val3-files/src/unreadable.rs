@@ -28,6 +28,8 @@ pub enum Unreadable {
     Denied,
     /// The file is not UTF-8.
     NotUtf8,
+    /// A name in the folder is not UTF-8. The wrong bytes are replaced by U+FFFD.
+    NameNotUtf8(String),
     /// Any other error of the operating system.
     System(String),
 }
@@ -90,6 +92,7 @@ impl fmt::Display for Unreadable {
             Self::TooLarge { bytes: None, limit } => write!(f, "it grows while it is read, and {}", limited(limit)),
             Self::Denied => f.write_str("permission denied"),
             Self::NotUtf8 => f.write_str("its text is not UTF-8"),
+            Self::NameNotUtf8(name) => write!(f, "the name {name:?} in it is not UTF-8"),
             Self::System(reason) => f.write_str(reason),
         }
     }

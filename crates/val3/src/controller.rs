@@ -23,7 +23,7 @@ use crate::user_error::UserError;
 
 pub(crate) use checked::{CheckOutcome, check_new_tree};
 pub(crate) use observer::ProgressObserver;
-pub(crate) use report::{change_word, counted_files, planned_lines, shown_bytes, status_lines};
+pub(crate) use report::{change_word, counted_files, listed_files, planned_lines, shown_bytes, status_lines};
 
 /// A project with a connection to its controller.
 pub(crate) struct ControllerSession {
@@ -47,7 +47,7 @@ impl ControllerSession {
         // Until the password is entered, a signal ends the process.
         let mut files = connect(address)?;
         let mut observer = ProgressObserver::new(Signals::catch()?);
-        let identity = check_identity(&project, &mut *files, accepts_new)?;
+        let identity = check_identity(&project, address, &mut *files, accepts_new)?;
         let recovered = recover(&mut project, &mut *files, &identity, now(), &mut observer)?;
         observer.end();
         let session = Self { project, files, identity, observer, address: address.to_string(), recovered };
@@ -160,9 +160,12 @@ fn recovered_line(RecoveredPush { backup, outcome }: &RecoveredPush) -> String {
 impl From<ControllerError> for UserError {
     fn from(error: ControllerError) -> Self {
         let worded = Self::new(error.to_string());
-        match error.help() {
-            "" => worded,
-            help => worded.with_help(help),
+        match (&error, error.help()) {
+            (ControllerError::NoApplication { folder, present }, _) => {
+                worded.with_help(report::application_help(folder.name(), present))
+            }
+            (_, "") => worded,
+            (_, help) => worded.with_help(help),
         }
     }
 }

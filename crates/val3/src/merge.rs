@@ -56,8 +56,9 @@ fn merge_files(args: &MergeArgs) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
     let versions = [read(&current, base, true)?, read(&current, ours, false)?, read(&current, theirs, false)?];
     let name = args.path.as_ref().unwrap_or(ours);
-    let outcome = merge(kind(name, &versions), &versions);
-    report::write(&outcome, name);
+    let kind = kind(name, &versions);
+    let outcome = merge(kind, &versions);
+    report::write(&outcome, name, kind);
     let [_, old, _] = &versions;
     if args.stdout {
         to_stdout_as(OutputContent::File, Color::Never, |out| out.write_all(&outcome.bytes))?;
@@ -70,11 +71,26 @@ fn merge_files(args: &MergeArgs) -> Result<ExitCode, UserError> {
 
 /// Merges the versions of a file, BASE, OURS and THEIRS, and reports the result. Returns the merged content, and whether
 /// it has all changes.
-pub(crate) fn merge_versions(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> (Vec<u8>, bool) {
-    let outcome = merge(kind(name, versions), versions);
-    report::write(&outcome, name);
-    let is_clean = outcome.is_clean();
-    (outcome.bytes, is_clean)
+///
+/// Returns `None`, after a report, for a file that is not merged: marks of conflicts would destroy a file of another kind,
+/// and no check would find them.
+pub(crate) fn merge_versions(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> Option<(Vec<u8>, bool)> {
+    let Some(kind) = MergedKind::of_name(name.as_str()) else {
+        report::write_unmerged(name, "only data, programs, projects and settings are merged");
+        return None;
+    };
+    let outcome = merge(kind, versions);
+    match outcome.unmarked(kind, name.extension().unwrap_or_default()) {
+        Some(reason) => {
+            report::write_unmerged(name, &reason);
+            None
+        }
+        None => {
+            report::write(&outcome, name, kind);
+            let is_clean = outcome.is_clean();
+            Some((outcome.bytes, is_clean))
+        }
+    }
 }
 
 fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, UserError> {

@@ -1,19 +1,18 @@
 //! `val3 pull`: copies the files of a controller, and keeps local changes.
 
 mod print;
+mod report;
 
 use std::process::ExitCode;
 
 use camino::Utf8Path;
 use val3_controller::{
-    ConflictVersions, ControllerAddress, ControllerError, ControllerPath, ControllerProject, FileDifference,
-    PullRequest, PullResult, pull,
+    ConflictVersions, ControllerAddress, ControllerError, ControllerPath, ControllerProject, PullDecisions,
+    PullRequest, pull,
 };
 
 use crate::args::PullArgs;
-use crate::controller::{
-    ControllerSession, counted_files, note, parse_address, project_folder, report_error, shown, shown_bytes,
-};
+use crate::controller::{ControllerSession, note, parse_address, project_folder, report_error};
 use crate::merge;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -32,25 +31,31 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
         return print::run(path, &project, &address, args.new_controller);
     }
     let folders = folders(args, &project)?;
+    let decisions = PullDecisions { local: paths(&args.keep_local)?, controller: paths(&args.keep_controller)? };
     let mut session = ControllerSession::open(project, &address, args.new_controller)?;
     note(&session.identity_line());
     let mut is_clean = true;
     let mut merge = |path: &ControllerPath, versions: &ConflictVersions| {
         let versions = [versions.base.clone(), versions.local.clone(), versions.controller.clone()];
-        let (bytes, is_merged) = merge::merge_versions(Utf8Path::new(path.as_str()), &versions);
+        let (bytes, is_merged) = merge::merge_versions(Utf8Path::new(path.as_str()), &versions)?;
         is_clean &= is_merged;
-        Ok(bytes)
+        Some(bytes)
     };
     let request = PullRequest {
         address: session.address.clone(),
         identity: session.identity.clone(),
         folders,
         merge: if args.merge { Some(&mut merge) } else { None },
+        decisions,
+        accepts_removals: args.accept_removals,
     };
     let pulled = pull(&mut session.project, &mut *session.files, request, &mut session.observer);
     session.observer.end();
     match pulled {
-        Ok(result) => report(&result, &folder)?,
+        Ok(result) => {
+            is_clean &= result.unmerged.is_empty() && result.changed_meanwhile.is_empty();
+            report::write(&result, &folder)?;
+        }
         Err(ControllerError::Interrupted) => {
             note("interrupted: no local file was changed");
             return Ok(ExitCode::from(session.observer.signal_code().unwrap_or(EXIT_USAGE)));
@@ -95,26 +100,12 @@ fn folders(args: &PullArgs, project: &ControllerProject) -> Result<Vec<Controlle
     Ok(folders)
 }
 
-fn report(result: &PullResult, folder: &Utf8Path) -> Result<(), UserError> {
-    let status = &result.status;
-    let is_pulled = |difference: &&FileDifference| {
-        matches!(difference, FileDifference::Controller(_) | FileDifference::Conflict { .. })
+/// Files and folders on the controller.
+fn paths(texts: &[String]) -> Result<Vec<ControllerPath>, UserError> {
+    let path = |text: &String| {
+        ControllerPath::parse(text.trim_end_matches('/')).map_err(|fault| {
+            UserError::new(fault.to_string()).with_help("name a file as `val3 status` does: usr/usrapp/demo/start.pgx")
+        })
     };
-    let updated = status.differences.values().filter(is_pulled).count();
-    let kept = status.differences.values().filter(|difference| matches!(difference, FileDifference::Local(_))).count();
-    let bytes = status.controller.values().map(|digest| digest.size).sum();
-    let mut line = format!(
-        "{}: {} of the controller ({}), {updated} updated",
-        shown(folder)?,
-        counted_files(status.controller.len()),
-        shown_bytes(bytes)
-    );
-    if !result.merged.is_empty() {
-        line.push_str(&format!(", of them {} merged", result.merged.len()));
-    }
-    if kept > 0 {
-        line.push_str(&format!(", {kept} with local changes kept"));
-    }
-    note(&line);
-    Ok(())
+    texts.iter().map(path).collect()
 }

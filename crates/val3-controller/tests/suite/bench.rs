@@ -6,9 +6,9 @@ use std::fs;
 use camino::{Utf8Path, Utf8PathBuf};
 use tempfile::TempDir;
 use val3_controller::{
-    ControllerError, ControllerFiles, ControllerIdentity, ControllerPath, ControllerProject, LockOwner, ProjectStatus,
-    PullRequest, PullResult, PushFailure, PushPlan, PushRequest, RecoveredPush, SilentObserver, check_identity, pull,
-    push, recover,
+    ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerPath, ControllerProject,
+    LockOwner, ProjectStatus, PullDecisions, PullRequest, PullResult, PushFailure, PushPlan, PushRequest,
+    RecoveredPush, SilentObserver, check_identity, pull, push, recover,
 };
 
 use crate::memory::MemoryFiles;
@@ -122,7 +122,7 @@ impl<C: Controller> Bench<C> {
 
     pub(crate) fn recover(&self) -> Result<Vec<RecoveredPush>, ControllerError> {
         let (mut project, mut files) = (self.project(), self.server.files());
-        let identity = check_identity(&project, &mut *files, false)?;
+        let identity = check_identity(&project, &address(), &mut *files, false)?;
         recover(&mut project, &mut *files, &identity, NOW, &mut SilentObserver)
     }
 
@@ -146,12 +146,28 @@ impl<C: Controller> Bench<C> {
     }
 }
 
+/// Address that the projects remember.
+pub(crate) fn address() -> ControllerAddress {
+    ControllerAddress::parse("ftp://robot").unwrap()
+}
+
+/// Pull of the applications that stops at conflicts and removals of applications.
+pub(crate) fn request<'a>(identity: ControllerIdentity) -> PullRequest<'a> {
+    PullRequest {
+        address: address().to_string(),
+        identity,
+        folders: applications(),
+        merge: None,
+        decisions: PullDecisions::default(),
+        accepts_removals: false,
+    }
+}
+
 /// Pulls the applications to a folder.
 pub(crate) fn pull_from(folder: &Utf8Path, files: &mut dyn ControllerFiles) -> Result<PullResult, ControllerError> {
     let mut project = ControllerProject::open(folder)?;
-    let identity: ControllerIdentity = check_identity(&project, files, false)?;
-    let request = PullRequest { address: "ftp://robot".into(), identity, folders: applications(), merge: None };
-    pull(&mut project, files, request, &mut SilentObserver)
+    let identity: ControllerIdentity = check_identity(&project, &address(), files, false)?;
+    pull(&mut project, files, request(identity), &mut SilentObserver)
 }
 
 /// The files of a tree as text.

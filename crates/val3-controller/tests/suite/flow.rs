@@ -8,7 +8,7 @@ use val3_controller::{
     SilentObserver, check_identity, pull, read_file,
 };
 
-use crate::bench::{Bench, FILES, applications, path, pull_from, shown, tree};
+use crate::bench::{Bench, FILES, address, path, pull_from, request, shown, tree};
 use crate::server::{Behaviour, ListForm};
 
 const FORMS: [ListForm; 5] = [ListForm::Mlsd, ListForm::Unix, ListForm::Dos, ListForm::Names, ListForm::Paths];
@@ -216,11 +216,11 @@ fn a_conflict_stops_both_directions_until_it_is_merged() {
     assert_eq!(bench.text("usr/usrapp/demo/demo.dtx"), "<Database>1</Database>");
     assert_eq!(bench.plan().unwrap_err(), conflict);
     let (mut project, mut files) = (bench.project(), bench.server.connect());
-    let identity = check_identity(&project, &mut files, false).unwrap();
+    let identity = check_identity(&project, &address(), &mut files, false).unwrap();
     let mut merge = |_: &_, versions: &val3_controller::ConflictVersions| {
-        Ok([versions.base.as_slice(), &versions.local, &versions.controller].join(&b'+'))
+        Some([versions.base.as_slice(), &versions.local, &versions.controller].join(&b'+'))
     };
-    let request = PullRequest { address: "a".into(), identity, folders: applications(), merge: Some(&mut merge) };
+    let request = PullRequest { merge: Some(&mut merge), ..request(identity) };
     let merged = pull(&mut project, &mut files, request, &mut SilentObserver).unwrap().merged;
     assert_eq!(merged, [path("usr/usrapp/demo/start.pgx")]);
     bench.push().unwrap();

@@ -12,8 +12,10 @@
 
 mod bench;
 mod crashes;
+mod damage;
 mod failures;
 mod flow;
 mod listings;
 mod memory;
+mod pulls;
 mod server;

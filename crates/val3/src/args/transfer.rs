@@ -9,7 +9,7 @@ use crate::controller::soap_client::SoapTarget;
 pub(super) const PULL_EXIT_CODES: &str = "\
 Exit codes:
   0  the local files are those of the controller, apart from local changes; or the file of --print was printed
-  1  files have changed on both sides: nothing was written; or --merge has left conflicts in files
+  1  files have changed on both sides: nothing was written; or --merge has left conflicts
   2  wrong usage, a file that cannot be read or written, or the controller cannot be reached";
 
 pub(super) const STATUS_EXIT_CODES: &str = "\
@@ -49,10 +49,25 @@ pub(crate) struct PullArgs {
     /// Merge files that have changed on both sides, as `val3 merge` does
     #[arg(long)]
     pub(crate) merge: bool,
+    /// Keep the local version of files that have changed on both sides: a file, by its path as in `val3 status`, or a
+    /// folder; may be repeated. The next push uploads it
+    #[arg(long, value_name = "PATH")]
+    pub(crate) keep_local: Vec<String>,
+    /// Replace the local version of files that have changed on both sides, or that were removed here, by the controller's;
+    /// may be repeated
+    #[arg(long, value_name = "PATH")]
+    pub(crate) keep_controller: Vec<String>,
+    /// Remove whole applications and folders here if the controller no longer has them, instead of stopping
+    #[arg(long)]
+    pub(crate) accept_removals: bool,
     /// Print one file of the controller, by its path as in `val3 status`, and change nothing here or there
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["app", "all", "merge"])]
+    #[arg(
+        long,
+        value_name = "PATH",
+        conflicts_with_all = ["app", "all", "merge", "keep_local", "keep_controller", "accept_removals"]
+    )]
     pub(crate) print: Option<String>,
-    /// Accept a controller with another serial number than at the last pull
+    /// Accept a controller with another serial number than at the last pull, or without one at another address
     #[arg(long)]
     pub(crate) new_controller: bool,
 }

@@ -1,6 +1,7 @@
 //! Lines about differences and planned changes.
 
 use val3_controller::{ControllerPath, FileDifference, FileDifferences, PlannedChange, SideChange};
+use val3_lang::suggest::{proposals, question};
 
 /// Size for people.
 pub(crate) fn shown_bytes(bytes: u64) -> String {
@@ -14,6 +15,26 @@ pub(crate) fn shown_bytes(bytes: u64) -> String {
 /// Number of files for people.
 pub(crate) fn counted_files(count: usize) -> String {
     if count == 1 { "1 file".to_owned() } else { format!("{count} files") }
+}
+
+/// Paths for people, at most 20.
+pub(crate) fn listed_files(paths: &[ControllerPath]) -> String {
+    const SHOWN: usize = 20;
+    let shown = paths.iter().take(SHOWN).map(|path| format!("`{path}`")).collect::<Vec<_>>().join(", ");
+    match paths.len().saturating_sub(SHOWN) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
+    }
+}
+
+/// What to do about a name that no application of the controller has.
+pub(super) fn application_help(name: &str, present: &[String]) -> String {
+    let near = question(proposals(name, present.iter().map(String::as_str)));
+    let quoted = || present.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    near.unwrap_or_else(|| match present {
+        [] => "the folder `usr/usrapp` of the controller is empty".to_owned(),
+        _ => format!("its applications are in {}", quoted()),
+    })
 }
 
 /// One line for each file with a difference.

@@ -1,7 +1,7 @@
 //! The files of a controller, compared with local ones.
 
 use camino::Utf8Path;
-use val3_controller::{ControllerPath, ControllerProject, read_files};
+use val3_controller::{ControllerPath, ControllerProject, check_applications, read_files};
 use val3_diff::FileTree;
 
 use super::compared_versions::ComparedVersions;
@@ -26,7 +26,9 @@ pub(super) fn versions(address: &Utf8Path, local: Option<&Utf8Path>) -> Result<C
             .with_help("name the folder that contains `usr/usrapp`: `val3 diff ftp://PROFILE@HOST DIR`"));
     }
     let mut observer = ProgressObserver::default();
-    let remote = read_files(&mut *connect(&address)?, &folders, &mut observer)?;
+    let mut files = connect(&address)?;
+    check_applications(&mut *files)?;
+    let remote = read_files(&mut *files, &folders, &mut observer)?;
     observer.end();
     let old = remote.into_iter().map(|(path, bytes)| (path.as_str().to_owned(), bytes));
     let mut new = Vec::new();

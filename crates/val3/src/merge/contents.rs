@@ -18,6 +18,20 @@ impl Outcome {
         self.merged.as_ref().is_ok_and(MergeResult::is_clean)
     }
 
+    /// Reason why the result must not replace a file with this extension; `None` if it may.
+    ///
+    /// Settings are only marked with XML comments, and only in `.cfx`: lines of marks are no XML, and a controller may read
+    /// other files without noticing them.
+    pub(super) fn unmarked(&self, kind: MergedKind, extension: &str) -> Option<String> {
+        match &self.merged {
+            Err(reason) => Some(reason.clone()),
+            Ok(_) if kind != MergedKind::Settings => None,
+            Ok(MergeResult { by_lines: Some(reason), .. }) => Some(reason.clone()),
+            Ok(merged) if merged.is_clean() || extension.eq_ignore_ascii_case("cfx") => None,
+            Ok(merged) => merged.conflicts.first().map(ToString::to_string),
+        }
+    }
+
     fn unchanged(bytes: &[u8]) -> Self {
         let merged = MergeResult { text: String::new(), conflicts: Vec::new(), moved: Vec::new(), by_lines: None };
         Self { bytes: bytes.to_vec(), merged: Ok(merged) }
@@ -75,6 +89,18 @@ mod tests {
         let chinese = "<a>\n<b name=\"x\" v=\"é\"/>\n<b name=\"y\" v=\"你\"/>\n</a>".as_bytes().to_vec();
         let refused = merge(MergedKind::Settings, &[LATIN.to_vec(), ours.clone(), chinese]);
         assert!(!refused.is_clean() && refused.bytes == ours);
+    }
+
+    #[test]
+    fn settings_are_not_replaced_by_lines_of_marks() {
+        let versions = |value: &str| format!("<a>\n<b name=\"x\" v=\"{value}\"/>\n</a>").into_bytes();
+        let contradiction = merge(MergedKind::Settings, &[versions("0"), versions("1"), versions("2")]);
+        assert_eq!(contradiction.unmarked(MergedKind::Settings, "CFX"), None);
+        assert!(contradiction.unmarked(MergedKind::Settings, "xml").is_some());
+        let broken = merge(MergedKind::Settings, &[versions("0"), versions("1"), b"<a".to_vec()]);
+        assert!(broken.unmarked(MergedKind::Settings, "cfx").is_some());
+        let agreement = merge(MergedKind::Settings, &[versions("0"), versions("1"), versions("0")]);
+        assert_eq!(agreement.unmarked(MergedKind::Settings, "xml"), None);
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub(super) fn run(
         UserError::new(fault.to_string()).with_help("name a file as `val3 status` does: usr/usrapp/demo/start.pgx")
     })?;
     let mut files = connect(address)?;
-    check_identity(project, &mut *files, accepts_new)?;
+    check_identity(project, address, &mut *files, accepts_new)?;
     let bytes = read_file(&mut *files, &path)?;
     to_stdout_as(OutputContent::File, Color::Never, |out| out.write_all(&bytes))?;
     Ok(ExitCode::SUCCESS)

@@ -17,9 +17,9 @@ const DATA: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database xmlns=
     xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\">\n  <Datas>\n    <Data name=\"nCount\" access=\"private\" xsi:type=\"array\" \
     type=\"num\" size=\"1\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n  </Datas>\n</Database>\n";
 
-const IDENTITY: &str = "<controller><String name=\"serialNumber\" value=\"F10-1\" /></controller>";
+pub(crate) const IDENTITY: &str = "<controller><String name=\"serialNumber\" value=\"F10-1\" /></controller>";
 
-fn program(name: &str, code: &str) -> String {
+pub(crate) fn program(name: &str, code: &str) -> String {
     format!(
         "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \
          <Program name=\"{name}\" access=\"private\">\n    <Code><![CDATA[begin\n  {code}\nend]]></Code>\n  </Program>\n</Programs>\n"
@@ -27,7 +27,7 @@ fn program(name: &str, code: &str) -> String {
 }
 
 /// A folder with an emulator, `robot`, and a project, `cell`, that was pulled from it.
-fn pulled() -> Folder {
+pub(crate) fn pulled() -> Folder {
     let folder = Folder::empty();
     folder.write("robot/usr/configs/controller.cfx", IDENTITY);
     folder.write("robot/usr/usrapp/demo/demo.pjx", PROJECT);
@@ -40,7 +40,7 @@ fn pulled() -> Folder {
 }
 
 /// Runs a command in the project. Paths of the temporary folder are replaced.
-fn in_cell(folder: &Folder, args: &[&str]) -> CommandOutput {
+pub(crate) fn in_cell(folder: &Folder, args: &[&str]) -> CommandOutput {
     let mut command = folder.exact_command(args);
     command.current_dir(folder.path().join("cell"));
     let mut run = crate::support::run(command);

@@ -15,6 +15,7 @@ mod check_contacts;
 mod check_motion;
 mod configuration;
 mod controller;
+mod controller_pull;
 #[cfg(unix)]
 mod damage;
 mod dap;

@@ -7,7 +7,7 @@ import { summaryOf } from "./messages";
 import { localFolders, type Project, readProject } from "./projects";
 import type { Finished, Transfers } from "./transfers";
 
-/** Exit code of `val3 pull` for files that both sides have changed, and of `--merge` for the conflicts in them. */
+/** Exit code of `val3 pull` for files that both sides have changed, and of `--merge` for conflicts that remain. */
 const CONFLICTS = 1;
 const MERGE = "Merge";
 
@@ -25,8 +25,8 @@ export async function pull(project: Project, transfers: Transfers): Promise<bool
   if (merged?.code !== CONFLICTS) {
     return merged !== undefined && report(merged, transfers);
   }
-  void vscode.window.showWarningMessage(`${reason(summaryOf(merged.errors))} Both sides have changed the same values or lines: `
-    + "the files contain both versions, and the check reports them as errors until you choose one.");
+  void vscode.window.showWarningMessage(`${reason(summaryOf(merged.errors))} Conflicts remain: the output lists the files, `
+    + "and states which of them contain both versions, and how to decide on the others.");
   return true;
 }
 

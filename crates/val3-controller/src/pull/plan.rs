@@ -1,0 +1,112 @@
+//! Plan of a pull: what happens to each local file.
+
+use super::{ConflictVersions, INCOMING, MergeConflict, PullDecisions};
+use crate::compare::{FileDifference, SideChange};
+use crate::digest::FileDigest;
+use crate::error::ControllerError;
+use crate::path::ControllerPath;
+use crate::project::{self, ControllerProject};
+use crate::status::ProjectStatus;
+
+/// Changes of the local files.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct PullPlan {
+    /// Files that get the controller's version.
+    pub(super) updates: Vec<ControllerPath>,
+    /// Files that the controller no longer has.
+    pub(super) removals: Vec<ControllerPath>,
+    /// Merged contents.
+    pub(super) merges: Vec<(ControllerPath, Vec<u8>)>,
+    /// Conflicts that remain.
+    pub(super) unmerged: Vec<ControllerPath>,
+}
+
+impl PullPlan {
+    /// Plans the pull of downloaded files. Local changes that the controller does not contradict stay.
+    ///
+    /// # Errors
+    /// If a conflict is neither decided nor merged, a decision applies to no file, or a file cannot be read.
+    pub(super) fn new(
+        project: &ControllerProject,
+        status: &ProjectStatus,
+        decisions: &PullDecisions,
+        merge: Option<&mut MergeConflict<'_>>,
+    ) -> Result<Self, ControllerError> {
+        check_decisions(status, decisions)?;
+        let mut plan = Self::default();
+        let mut open = Vec::new();
+        for (path, difference) in &status.differences {
+            let takes_controller = path.is_in_any(&decisions.controller);
+            match difference {
+                FileDifference::Controller(SideChange::Removed) => plan.removals.push(path.clone()),
+                FileDifference::Controller(_) => plan.updates.push(path.clone()),
+                FileDifference::Local(SideChange::Removed) if takes_controller => plan.updates.push(path.clone()),
+                FileDifference::Conflict { controller: SideChange::Removed, .. } if takes_controller => {
+                    plan.removals.push(path.clone());
+                }
+                FileDifference::Conflict { .. } if takes_controller => plan.updates.push(path.clone()),
+                FileDifference::Conflict { .. } if path.is_in_any(&decisions.local) => {}
+                FileDifference::Conflict { .. } => open.push(path),
+                FileDifference::Local(_) | FileDifference::Alike(_) => {}
+            }
+        }
+        match merge {
+            None if !open.is_empty() => Err(ControllerError::Conflicts(open.into_iter().cloned().collect())),
+            None => Ok(plan),
+            Some(merge) => {
+                open.into_iter().try_for_each(|path| plan.merge(project, status, path, merge))?;
+                Ok(plan)
+            }
+        }
+    }
+
+    /// Merges a conflict. A file that one side has removed and the other side has changed is kept.
+    fn merge(
+        &mut self,
+        project: &ControllerProject,
+        status: &ProjectStatus,
+        path: &ControllerPath,
+        merge: &mut MergeConflict<'_>,
+    ) -> Result<(), ControllerError> {
+        let Some(digest) = status.local.get(path) else {
+            self.updates.push(path.clone());
+            return Ok(());
+        };
+        if !status.controller.contains_key(path) {
+            return Ok(());
+        }
+        let versions = ConflictVersions {
+            base: project.base_content(path).unwrap_or_default(),
+            local: project::read(&project.local(path))?,
+            controller: project::read(&project.stored(INCOMING, path))?,
+        };
+        if FileDigest::of(&versions.local) != *digest {
+            return Err(ControllerError::LocalChanged(path.clone()));
+        }
+        match merge(path, &versions) {
+            Some(content) => self.merges.push((path.clone(), content)),
+            None => self.unmerged.push(path.clone()),
+        }
+        Ok(())
+    }
+}
+
+/// Checks that each decision applies to a file, so that a wrong path is not a decision without effect.
+fn check_decisions(status: &ProjectStatus, decisions: &PullDecisions) -> Result<(), ControllerError> {
+    let applies = |folder: &ControllerPath, restores: bool| {
+        status.differences.iter().any(|(path, difference)| {
+            path.is_in(folder)
+                && match difference {
+                    FileDifference::Conflict { .. } => true,
+                    FileDifference::Local(SideChange::Removed) => restores,
+                    _ => false,
+                }
+        })
+    };
+    let local = decisions.local.iter().find(|folder| !applies(folder, false));
+    let controller = decisions.controller.iter().find(|folder| !applies(folder, true));
+    match local.or(controller) {
+        None => Ok(()),
+        Some(path) => Err(ControllerError::NoConflict(path.clone())),
+    }
+}
