@@ -1,7 +1,7 @@
 """The answers of the command as data. Positions count from 1, times are in seconds of the controller's clock."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -9,7 +9,7 @@ T = TypeVar("T")
 
 def of(kind: type[T], answer: Mapping[str, Any]) -> T:
     """Convert a JSON object. Unknown keys are left out, so that newer commands suit this package."""
-    names = {field.name for field in fields(kind)}  # type: ignore[arg-type]
+    names = {entry.name for entry in fields(kind)}  # type: ignore[arg-type]
     return kind(**{name: value for name, value in answer.items() if name in names})
 
 
@@ -35,13 +35,15 @@ class Report:
     """Answer of a check."""
 
     ok: bool
-    """Whether there are no errors."""
+    """Whether there are no errors, and everything was read."""
     findings: tuple[Finding, ...]
     errors: int
     warnings: int
     infos: int
     code_lines: int
     """Number of code lines, without blank lines and comments."""
+    messages: str = field(repr=False)
+    """Messages of the command, for example about files that it could not read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +65,13 @@ class TestReport:
     """Answer of a test run."""
 
     ok: bool
+    """Whether no test has failed, and every test could be executed."""
     passed: int
     failed: int
+    """Number of failed tests, with those that could not be executed."""
     tests: tuple[TestResult, ...]
+    messages: str = field(repr=False)
+    """Messages of the command."""
 
 
 @dataclass(frozen=True, slots=True)

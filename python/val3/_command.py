@@ -1,5 +1,6 @@
 """The command: where it is, and how it is started."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -8,6 +9,7 @@ import sysconfig
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ._errors import Error, TimeoutError, UsageError
 
@@ -27,6 +29,16 @@ class Output:
 
     exit_code: int
     text: str
+    messages: str
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """JSON document that a command has printed."""
+
+    document: dict[str, Any]
+    is_complete: bool
+    """Whether the command has read and executed everything that its arguments name."""
     messages: str
 
 
@@ -65,14 +77,41 @@ def start(arguments: Sequence[str], timeout: float | None = TIMEOUT, cwd: PathLi
 
     :raises UsageError: the command rejects the arguments
     :raises TimeoutError: the command has not ended in time
+    :raises Error: the command cannot be started, or has crashed
     """
+    output = _finished(arguments, timeout, cwd)
+    if output.exit_code == _USAGE:
+        raise UsageError(output.messages.strip())
+    return output
+
+
+def report(arguments: Sequence[str], timeout: float | None = TIMEOUT, cwd: PathLike | None = None) -> Report:
+    """Start a command that prints its report as a JSON document, and wait for its end.
+
+    The report of a command that could not read some of its files describes these files, and is returned as well.
+
+    :raises UsageError: the command rejects the arguments, or prints no report
+    :raises TimeoutError: the command has not ended in time
+    :raises Error: the command cannot be started, or has crashed
+    """
+    output = _finished(arguments, timeout, cwd)
+    is_complete = output.exit_code != _USAGE
+    try:
+        return Report(json.loads(output.text), is_complete, output.messages.strip())
+    except json.JSONDecodeError as error:
+        if not is_complete and not output.text.strip():
+            raise UsageError(output.messages.strip()) from None
+        raise UsageError(f"`val3 {arguments[0]}` did not print JSON: {output.text[:200]!r}") from error
+
+
+def _finished(arguments: Sequence[str], timeout: float | None, cwd: PathLike | None) -> Output:
     command = [find_binary(), "--color", "never", *arguments]
     try:
         done = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", timeout=timeout, cwd=cwd)
     except subprocess.TimeoutExpired as error:
         raise TimeoutError(f"`val3 {arguments[0]}` was ended after {timeout} s; `timeout` permits more") from error
-    if done.returncode == _USAGE:
-        raise UsageError(done.stderr.strip())
+    except OSError as error:
+        raise Error(f"`{command[0]}` cannot be started: {error}; set VAL3_BINARY to the path of the command") from error
     if done.returncode < 0:
         raise Error(f"`val3 {arguments[0]}` was ended by signal {-done.returncode}")
     return Output(done.returncode, done.stdout, done.stderr)

@@ -1,11 +1,10 @@
 """Commands that read: check, test, diff, explain."""
 
-import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ._answers import Comparison, Finding, Report, TestReport, TestResult, of
-from ._command import TIMEOUT, PathLike, start
+from ._command import TIMEOUT, PathLike, report
 from ._errors import UsageError
 
 
@@ -28,11 +27,12 @@ def check(
     """
     options = ["--motion"] if motion else []
     command = ["check", "--format", "json", *options, *arguments, *map(str, paths)]
-    document = _json("check", start(command, timeout, cwd).text)
-    summary = document["summary"]
-    findings = tuple(_finding(entry) for entry in document["diagnostics"])
+    answer = report(command, timeout, cwd)
+    summary = answer.document["summary"]
+    findings = tuple(_finding(entry) for entry in answer.document["diagnostics"])
     counts = {name: summary[name] for name in ("errors", "warnings", "infos", "code_lines")}
-    return Report(ok=summary["errors"] == 0, findings=findings, **counts)
+    is_ok = answer.is_complete and summary["errors"] == 0
+    return Report(ok=is_ok, findings=findings, **counts, messages=answer.messages)
 
 
 def test(
@@ -54,9 +54,10 @@ def test(
     texts = [filter] if isinstance(filter, str) else list(filter)
     filters = [part for text in texts for part in ("--filter", text)]
     command = ["test", "--format", "json", *filters, *arguments, *map(str, paths)]
-    document = _json("test", start(command, timeout, cwd).text)
-    tests = tuple(of(TestResult, entry) for entry in document["tests"])
-    return TestReport(document["failed"] == 0, document["passed"], document["failed"], tests)
+    answer = report(command, timeout, cwd)
+    passed, failed = answer.document["passed"], answer.document["failed"]
+    tests = tuple(of(TestResult, entry) for entry in answer.document["tests"])
+    return TestReport(answer.is_complete and failed == 0, passed, failed, tests, answer.messages)
 
 
 def diff(
@@ -73,7 +74,7 @@ def diff(
     False
     """
     command = ["diff", "--format", "json", *arguments, str(old), str(new)]
-    document = _json("diff", start(command, timeout, cwd).text)
+    document = report(command, timeout, cwd).document
     return Comparison(document["different"], document["summary"], document)
 
 
@@ -85,7 +86,7 @@ def explain(topic: str, *, timeout: float | None = TIMEOUT) -> str:
 
     :raises UsageError: there is no such page; the message names similar ones
     """
-    document = _json("explain", start(["explain", "--format", "json", topic], timeout).text)
+    document = report(["explain", "--format", "json", topic], timeout).document
     pages = [page["page"] for page in document["pages"] if page.get("page")]
     if not pages:
         names = ", ".join(page["names"][0] for page in document["pages"][:8])
@@ -96,11 +97,3 @@ def explain(topic: str, *, timeout: float | None = TIMEOUT) -> str:
 def _finding(entry: dict[str, Any]) -> Finding:
     start_of = entry["range"]["start"]
     return of(Finding, {**entry, "line": start_of["line"], "column": start_of["column"]})
-
-
-def _json(command: str, text: str) -> dict[str, Any]:
-    try:
-        document: dict[str, Any] = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise UsageError(f"`val3 {command}` did not print JSON: {text[:200]!r}") from error
-    return document

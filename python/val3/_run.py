@@ -11,9 +11,9 @@ from typing import Any
 
 from . import _toml
 from ._answers import ErrorEntry, IoChange, LineMoves, Moves, ProgramMoves, Task, Wait, of
-from ._command import TIMEOUT, PathLike, start
+from ._command import TIMEOUT, Output, PathLike, start
 from ._commands import check
-from ._errors import RefusedError, RunError
+from ._errors import Error, RefusedError, RunError
 from ._trace import Trace
 
 
@@ -123,7 +123,7 @@ def run(
         for name, value in (set or {}).items():
             command += ["--set", f"{name}={_literal(value)}"]
         output = start([*command, *arguments], timeout, cwd)
-        document = json.loads((files / "result.json").read_text(encoding="utf-8"))
+        document = _document(files / "result.json", output)
         if document["reason"] == "refused":
             where = application if cwd is None else Path(cwd) / application
             found = [finding for finding in check(where).findings if finding.severity == "error"]
@@ -149,6 +149,15 @@ def run(
             trace=Trace.read(files / "trace.csv") if trace else None,
             record=(files / "events.jsonl").read_text(encoding="utf-8"),
         )
+
+
+def _document(path: Path, output: Output) -> dict[str, Any]:
+    try:
+        document: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        messages = output.messages.strip() or "it has no message"
+        raise Error(f"`val3 run` has written no result (exit code {output.exit_code}): {messages}") from error
+    return document
 
 
 def _option(name: str, value: object) -> list[str]:

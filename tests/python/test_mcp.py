@@ -104,6 +104,25 @@ class ServerTest(unittest.IsolatedAsyncioTestCase):
             error, text = await call(client, "test", path="palletiser")
             self.assertEqual((error, text.startswith("ok: ")), (False, True), text)
 
+    async def test_tests_and_files_that_cannot_be_used_are_in_the_answer(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            cell = Path(folder) / "palletiser"
+            shutil.copytree(EXAMPLES / "palletiser", cell)
+            (cell / "tests/zz.toml").write_text(
+                'application = "../usr/usrapp/palletiser"\n[expect]\nxyz = 1\n', encoding="utf-8"
+            )
+            async with session(Path(folder)) as client:
+                error, text = await call(client, "test", path="palletiser", filter="zz")
+                self.assertEqual((error, text.startswith("not ok: 0 passed, 1 failed")), (False, True), text)
+                self.assertIn("unknown field `xyz`", text)
+                error, text = await call(client, "test", path="palletiser", filter="nothing")
+                self.assertEqual((error, "nothing" in text), (True, True), text)
+                grip = cell / "usr/usrapp/partBag/grip.pgx"
+                grip.unlink()
+                os.mkfifo(grip)
+                error, text = await call(client, "check", path="palletiser")
+                self.assertEqual((error, text.startswith("not ok: "), "V0502" in text), (False, True, True), text)
+
     async def test_text_of_a_script_is_accepted(self) -> None:
         async with session(EXAMPLES) as client:
             _, text = await call(client, "run", path=PALLETISER, until=3, script="[[at]]\nt = 0.5\npower = true\n")

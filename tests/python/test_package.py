@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import val3
@@ -119,6 +120,57 @@ class RunTest(unittest.TestCase):
         self.assertLess(times[100.0], times[20.0] - 0.5)
         result = val3.run(PALLETISER, until=1)
         self.assertEqual(pickle.loads(pickle.dumps(result)), result)
+
+
+class IncompleteTest(unittest.TestCase):
+    """Commands that cannot read or execute a part of what they are started for."""
+
+    def test_a_test_that_cannot_be_executed_is_in_the_report(self) -> None:
+        with Project("") as application:
+            tests = application / "tests"
+            tests.mkdir()
+            scenario = 'application = ".."\n[expect]\n'
+            (tests / "good.toml").write_text(scenario + "errors = []\n", encoding="utf-8")
+            (tests / "misspelt.toml").write_text(scenario + "xyz = 1\n", encoding="utf-8")
+            report = val3.test(application)
+        self.assertEqual((report.ok, report.passed, report.failed), (False, 1, 1))
+        [failed] = [test for test in report.tests if not test.passed]
+        assert failed.failure is not None
+        self.assertIn("unknown field `xyz`", failed.failure["message"])
+
+    def test_an_application_that_is_rejected_is_in_the_report(self) -> None:
+        with Project("  nMissing=1\n") as application:
+            tests = application / "tests"
+            tests.mkdir()
+            (tests / "good.toml").write_text('application = ".."\n[expect]\nerrors = []\n', encoding="utf-8")
+            report = val3.test(application)
+        self.assertEqual((report.ok, report.failed), (False, 1))
+
+    def test_a_file_that_cannot_be_read_is_in_the_report(self) -> None:
+        with Project("") as application:
+            program = application / "start.pgx"
+            program.unlink()
+            os.mkfifo(program)
+            report = val3.check(application)
+            with self.assertRaisesRegex(val3.UsageError, "start.pgx"):
+                val3.run(application)
+        self.assertFalse(report.ok)
+        self.assertIn("V0502", [finding.code for finding in report.findings])
+        with self.assertRaisesRegex(val3.UsageError, "there is no such file or folder"):
+            val3.check("nowhere")
+
+    def test_every_failure_of_the_command_is_an_error_of_the_package(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            failing = Path(folder) / "failing"
+            failing.write_text("#!/bin/sh\necho broken >&2\nexit 3\n", encoding="utf-8")
+            failing.chmod(0o755)
+            for binary, message in ((failing, "broken"), (Path(folder) / "missing", "cannot be started")):
+                with unittest.mock.patch.dict(os.environ, VAL3_BINARY=str(binary)):
+                    with self.assertRaisesRegex(val3.Error, message):
+                        val3.run(PALLETISER)
+                    for command in (val3.check, val3.test):
+                        with self.assertRaises(val3.Error):
+                            command(PALLETISER)
 
 
 class PageTest(unittest.TestCase):

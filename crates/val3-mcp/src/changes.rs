@@ -32,7 +32,13 @@ struct FileChange {
 
 /// Changes of files that are written together.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Changes(Vec<FileChange>);
+pub(crate) struct Changes {
+    files: Vec<FileChange>,
+    /// Old and new path of each file that is moved, relative to the root.
+    moves: Vec<[String; 2]>,
+    /// Old and new name of the declaration that is renamed.
+    renamed: Option<[String; 2]>,
+}
 
 impl Changes {
     /// Converts a change of source texts to changes of bytes.
@@ -68,17 +74,25 @@ impl Changes {
             Some(file) => {
                 Err(Refusal(format!("`{}` would have to be changed, and is outside of `{}`", file.path, roots.first())))
             }
-            None => Ok(Self(files)),
+            None => {
+                let moves = change.moves.iter().map(|(old, new)| [roots.shown(old), roots.shown(new)]).collect();
+                Ok(Self { files, moves, renamed: None })
+            }
         }
     }
 
+    /// Adds the name that the change replaces, so that findings with the old and the new name are recognised as equal.
+    pub(crate) fn renaming(self, old: &str, new: &str) -> Self {
+        Self { renamed: Some([old.to_owned(), new.to_owned()]), ..self }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.files.is_empty()
     }
 
     /// Changed files, each with its changed lines. For a created file, only its number of lines.
     pub(crate) fn diff(&self, roots: &Roots) -> String {
-        self.0.iter().map(|file| file.diff(roots)).collect()
+        self.files.iter().map(|file| file.diff(roots)).collect()
     }
 
     /// Effect of the change on the projects below `path`: the new findings, one per line, and the number of removed
@@ -87,25 +101,33 @@ impl Changes {
     /// # Errors
     /// The projects cannot be read.
     pub(crate) fn effect(&self, roots: &Roots, path: &Utf8Path) -> Result<Effect, Refusal> {
-        let before = findings(&Disk, roots, path)?;
         let mut changed = OverlayFs::new(Disk);
-        for FileChange { path, after, .. } in &self.0 {
-            if let Some(after) = after {
-                changed.store(path.clone(), after.clone());
+        for FileChange { path, after, .. } in &self.files {
+            match after {
+                Some(after) => changed.store(path.clone(), after.clone()),
+                None => changed.remove(path),
             }
         }
-        let mut after = findings(&changed, roots, path)?;
-        // The overlay cannot represent a removed file.
-        let removed: Vec<String> =
-            self.0.iter().filter(|file| file.after.is_none()).map(|file| roots.shown(&file.path)).collect();
-        after.retain(|finding| !removed.iter().any(|path| finding.text.contains(path.as_str())));
-        let new: Vec<&Finding> = after.iter().filter(|finding| !before.iter().any(|old| old.is(finding))).collect();
-        let solved = before.iter().filter(|finding| !after.iter().any(|new| new.is(finding))).count();
+        let (before, after) = (findings(&Disk, roots, path)?, findings(&changed, roots, path)?);
+        let keys = |findings: &[Finding]| findings.iter().map(|finding| self.key(finding)).collect::<Vec<_>>();
+        let (keys_before, keys_after) = (keys(&before), keys(&after));
+        let new = after.iter().zip(&keys_after).filter(|(_, key)| !keys_before.contains(key));
+        let new: Vec<&Finding> = new.map(|(finding, _)| finding).collect();
+        let solved = keys_before.iter().filter(|key| !keys_after.contains(key)).count();
         Ok(Effect {
             has_errors: new.iter().any(|finding| finding.severity == Severity::Error),
             new: new.iter().map(|finding| finding.text.clone()).collect(),
             solved,
         })
+    }
+
+    /// File, rule and message of a finding, with new paths and the new name. Findings before and after the change that
+    /// have equal keys are the same, even if their lines differ.
+    fn key(&self, Finding { path, code, message, .. }: &Finding) -> FindingKey {
+        let moved = self.moves.iter().find(|[old, _]| old == path);
+        let path = moved.map_or(path, |[_, new]| new);
+        let message = self.renamed.as_ref().map_or_else(|| message.clone(), |[old, new]| with_name(message, old, new));
+        (path.clone(), code, message)
     }
 
     /// Writes all files. Each file is either replaced completely or unchanged.
@@ -114,7 +136,7 @@ impl Changes {
     ///
     /// A file cannot be written, or was changed since it was read. Earlier files of the list are written in this case.
     pub(crate) fn write(&self, roots: &Roots) -> Result<(), Refusal> {
-        self.0.iter().try_for_each(|file| file.write(roots))
+        self.files.iter().try_for_each(|file| file.write(roots))
     }
 }
 
@@ -196,10 +218,17 @@ fn unchanged(path: &Utf8Path) -> Result<FileChange, Refusal> {
     Ok(FileChange { path: path.to_owned(), before: Some(bytes.clone()), after: Some(bytes) })
 }
 
-/// A finding. Two findings are equal even if their lines differ.
+/// File, rule and message of a finding.
+type FindingKey = (String, &'static str, String);
+
+/// A finding.
 struct Finding {
     severity: Severity,
-    key: String,
+    /// File relative to the root.
+    path: String,
+    code: &'static str,
+    message: String,
+    /// Description for the answer.
     text: String,
 }
 
@@ -215,14 +244,22 @@ impl Finding {
         let help = if help.is_empty() { String::new() } else { format!(" — {help}") };
         Self {
             severity: *severity,
-            key: format!("{path} {} {message}", rule.code),
+            code: rule.code,
             text: format!("{level} {} {path}:{line}: {message}{help}\n    {code}", rule.code),
+            message: message.clone(),
+            path,
         }
     }
+}
 
-    fn is(&self, other: &Self) -> bool {
-        self.key == other.key
-    }
+/// Replaces a name in a message, also in names of files.
+fn with_name(message: &str, old: &str, new: &str) -> String {
+    let is_part = |character: char| character.is_alphanumeric() || character == '_';
+    let pieces = message.split_inclusive(|character| !is_part(character)).map(|piece| {
+        let word = piece.trim_end_matches(|character| !is_part(character));
+        if word == old { format!("{new}{}", piece.get(word.len()..).unwrap_or_default()) } else { piece.to_owned() }
+    });
+    pieces.collect()
 }
 
 /// Findings of the projects below a path.

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use serde_json::Value;
+
 use crate::refusal::Refusal;
 
 /// Limits of a command.
@@ -50,6 +52,26 @@ pub struct CommandOutput {
     pub messages: String,
 }
 
+impl CommandOutput {
+    /// Whether the command rejects its arguments, or could not read or execute some of what they name.
+    fn is_incomplete(&self) -> bool {
+        self.exit_code == USAGE
+    }
+}
+
+/// Report of a command.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Report {
+    /// JSON document.
+    pub(crate) document: Value,
+    /// Whether the command has read and executed everything that its arguments name.
+    pub(crate) is_complete: bool,
+    /// Exit code.
+    pub(crate) exit_code: i32,
+    /// Standard error output.
+    pub(crate) messages: String,
+}
+
 /// Reason why a command has not returned an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum CommandEnd {
@@ -89,12 +111,44 @@ pub(crate) fn run(
     request: &CommandRequest,
     is_cancelled: &dyn Fn() -> bool,
 ) -> Result<CommandOutput, Refusal> {
-    let name = request.arguments.first().map(String::as_str).unwrap_or_default();
-    match commands.start(request, is_cancelled) {
-        Ok(output) if output.exit_code == USAGE => Err(Refusal::new(output.messages.trim())),
-        Ok(output) => Ok(output),
-        Err(end) => Err(Refusal::new(ended(name, &end, request.limits))),
+    let output = started(commands, request, is_cancelled)?;
+    if output.is_incomplete() { Err(Refusal::new(output.messages.trim())) } else { Ok(output) }
+}
+
+/// Starts a command that writes its report as a JSON document. The report of a command that could not read some of its
+/// files describes these files, and is returned as well.
+///
+/// # Errors
+///
+/// The command rejects its arguments or writes no report, has exceeded a limit or was ended.
+pub(crate) fn report(
+    commands: &dyn Commands,
+    request: &CommandRequest,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Result<Report, Refusal> {
+    let output = started(commands, request, is_cancelled)?;
+    match serde_json::from_str(&output.text) {
+        Ok(document) => Ok(Report {
+            document,
+            is_complete: !output.is_incomplete(),
+            exit_code: output.exit_code,
+            messages: output.messages,
+        }),
+        Err(_) if output.is_incomplete() && output.text.trim().is_empty() => Err(Refusal::new(output.messages.trim())),
+        Err(error) => {
+            Err(Refusal(format!("the output of the command cannot be read ({error}): {}", output.messages.trim())))
+        }
     }
+}
+
+/// Starts a command, and returns the output of each exit code.
+fn started(
+    commands: &dyn Commands,
+    request: &CommandRequest,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Result<CommandOutput, Refusal> {
+    let name = request.arguments.first().map(String::as_str).unwrap_or_default();
+    commands.start(request, is_cancelled).map_err(|end| Refusal::new(ended(name, &end, request.limits)))
 }
 
 fn ended(name: &str, end: &CommandEnd, limits: CommandLimits) -> String {

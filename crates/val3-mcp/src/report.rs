@@ -2,15 +2,6 @@
 
 use serde_json::Value;
 
-use crate::command::CommandOutput;
-use crate::refusal::Refusal;
-
-/// Parses the output of a command as JSON.
-pub(crate) fn json(output: &CommandOutput) -> Result<Value, Refusal> {
-    serde_json::from_str(&output.text)
-        .map_err(|error| Refusal(format!("the output of the command cannot be read ({error}): {}", output.messages)))
-}
-
 /// Messages of a command, one per line, without hints about options that a call does not have.
 pub(crate) fn notes(messages: &str) -> String {
     let is_advice = |line: &str| line.trim_start().starts_with("help:") && line.contains("--");

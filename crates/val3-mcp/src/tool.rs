@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 
 use crate::answer::Answer;
 use crate::arguments;
-use crate::command::{CommandOutput, CommandRequest, Commands, run};
+use crate::command::{CommandOutput, CommandRequest, Commands, Report, report, run};
 use crate::refusal::Refusal;
 use crate::roots::Roots;
 use crate::schema::schema;
@@ -95,5 +95,14 @@ impl Call<'_> {
     /// The command rejects its arguments, or was ended.
     pub(crate) fn command(&self, request: &CommandRequest) -> Result<CommandOutput, Refusal> {
         run(self.commands, request, self.is_cancelled)
+    }
+
+    /// Starts a command of `val3` that writes its report as a JSON document.
+    ///
+    /// # Errors
+    ///
+    /// The command rejects its arguments or writes no report, or was ended.
+    pub(crate) fn report(&self, request: &CommandRequest) -> Result<Report, Refusal> {
+        report(self.commands, request, self.is_cancelled)
     }
 }

@@ -36,7 +36,7 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
-    use crate::command::CommandEnd;
+    use crate::command::{CommandEnd, CommandOutput};
     use crate::testing::{Folder, call};
 
     /// Descriptions and schemas of the tools as received by a client, without annotations.
@@ -89,5 +89,45 @@ mod tests {
             .assert_eq(&refused("explain", json!({ "word": "movej" })));
         expect![[r#"the arguments of `explain` are wrong: invalid type: integer `3`, expected a string. Write {"detail": boolean, "topic": string (required)}"#]]
             .assert_eq(&refused("explain", json!({ "topic": 3 })));
+    }
+
+    /// Result of a tool whose command ends with this exit code and output.
+    fn answered(name: &str, exit_code: i32, text: &str, messages: &str) -> Result<String, String> {
+        let tool = all(true).into_iter().find(|tool| tool.name == name).unwrap();
+        let arguments = if name == "explain" { json!({ "topic": "movej" }) } else { json!({}) };
+        let output = CommandOutput { exit_code, text: text.to_owned(), messages: messages.to_owned() };
+        let answer = call(&Folder::new(&[]), &tool, arguments, Ok(output));
+        answer.map(|answer| answer.limited_text()).map_err(|refusal| refusal.0)
+    }
+
+    #[test]
+    fn a_report_is_an_answer_even_if_the_command_could_not_read_everything() {
+        let failure = json!({ "message": "unknown field `xyz`", "places": [] });
+        let test = json!({ "id": "palletiser:zz", "seconds": 0, "failure": failure });
+        let document = json!({ "passed": 2, "failed": 1, "skipped": 0, "tests": [test] }).to_string();
+        expect![[r"
+            not ok: 2 passed, 1 failed
+
+            palletiser:zz failed after 0 s: unknown field `xyz`
+
+            note: the folder has a link"]]
+        .assert_eq(&answered("test", 2, &document, "note: the folder has a link\n").unwrap());
+        let summary = json!({ "errors": 0, "warnings": 0, "infos": 0, "applications": 1, "programs": 2 });
+        let document = json!({ "summary": summary, "diagnostics": [] }).to_string();
+        expect![[r"
+            not ok: 0 errors, 0 warnings, 0 infos in 1 project, 2 programs
+
+            error: cannot read `a.pgx`"]]
+        .assert_eq(&answered("check", 2, &document, "error: cannot read `a.pgx`").unwrap());
+    }
+
+    #[test]
+    fn a_command_without_a_report_is_refused_with_its_messages() {
+        for name in ["test", "check", "explain"] {
+            let refusal = answered(name, 2, "", "error: there is no test `zz`\n").unwrap_err();
+            assert_eq!(refusal, "error: there is no test `zz`", "{name}");
+            let refusal = answered(name, 0, "no document", "note").unwrap_err();
+            assert!(refusal.starts_with("the output of the command cannot be read") && refusal.ends_with("note"));
+        }
     }
 }

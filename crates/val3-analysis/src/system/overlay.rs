@@ -1,11 +1,11 @@
-//! Overlay: additional files on top of a file system.
+//! Overlay: additional, replaced and removed files on top of a file system.
 
 use std::collections::BTreeSet;
 use std::io;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use val3_files::{FileClass, Unreadable};
 
@@ -18,6 +18,8 @@ pub struct OverlayFs<S> {
     below: S,
     /// Stored bytes by path key.
     stored: FxHashMap<String, Vec<u8>>,
+    /// Path keys of removed files. A stored file takes precedence.
+    removed: FxHashSet<String>,
     /// Names in the folders above stored files.
     folders: FxHashMap<Utf8PathBuf, BTreeSet<String>>,
     /// Texts that are open in an editor, by path key.
@@ -27,7 +29,13 @@ pub struct OverlayFs<S> {
 impl<S: System> OverlayFs<S> {
     /// Creates an empty overlay on `below`.
     pub fn new(below: S) -> Self {
-        Self { below, stored: FxHashMap::default(), folders: FxHashMap::default(), edited: FxHashMap::default() }
+        Self {
+            below,
+            stored: FxHashMap::default(),
+            removed: FxHashSet::default(),
+            folders: FxHashMap::default(),
+            edited: FxHashMap::default(),
+        }
     }
 
     /// Adds or replaces a file, which then appears in the listings of the parent folders.
@@ -42,6 +50,11 @@ impl<S: System> OverlayFs<S> {
         self.stored.insert(path_key(path.as_str()), bytes);
     }
 
+    /// Removes a file of the file system below, which then does not appear in the listing of its folder.
+    pub fn remove(&mut self, path: &Utf8Path) {
+        self.removed.insert(path_key(path.as_str()));
+    }
+
     /// Adds or replaces the text of a file that is open in an editor.
     pub fn edit(&mut self, path: &Utf8Path, text: Arc<str>) {
         self.edited.insert(path_key(path.as_str()), text);
@@ -51,6 +64,11 @@ impl<S: System> OverlayFs<S> {
     pub fn covers(&self, path: &Utf8Path) -> bool {
         let key = path_key(path.as_str());
         self.stored.contains_key(&key) || self.edited.contains_key(&key)
+    }
+
+    /// Whether the file below was removed, and no other file has replaced it.
+    fn has_removed(&self, path: &Utf8Path) -> bool {
+        self.removed.contains(&path_key(path.as_str())) && !self.covers(path)
     }
 
     fn bytes(&self, path: &Utf8Path) -> Option<&Vec<u8>> {
@@ -76,21 +94,32 @@ impl<S: System> System for OverlayFs<S> {
         for (path, content) in paths.iter().zip(&mut contents) {
             if let Some(bytes) = self.bytes(path) {
                 *content = DecodedFile::of(Ok(bytes.clone()));
+            } else if self.has_removed(path) {
+                *content = None;
             }
         }
         contents
     }
 
     fn edited(&self, path: &Utf8Path) -> Option<Arc<str>> {
-        self.edited.get(&path_key(path.as_str())).cloned().or_else(|| self.below.edited(path))
+        let edited = self.edited.get(&path_key(path.as_str())).cloned();
+        edited.or_else(|| if self.has_removed(path) { None } else { self.below.edited(path) })
     }
 
     fn stored(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
-        self.bytes(path).map_or_else(|| self.below.stored(path, class), |bytes| Ok(bytes.clone()))
+        match self.bytes(path) {
+            Some(bytes) => Ok(bytes.clone()),
+            None if self.has_removed(path) => Err(Unreadable::Missing),
+            None => self.below.stored(path, class),
+        }
     }
 
     fn size(&self, path: &Utf8Path) -> u64 {
-        self.bytes(path).map_or_else(|| self.below.size(path), |bytes| bytes.len().try_into().unwrap_or(u64::MAX))
+        match self.bytes(path) {
+            Some(bytes) => bytes.len().try_into().unwrap_or(u64::MAX),
+            None if self.has_removed(path) => 0,
+            None => self.below.size(path),
+        }
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -98,6 +127,7 @@ impl<S: System> System for OverlayFs<S> {
             Err(error) if self.names_below(path).next().is_none() => return Err(error),
             found => found.unwrap_or_default(),
         };
+        names.retain(|name| !self.removed.contains(&path_key(path.join(name).as_str())));
         for new in self.names_below(path) {
             if !names.iter().any(|name| name.eq_ignore_ascii_case(new)) {
                 names.push(new.to_owned());
@@ -110,6 +140,9 @@ impl<S: System> System for OverlayFs<S> {
     fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         if self.covers(path) {
             return Some(PathKind::File);
+        }
+        if self.has_removed(path) {
+            return None;
         }
         let is_folder = self.names_below(path).next().is_some();
         if is_folder { Some(PathKind::Folder) } else { self.below.kind(path) }
@@ -124,7 +157,7 @@ impl<S: System> System for OverlayFs<S> {
     }
 
     fn is_link(&self, path: &Utf8Path) -> bool {
-        self.below.is_link(path)
+        !self.has_removed(path) && self.below.is_link(path)
     }
 }
 
@@ -163,5 +196,21 @@ mod tests {
         assert_eq!(system.kind("/lib/new".into()), Some(PathKind::Folder));
         assert_eq!(system.kind("/lib/new/C.pgx".into()), Some(PathKind::File));
         assert_eq!(system.kind("/other".into()), None);
+    }
+
+    #[test]
+    fn removed_files_do_not_exist() {
+        let mut system = overlay();
+        for path in ["/app/A.pgx", "/app/b.pgx"] {
+            system.remove(path.into());
+        }
+        system.edited.clear();
+        let read = |path: &str| system.read(path.into(), FileClass::Program);
+        assert_eq!(read("/app/a.pgx"), Err(Unreadable::Missing));
+        assert_eq!(read("/app/b.pgx").as_deref(), Ok(&b"stored"[..]), "a stored file takes precedence");
+        assert_eq!(system.read_all(&["/app/a.pgx".into()]).len(), 1);
+        assert!(system.read_all(&["/app/a.pgx".into()]).into_iter().all(|content| content.is_none()));
+        assert_eq!((system.kind("/app/a.pgx".into()), system.size("/app/a.pgx".into())), (None, 0));
+        assert_eq!(system.list("/app".into()).unwrap(), ["B.pgx"]);
     }
 }

@@ -7,9 +7,9 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
-use crate::command::{CommandRequest, OF_CELLS};
+use crate::command::{CommandRequest, OF_CELLS, Report};
 use crate::refusal::Refusal;
-use crate::report::{counted, items, json as parsed, number};
+use crate::report::{counted, items, notes, number};
 use crate::tool::{Call, Definition};
 
 /// The tool.
@@ -48,7 +48,7 @@ impl Definition for Check {
         if arguments.motion {
             command.push("--motion".to_owned());
         }
-        let document = parsed(&call.command(&CommandRequest::new(command, OF_CELLS))?)?;
+        let Report { document, is_complete, messages, .. } = call.report(&CommandRequest::new(command, OF_CELLS))?;
         let summary = document.get("summary").unwrap_or(&Value::Null);
         let mut text = headline(summary);
         let folder = if path.is_file() { path.parent().unwrap_or(&path) } else { &path };
@@ -56,9 +56,12 @@ impl Definition for Check {
             text.push_str(&finding::shown(call.roots, folder, finding));
         }
         text.push_str(&omitted(summary));
+        if !is_complete {
+            text.push_str(&format!("{}\n", notes(&messages)));
+        }
         let count = |key| number(summary, key);
         let data = json!({ "errors": count("errors"), "warnings": count("warnings"), "infos": count("infos") });
-        Ok(Answer::new(count("errors") == 0, text).with_data(data).with_detail(arguments.detail))
+        Ok(Answer::new(is_complete && count("errors") == 0, text).with_data(data).with_detail(arguments.detail))
     }
 }
 

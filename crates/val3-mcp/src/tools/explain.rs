@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::answer::Answer;
 use crate::command::{CommandRequest, OF_RUNS};
 use crate::refusal::Refusal;
-use crate::report::{items, json, text};
+use crate::report::{items, text};
 use crate::tool::{Call, Definition};
 
 /// The tool.
@@ -52,8 +52,7 @@ pub(crate) fn page(call: &Call<'_>, topic: &str) -> Result<Answer, Refusal> {
     if topic.is_empty() || topic.starts_with('-') {
         return Err(Refusal::new("`topic` must be a word, such as `movej`, `V0203`, `20` or `guide`"));
     }
-    let output = call.command(&CommandRequest::new(["explain", "--format", "json", topic], OF_RUNS))?;
-    let document = json(&output)?;
+    let document = call.report(&CommandRequest::new(["explain", "--format", "json", topic], OF_RUNS))?.document;
     let pages = items(&document, "pages");
     let is_search = pages.iter().any(|page| page.get("excerpt").is_some_and(|excerpt| !excerpt.is_null()));
     Ok(Answer::new(true, if is_search { hits(topic, pages) } else { whole(pages) }))

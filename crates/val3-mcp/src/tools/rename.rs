@@ -55,7 +55,8 @@ impl Definition for Rename {
         let FileRange { file, range } = declaration(db, project, &arguments)?;
         let at = FilePosition { file, offset: range.start() };
         let change = rename(db, at, &arguments.to).map_err(|error| Refusal(error.0))?;
-        changed(call, &Changes::of(db, call.roots, &change)?, root, arguments.dry_run)
+        let changes = Changes::of(db, call.roots, &change)?.renaming(&arguments.name, &arguments.to);
+        changed(call, &changes, root, arguments.dry_run)
     }
 }
 
@@ -77,4 +78,84 @@ fn declaration(db: &Database, project: Project, arguments: &Arguments) -> Result
     let found = found.or_else(|| declarations::user_type(db, project, name));
     let names = items.programs.keys().chain(items.data.keys()).chain(items.libraries.keys()).chain(items.types.keys());
     found.ok_or_else(|| unknown("name", &arguments.name, names))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use expect_test::expect;
+    use serde_json::json;
+
+    use super::*;
+    use crate::command::CommandEnd;
+    use crate::testing::{Folder, call};
+
+    const PROJECT: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">
+  <Parameters version="s7.11.3" stackSize="5000" millimeterUnit="true" />
+  <Programs>
+    <Program file="pick.pgx" />
+    <Program file="start.pgx" />
+    <Program file="stop.pgx" />
+  </Programs>
+  <Database><Data file="cell.dtx" /></Database>
+</Project>
+"#;
+
+    const DATA: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas><Data name="nUnused" access="private" xsi:type="array" type="num" size="1" /></Datas>
+</Database>
+"#;
+
+    /// Program with these lines, and a line with an error.
+    fn program(name: &str, code: &str) -> String {
+        format!(
+            r#"<?xml version="1.0" encoding="utf-8"?>
+<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+  <Program name="{name}"><Code><![CDATA[begin
+{code}
+end]]></Code></Program>
+</Programs>
+"#
+        )
+    }
+
+    fn cell() -> Folder {
+        let file = |name: &str| format!("cell/{name}");
+        Folder::new(&[
+            (&file("cell.pjx"), PROJECT),
+            (&file("cell.dtx"), DATA),
+            (&file("pick.pgx"), &program("pick", "  nMissing=1")),
+            (&file("start.pgx"), &program("start", "  call pick()\n  call pick(1)")),
+            (&file("stop.pgx"), &program("stop", "")),
+        ])
+    }
+
+    /// Answer without the changed lines.
+    fn renamed(folder: &Folder, name: &str, to: &str) -> String {
+        let unexpected = Err(CommandEnd::Start("no command was expected".to_owned()));
+        let arguments = json!({ "path": "cell", "name": name, "to": to });
+        let answer = call(folder, &crate::tool::Tool::of::<Rename>(), arguments, unexpected).unwrap();
+        let at = answer.text.find("new finding").unwrap();
+        answer.text.get(at.saturating_sub(2)..).unwrap().to_owned()
+    }
+
+    #[test]
+    fn a_renamed_declaration_has_the_findings_that_it_had_before() {
+        for (name, to) in [("pick", "grip"), ("nUnused", "nSpare")] {
+            assert_eq!(renamed(&cell(), name, to), "0 new findings, 0 solved\n", "{name}");
+        }
+    }
+
+    #[test]
+    fn the_file_of_a_renamed_program_is_moved() {
+        let folder = cell();
+        renamed(&folder, "pick", "grip");
+        let names = fs::read_dir(folder.path().join("cell")).unwrap().map(|entry| entry.unwrap().file_name());
+        let mut names: Vec<String> = names.map(|name| name.into_string().unwrap()).collect();
+        names.sort_unstable();
+        expect!["cell.dtx cell.pjx grip.pgx start.pgx stop.pgx"].assert_eq(&names.join(" "));
+    }
 }

@@ -5,9 +5,9 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
-use crate::command::{CommandRequest, OF_CELLS};
+use crate::command::{CommandRequest, OF_CELLS, Report};
 use crate::refusal::Refusal;
-use crate::report::{counted, items, json as parsed, notes, number, text};
+use crate::report::{counted, items, notes, number, text};
 use crate::tool::{Call, Definition};
 
 /// The tool.
@@ -46,8 +46,8 @@ impl Definition for Test {
         if arguments.coverage {
             command.push("--coverage".to_owned());
         }
-        let output = call.command(&CommandRequest::new(command, OF_CELLS))?;
-        let document = parsed(&output)?;
+        let Report { document, is_complete, exit_code, messages } =
+            call.report(&CommandRequest::new(command, OF_CELLS))?;
         let mut text = summary(&document);
         let failed = items(&document, "tests").iter().filter(|test| !test["failure"].is_null());
         let most = arguments.max_failures.unwrap_or(5);
@@ -56,12 +56,12 @@ impl Definition for Test {
         if others > 0 {
             text.push_str(&format!("\nand {} more: raise `max_failures`\n", counted(others as u64, "failure")));
         }
-        if arguments.coverage {
-            text.push_str(&format!("{}\n", notes(&output.messages)));
+        if arguments.coverage || !is_complete {
+            text.push_str(&format!("{}\n", notes(&messages)));
         }
         let count = |key| number(&document, key);
         let data = json!({ "passed": count("passed"), "failed": count("failed"), "skipped": count("skipped") });
-        Ok(Answer::new(output.exit_code == 0, text).with_data(data).with_detail(arguments.detail))
+        Ok(Answer::new(exit_code == 0, text).with_data(data).with_detail(arguments.detail))
     }
 }
 
