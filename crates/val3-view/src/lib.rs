@@ -20,7 +20,7 @@ pub mod wire;
 pub use commands::{Operator, response};
 pub use feed::{Feed, ViewerMessage};
 pub use scene::scene;
-pub use signals::{direction, level};
+pub use signals::direction;
 pub use user_page::user_page;
 pub use wire::CommandError;
 
