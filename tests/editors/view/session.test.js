@@ -35,8 +35,8 @@ async function pictures(page, name) {
 }
 
 async function powerOn(page) {
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
 }
 
 /** Stops the run and starts the application again. */
