@@ -43,7 +43,7 @@ async function powerOn(page) {
 async function startAgain(page) {
   await page.getByRole("tab", { name: "Pendant" }).click();
   await page.getByRole("button", { name: "Stop", exact: true }).click();
-  await page.getByText("Press Run to start the application again.").waitFor();
+  await page.waitForFunction(() => window.val3View.store.end.value !== undefined);
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.waitForFunction(() => window.val3View.store.end.value === undefined);
 }
