@@ -119,9 +119,12 @@ fn tasks_at_rest_and_errors_have_the_code_of_their_line() {
     let states: Vec<&Value> = objects(&messages, "state").map(|state| &state["tasks"][0]).collect();
     assert_eq!((&states[1]["state"], &states[1]["lineCode"]), (&json!("waiting"), &json!("start.pgx 6")));
     let last = states.last().unwrap();
-    assert_eq!((&last["state"], &last["error"], &last["lineCode"]), (&json!("error"), &json!(20), &json!("start.pgx 7")));
-    let errors = objects(&messages, "events").flat_map(|message| message["events"].as_array().unwrap());
-    let error = errors.filter(|event| event["kind"] == "error").next().unwrap();
+    assert_eq!(
+        (&last["state"], &last["error"], &last["lineCode"]),
+        (&json!("error"), &json!(20), &json!("start.pgx 7"))
+    );
+    let mut events = objects(&messages, "events").flat_map(|message| message["events"].as_array().unwrap());
+    let error = events.find(|event| event["kind"] == "error").unwrap();
     assert_eq!((&error["lineCode"], &error["task"]), (&json!("start.pgx 7"), &json!("main~")));
     assert!(error["help"].as_str().unwrap().contains("size"), "{error}");
 }
