@@ -4,7 +4,7 @@ use val3_geometry::IsometryMatrix3;
 use val3_lang::enumerations::blend_name;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
 use val3_machine::io::{IoTable, SignalId, SignalKind};
-use val3_view::{coordinates, direction, level};
+use val3_view::{coordinates, direction};
 
 /// A property with its nested properties.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +60,7 @@ pub(crate) fn signal_at(controller: &Controller, path: &str) -> String {
 /// Signal value with direction, lock, simulation, protection and fault.
 fn signal(io: &IoTable, id: SignalId) -> String {
     let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { return String::new() };
-    let number = level(io, id).unwrap_or_default();
+    let number = io.next_image(id).unwrap_or_default();
     let value = match signal.kind {
         SignalKind::Digital => (number != 0.0).to_string(),
         SignalKind::Analog(_) => number.to_string(),

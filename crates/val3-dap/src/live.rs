@@ -32,6 +32,8 @@ pub(crate) struct Subscriptions {
     pub(crate) operator: Operator,
     /// Latest message `unsaved`.
     unsaved: Option<UnsavedMessage>,
+    /// Whether the run is stopped, in the latest message `clock`.
+    is_stopped: Option<bool>,
     samples: Vec<ArmSample>,
     /// Time of the first sample in the current batch.
     begun: Time,
@@ -79,8 +81,9 @@ impl Subscriptions {
         self.has_io = io.unwrap_or(self.has_io);
         self.has_user_page = user_page.unwrap_or(self.has_user_page);
         if let Some(is_shown) = view {
-            self.view = is_shown.then(|| Feed::new(controller, Role::Debugger));
-            self.unsaved = None;
+            // The client shows the code itself.
+            self.view = is_shown.then(|| Feed::new(controller, Role::Debugger, |_, _| None));
+            (self.unsaved, self.is_stopped) = (None, None);
         }
         Ok(())
     }
@@ -118,9 +121,14 @@ impl Subscriptions {
     }
 
     /// Returns the messages for a page after a request or at a stop.
-    pub(crate) fn refreshed_view(&mut self, controller: &Controller) -> Option<Value> {
+    pub(crate) fn refreshed_view(&mut self, is_stopped: bool, controller: &Controller) -> Option<Value> {
         let feed = self.view.as_mut()?;
         feed.refresh(controller);
+        if self.is_stopped.replace(is_stopped) != Some(is_stopped) {
+            // The debugger changes no speed, and pages of debugged runs show none.
+            let (t, speed) = (seconds(controller.now()), wire::PaceSpeed::Times(1.0));
+            feed.tell(&wire::Message::Clock(wire::Clock { t, speed, is_paused: false, is_stopped }));
+        }
         let unsaved = self.operator.unsaved();
         if self.unsaved.as_ref() != Some(&unsaved) {
             feed.tell(&wire::Message::Unsaved(unsaved.clone()));

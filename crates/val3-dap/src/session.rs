@@ -160,7 +160,8 @@ impl DebugSession {
 
     /// Sends new messages for a page that shows the run.
     pub(crate) fn refresh_view(&mut self, run: &DebuggedRun<'_>) {
-        if let Some(messages) = self.subscriptions.refreshed_view(&run.debugger.controller) {
+        let is_stopped = self.phase == SessionState::Stopped;
+        if let Some(messages) = self.subscriptions.refreshed_view(is_stopped, &run.debugger.controller) {
             self.client.custom_event("val3/view", messages);
         }
     }

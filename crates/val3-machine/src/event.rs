@@ -111,6 +111,11 @@ pub enum EventKind {
         code: u16,
         /// Meaning of the error.
         message: &'static str,
+        /// Reason why a move was rejected.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        reason: Option<String>,
+        /// Explanation and remedy.
+        help: &'static str,
         /// The program.
         program: String,
         /// The line of the file, from 1.

@@ -11,6 +11,7 @@ use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
+use crate::lines::{LineReader, Lines};
 use crate::motion::{self, MotionKey};
 use crate::positions::PositionComputer;
 use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
@@ -63,6 +64,7 @@ pub struct Feed {
     frames: Vec<CellPoint>,
     cell_tools: Vec<CellPoint>,
     signals: SignalStates,
+    lines: Lines,
     /// Latest time in the messages.
     seen: Time,
     messages: Vec<ViewerMessage>,
@@ -70,9 +72,9 @@ pub struct Feed {
 
 impl Feed {
     /// Starts the messages of a run, at its start or when a viewer begins to observe it. The first messages are its
-    /// scene and its complete state.
+    /// scene and its complete state. `lines` reads the lines at which tasks wait or fail.
     #[must_use]
-    pub fn new(controller: &Controller, role: Role) -> Self {
+    pub fn new(controller: &Controller, role: Role, lines: LineReader) -> Self {
         let is_recorded = role == Role::Recording;
         let mut feed = Self {
             batch: Batch::new(controller.arm().model().axes(), is_recorded),
@@ -91,6 +93,7 @@ impl Feed {
             frames: Vec::new(),
             cell_tools: Vec::new(),
             signals: SignalStates::default(),
+            lines: Lines::new(lines),
             seen: 0,
             messages: Vec::new(),
         };
@@ -112,7 +115,8 @@ impl Feed {
     /// Processes events of the current cycle, or of a command.
     pub fn see_events(&mut self, events: &[Event], controller: &Controller) {
         if !events.is_empty() {
-            self.tell(&wire::Message::Events(EventsMessage { events: events.to_vec() }));
+            let events = events.iter().map(|event| self.lines.with_code(event)).collect();
+            self.tell(&wire::Message::Events(EventsMessage { events }));
         }
         if events.iter().any(|event| matches!(event.kind, EventKind::Io { .. })) {
             self.see_signals(controller.now(), controller);
@@ -177,7 +181,7 @@ impl Feed {
     }
 
     fn see_state(&mut self, t: f64, controller: &Controller) {
-        let state = state::message(t, controller);
+        let state = state::message(t, controller, &mut self.lines);
         let is_known = self.state.as_ref().is_some_and(|known| StateMessage { t, ..known.clone() } == state);
         if !is_known {
             self.tell(&wire::Message::State(state.clone()));

@@ -8,6 +8,7 @@ mod cell;
 mod commands;
 mod configuration;
 mod feed;
+mod lines;
 mod motion;
 mod positions;
 mod samples;
@@ -19,8 +20,9 @@ pub mod wire;
 
 pub use commands::{Operator, response};
 pub use feed::{Feed, ViewerMessage};
+pub use lines::LineReader;
 pub use scene::scene;
-pub use signals::{direction, level};
+pub use signals::direction;
 pub use user_page::user_page;
 pub use wire::CommandError;
 

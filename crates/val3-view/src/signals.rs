@@ -6,15 +6,6 @@ use val3_machine::io::{Direction, IoTable, SignalId, SignalKind};
 
 use crate::wire::{self, IoMessage, LineInfo, SignalInfo};
 
-/// Displayed value of a signal: the terminal value of an input, or the written value of an output.
-#[must_use]
-pub fn level(io: &IoTable, id: SignalId) -> Option<f64> {
-    match io.signal(id)?.direction {
-        Direction::Input => io.hardware(id),
-        Direction::Output => io.image(id),
-    }
-}
-
 /// Word for a direction.
 #[must_use]
 pub fn direction(direction: Direction) -> &'static str {
@@ -68,7 +59,7 @@ impl SignalStates {
         for (number, id) in io.signals().enumerate() {
             let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { continue };
             let state = SignalState {
-                value: level(io, id),
+                value: io.next_image(id),
                 is_locked: forcing.is_locked,
                 is_simulated: forcing.is_simulated,
                 is_protected: signal.protected,
@@ -89,5 +80,38 @@ impl SignalStates {
             });
         }
         (!changes.is_empty()).then_some(IoMessage { t, changes })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_machine::io::Signal;
+
+    use super::*;
+
+    /// Value and lock in the last message about a signal.
+    fn shown(states: &mut SignalStates, io: &IoTable) -> Option<(Option<f64>, bool)> {
+        states.changes(0.0, io).and_then(|io| io.changes.last().map(|change| (change.value, change.is_locked)))
+    }
+
+    #[test]
+    fn a_locked_input_has_the_value_that_programs_read() {
+        let mut io = IoTable::default();
+        let id = io.declare(Signal::from_path("B\\%I0", true));
+        let mut states = SignalStates::default();
+        assert_eq!(shown(&mut states, &io), Some((Some(0.0), false)));
+        io.lock(id, Some(1.0));
+        assert_eq!(shown(&mut states, &io), Some((Some(1.0), true)), "before the next cycle");
+        io.refresh_inputs();
+        io.set(id, 0.0);
+        assert_eq!(shown(&mut states, &io), None, "the terminal has no effect");
+        io.lock(id, Some(0.0));
+        assert_eq!(shown(&mut states, &io), Some((Some(0.0), true)));
+        io.set(id, 1.0);
+        io.unlock(id);
+        assert_eq!(shown(&mut states, &io), Some((Some(1.0), false)));
+        io.simulate(id, true);
+        io.set(id, 0.0);
+        assert_eq!(shown(&mut states, &io), Some((Some(0.0), false)), "a simulated input is set like the terminal");
     }
 }

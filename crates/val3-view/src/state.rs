@@ -6,10 +6,11 @@ use val3_machine::event::seconds;
 use val3_vm::{Rate, Task};
 
 use crate::configuration;
+use crate::lines::Lines;
 use crate::wire::{StateMessage, TaskState};
 
 /// Creates the message at a time in seconds.
-pub(crate) fn message(t: f64, controller: &Controller) -> StateMessage {
+pub(crate) fn message(t: f64, controller: &Controller, lines: &mut Lines) -> StateMessage {
     let state = &controller.devices.state;
     let (arm, robot) = (&state.arm, &state.robot);
     let hold = arm.hold(robot.drive());
@@ -23,7 +24,7 @@ pub(crate) fn message(t: f64, controller: &Controller) -> StateMessage {
     };
     StateMessage {
         t,
-        tasks: tasks.map(|(task, position)| described(task, position)).collect(),
+        tasks: tasks.map(|(task, position)| described(task, position, lines)).collect(),
         power: robot.is_powered(),
         mode: robot.working_mode().name().to_owned(),
         emergency_stop: emergency_stop.to_owned(),
@@ -35,7 +36,7 @@ pub(crate) fn message(t: f64, controller: &Controller) -> StateMessage {
     }
 }
 
-fn described(task: &Task, position: TaskPosition) -> TaskState {
+fn described(task: &Task, position: TaskPosition, lines: &mut Lines) -> TaskState {
     let (priority, period, overruns) = match task.rate {
         Rate::Priority(lines) => (Some(lines), None, 0),
         Rate::Period { period, overruns, .. } => (None, Some(seconds(period)), overruns),
@@ -44,15 +45,17 @@ fn described(task: &Task, position: TaskPosition) -> TaskState {
         Activity::Failed(code) => Some(code),
         _ => None,
     };
-    let state = if task.state == val3_vm::TaskState::Running { position.activity.word() } else { "suspended" };
+    let waits = position.activity.awaited();
+    let is_at_rest = waits.is_some() || error.is_some();
     TaskState {
-        state: state.to_owned(),
+        state: position.activity.word().to_owned(),
         priority,
         period,
         overruns,
-        waits: position.activity.awaited(),
+        waits,
         awaits: position.activity.awaited_thing(),
         error,
+        line_code: if is_at_rest { lines.code(&position.file, position.line) } else { None },
         name: position.name,
         program: position.program,
         line: position.line,

@@ -62,6 +62,8 @@ pub enum Message {
     Rewind(Rewind),
     /// Messages before this one were dropped.
     Gap,
+    /// Number of messages before the present of the run.
+    Past(Past),
     /// Response to a command.
     Answer(Answer),
     /// Batch of arm samples, for pages whose connection has no binary messages.
@@ -124,10 +126,22 @@ pub struct IoMessage {
 pub struct EventsMessage {
     /// Events in their order.
     #[schemars(with = "Vec<RunEvent>")]
-    pub events: Vec<Event>,
+    pub events: Vec<PageEvent>,
 }
 
-/// Event in the format of `val3 run --events`.
+/// Event with the code of its line.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct PageEvent {
+    /// The event.
+    #[serde(flatten)]
+    pub event: Event,
+    /// Code of the line, for the event of a fault.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_code: Option<String>,
+}
+
+/// Event in the format of `val3 run --events`. The event of a fault also has `lineCode`, the code of its line.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct RunEvent {
     /// Time in s.
@@ -192,6 +206,13 @@ pub struct End {
 pub struct Rewind {
     /// Time in s.
     pub t: f64,
+}
+
+/// Number of messages before the present of the run, for a reader that connects to a run in progress.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Past {
+    /// Number of messages that follow. 0: the messages of the past were sent, and the next ones are of the present.
+    pub messages: u64,
 }
 
 /// Response to a command, with further keys of the command.

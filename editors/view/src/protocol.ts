@@ -16,7 +16,7 @@ export type Scene = Omit<wire.Scene, "arm" | "objects" | "parts"> & Partial<Pick
 export type Message = Exclude<wire.Message, { kind: "samples" | "scene" }> | Scene;
 
 /** Message that belongs to the run and its recording. */
-export type RunMessage = Exclude<Message, { kind: "answer" | "rewind" | "select" }>;
+export type RunMessage = Exclude<Message, { kind: "answer" | "rewind" | "select" | "past" }>;
 
 /** Parses a text message; `undefined` if it is not a message. */
 export function messageFrom(text: string): Message | undefined {

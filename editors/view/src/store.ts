@@ -14,6 +14,9 @@ import type { MotionMessage } from "./wire";
 /** Selected object, which the drawing and the panels highlight. */
 export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
 
+/** Reason why nothing can be operated before the page has reached the present. */
+const READING = "The past of the run is being read. Wait until the present is shown.";
+
 export type Send = (command: object) => void;
 
 export class Store {
@@ -31,6 +34,13 @@ export class Store {
   readonly isSilent = signal(false);
   readonly speed = signal<number | "max">(1);
   readonly end = signal<string | undefined>(undefined);
+  /** Number of messages of the past, and the messages read since, until a page that was opened late has reached the present. */
+  readonly past = signal<{ count: number; read: number } | undefined>(undefined);
+  /** Read part of the past in %. */
+  readonly readPast: ReadonlySignal<number | undefined> = computed(() => {
+    const past = this.past.value;
+    return past && Math.min(99, Math.floor((past.read / past.count) * 100));
+  });
   /** Sentence about a lost connection. */
   readonly lost = signal<string | undefined>(undefined);
   readonly selection = signal<Selection | undefined>(undefined);
@@ -88,7 +98,10 @@ export class Store {
       this.rewind(message.t);
     } else if (message.kind === "select") {
       this.select(message.name);
+    } else if (message.kind === "past") {
+      this.past.value = message.messages === 0 ? undefined : { count: message.messages, read: 0 };
     } else {
+      this.countPast();
       if (message.kind === "scene") {
         this.log.length = 0;
       }
@@ -102,6 +115,7 @@ export class Store {
   }
 
   takeSamples(bytes: ArrayBuffer | Uint8Array): void {
+    this.countPast();
     const t = this.samples.add(bytes);
     if (t !== undefined) {
       this.sampleCount.value += 1;
@@ -135,6 +149,7 @@ export class Store {
 
   /** Handles a lost connection: all pending commands fail. */
   lose(reason: string): void {
+    this.past.value = undefined;
     this.lost.value = reason;
     this.waiting.forEach((resolve) => resolve({ error: reason }));
     this.waiting.clear();
@@ -207,6 +222,13 @@ export class Store {
     }
   }
 
+  private countPast(): void {
+    const past = this.past.peek();
+    if (past !== undefined) {
+      this.past.value = { ...past, read: past.read + 1 };
+    }
+  }
+
   private advance(t: number): void {
     this.newest.value = Math.max(this.newest.peek(), t);
   }
@@ -247,10 +269,10 @@ export class Store {
     switch (this.scene.value?.role) {
       case "recording": return "This is a recording. Nothing can be operated.";
       case "guest": return "You are a guest. You can look but not operate.";
-      case undefined: return "The run has not begun.";
+      case undefined: return this.openLine.value === undefined ? "The run has not begun." : "No application is shown.";
       case "preview": return "The application does not run.";
       default:
-        return this.lost.value ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+        return this.lost.value ?? (this.past.value === undefined ? undefined : READING) ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
     }
   }
 }

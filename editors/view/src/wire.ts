@@ -295,6 +295,7 @@ export type Message =
   | End & { kind: "end" }
   | Rewind & { kind: "rewind" }
   | { kind: "gap" }
+  | Past & { kind: "past" }
   | Answer & { kind: "answer" }
   | Samples & { kind: "samples" }
   | Select & { kind: "select" };
@@ -433,6 +434,12 @@ export interface PartsMessage {
   t: number;
 }
 
+/** Number of messages before the present of the run, for a reader that connects to a run in progress. */
+export interface Past {
+  /** Number of messages that follow. 0: the messages of the past were sent, and the next ones are of the present. */
+  messages: number;
+}
+
 /** Point name, with an index or key. */
 export interface PointName {
   /** Index or key; `null` for data with a single value. */
@@ -509,7 +516,7 @@ export type Role =
   | "debugger"
   | "preview";
 
-/** Event in the format of `val3 run --events`. */
+/** Event in the format of `val3 run --events`. The event of a fault also has `lineCode`, the code of its line. */
 export interface RunEvent {
   /** Kind of the event. */
   kind: string;
@@ -617,7 +624,10 @@ export interface SignalState {
   isSimulated: boolean;
   /** Physical path. */
   link: string;
-  /** Value at the terminal of an input, written value of an output. */
+  /**
+   * Value that programs read: the locked value, otherwise the value at the terminal of an input or the written
+   * value of an output.
+   */
   value: number;
 }
 
@@ -675,6 +685,8 @@ export interface TaskState {
   file: string;
   /** Current line in the file, from 1. */
   line: number;
+  /** Code of the line, if the task waits or was stopped by an error. */
+  lineCode: string | null;
   /** Task name. */
   name: string;
   /** Number of overruns of a synchronous task. */
@@ -685,7 +697,7 @@ export interface TaskState {
   priority: number | null;
   /** Current program. */
   program: string;
-  /** State in a word. */
+  /** State in a word: `running`, `waiting`, `suspended` or `error`. */
   state: string;
   /** Awaited condition, and the reason why the arm does not move. */
   waits: string | null;

@@ -10,8 +10,8 @@ const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
 test("typed keys and forced inputs let the program continue", () => served([], async (run) => {
   const page = await run.open();
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
   await page.getByRole("application").focus();
   await page.keyboard.press("F1");
   await page.getByText("State    running").waitFor();
@@ -29,8 +29,8 @@ test("typed keys and forced inputs let the program continue", () => served([], a
 test("an operator moves the arm by hand", () => served([], async (run) => {
   const page = await run.open();
   const joint = () => page.evaluate(() => window.val3View.store.panels.cell.sample.value.joints[0]);
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
   const start = await joint();
   const plus = page.getByRole("button", { name: "J1 plus" });
   await plus.focus();
@@ -39,8 +39,8 @@ test("an operator moves the arm by hand", () => served([], async (run) => {
   assert.equal(await joint(), start);
   await page.getByLabel(/mode/i).first().selectOption("manual");
   // Another working mode switches the power off.
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
   await plus.focus();
   await page.keyboard.press("Enter");
   await page.waitForFunction((start) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - start) > 4.99, start);
@@ -118,12 +118,12 @@ test("a stopped application starts again with its unsaved point", () => served(B
 
 test("a point is taught with a tool, changed back, and reached by hand", () => served([], async (run) => {
   const page = await run.open();
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
   await page.getByLabel(/mode/i).first().selectOption("manual");
   // Another working mode switches the power off.
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
   await jogTo(page, [5, 10, 90, 0, -40, 0]);
   await page.getByRole("tab", { name: "Points" }).click();
   const point = await page.evaluate(() => window.val3View.store.panels.cell.points.value.find(({ name }) => !name.includes(":")));

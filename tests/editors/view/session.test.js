@@ -35,15 +35,15 @@ async function pictures(page, name) {
 }
 
 async function powerOn(page) {
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
 }
 
 /** Stops the run and starts the application again. */
 async function startAgain(page) {
   await page.getByRole("tab", { name: "Pendant" }).click();
   await page.getByRole("button", { name: "Stop", exact: true }).click();
-  await page.getByText("Press Run to start the application again.").waitFor();
+  await page.waitForFunction(() => window.val3View.store.end.value !== undefined);
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.waitForFunction(() => window.val3View.store.end.value === undefined);
 }

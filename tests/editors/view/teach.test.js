@@ -10,8 +10,8 @@ const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 /** Switches to manual mode with power. */
 async function toManual(page) {
   await page.getByLabel(/mode/i).first().selectOption("manual");
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
 }
 
 /** Jogs to the joints, and presses the button of each position. */

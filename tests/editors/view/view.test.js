@@ -48,8 +48,8 @@ test("an emergency stop holds the arm until it is released and the power is on a
   await until(page, (await now(page)) + 1);
   assert.deepEqual(await pose(page), held);
   await page.getByRole("button", { name: "Release E-stop" }).click();
-  await page.getByRole("button", { name: "Power off" }).click();
-  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await page.getByRole("button", { name: "Switch power on" }).click();
+  await page.getByRole("button", { name: "Switch power off" }).waitFor();
   const move = page.getByRole("button", { name: "Move", exact: true });
   if (await move.isVisible()) {
     await move.click();
@@ -87,7 +87,7 @@ test("a fault is a red bar with its cause and its line, and a number on the tab"
   const page = await run.open();
   const bar = page.getByRole("alert", { name: "Fault" });
   await bar.getByText(/^Error 10: division by zero in task palletiser~ at start:\d+$/).waitFor();
-  await page.getByText("All tasks have failed.").waitFor();
+  await page.getByText(/^palletiser~ has failed with error 10 at start:\d+\. Press Run to start the application again\.$/).waitFor();
   await page.getByRole("tab", { name: /Tasks\s*1/ }).waitFor();
   assert.equal(await page.title(), "palletiser – fault");
   await bar.getByRole("button", { name: "Hide this fault" }).click();
@@ -129,7 +129,7 @@ test("the target of a move whose path the arm cannot follow is marked in the pic
 
 test("a run without power tells which button helps", () => served([], async (run) => {
   const page = await run.open();
-  await page.getByText("The arm has no power. Press Power to switch it on.").waitFor();
+  await page.getByText("The arm has no power. Switch the power on.").waitFor();
   assert.equal(await page.title(), "palletiser – arm held");
 }));
 

@@ -161,7 +161,7 @@ fn reactions_of_the_cell_reach_an_application_that_cannot_continue() {
         expect![[r#"
             error 11
             3.004
-            {"t":2e-6,"task":"main~","kind":"error","code":11,"message":"invalid numeric value","program":"start","line":5,"file":"/cell/usr/usrapp/main/start.pgx"}
+            {"t":2e-6,"task":"main~","kind":"error","code":11,"message":"invalid numeric value","help":"The instruction is not defined for this number: the root or logarithm of a negative number, asin or acos beyond 1, or a result too large. Limit the argument before.","program":"start","line":5,"file":"/cell/usr/usrapp/main/start.pgx"}
             {"t":1.0,"kind":"act","keys":{"set":{"n":1.0}}}
             {"t":3.004,"kind":"act","keys":{"stop":true}}
         "#]],

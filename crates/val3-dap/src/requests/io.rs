@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use val3_machine::controller::Controller;
 use val3_machine::io::SignalKind;
-use val3_view::{direction, level};
+use val3_view::direction;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -60,7 +60,7 @@ fn signals(controller: &Controller) -> Vec<Signal> {
         Some(Signal {
             link: signal.path.to_string(),
             direction: direction(signal.direction),
-            value: level(io, id)?,
+            value: io.next_image(id)?,
             is_digital: matches!(signal.kind, SignalKind::Digital),
             is_locked: forcing.is_locked,
             is_simulated: forcing.is_simulated,

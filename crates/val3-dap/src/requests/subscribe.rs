@@ -26,9 +26,9 @@ impl DebugRequest for Subscribe {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
 
-    use crate::test_client::{EMPTY, TestClient};
+    use crate::test_client::{EMPTY, MAIN_THREAD, TestClient, WORKER};
 
     #[test]
     fn subscriptions_have_types() {
@@ -41,5 +41,22 @@ mod tests {
             let reason = client.failure("val3/subscribe", json!({ name: value }));
             assert!(reason.contains(&format!("`{name}`")), "{reason}");
         }
+    }
+
+    /// The field `isStopped` of the messages `clock` in events.
+    fn stops(events: &[(String, Value)]) -> Vec<bool> {
+        let messages = events.iter().filter(|(event, _)| event == "val3/view");
+        let messages = messages.flat_map(|(_, body)| body["messages"].as_array().unwrap());
+        let clocks = messages.filter(|message| message["kind"] == "clock");
+        clocks.map(|clock| clock["isStopped"].as_bool().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_page_learns_that_the_run_is_stopped() {
+        let mut client = TestClient::stopped(WORKER);
+        assert_eq!(stops(&client.events("val3/subscribe", json!({ "view": true }))), [true]);
+        assert_eq!(stops(&client.events("threads", json!({}))), [false; 0], "only changes are sent");
+        assert_eq!(stops(&client.events("next", json!({ "threadId": MAIN_THREAD }))), [false]);
+        assert_eq!(stops(&client.run()), [true]);
     }
 }

@@ -43,7 +43,7 @@ impl ArmHold {
     #[must_use]
     pub const fn operator_text(self) -> &'static str {
         match self {
-            Self::NoPower => "The arm has no power. Press Power to switch it on.",
+            Self::NoPower => "The arm has no power. Switch the power on.",
             Self::Held => "The arm is held. Press Move, or choose the remote mode.",
             Self::NoSpeed => "The monitor speed is 0 %. Increase it.",
             Self::Stopped => "The program has stopped the motion with stopMove, and has not restarted it.",

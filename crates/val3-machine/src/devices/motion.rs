@@ -196,6 +196,7 @@ impl Devices {
         };
         self.report_here(&text, MessageSeverity::Error);
         self.record_motion_here("error", instruction, target);
+        self.state.refusal = Some(text);
         Fault(code)
     }
 

@@ -51,6 +51,8 @@ pub struct DeviceState {
     pub(super) loaded: LoadedProjects,
     /// Questions on the pendant for which tasks wait.
     pub(super) questions: Questions,
+    /// Reason why the last move was rejected, for the error of its task.
+    pub(super) refusal: Option<String>,
     /// Time that the last instruction has spent outside the program.
     pub(super) media_cost: MediaCost,
     /// Whether a task has reached an instruction that this controller does not support.

@@ -7,7 +7,7 @@ use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
-use val3_lang::runtime_errors;
+use val3_lang::runtime_errors::{self, IMPOSSIBLE_MOVE, MOTION_FAULT};
 use val3_lang::types::BaseType;
 use val3_vm::{Host, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Space};
 
@@ -40,9 +40,11 @@ impl Ports for Devices {
         let (name, program_name) = (name.to_owned(), program.clone());
         self.record(EventKind::Task { state, name, program: program_name, line, code, file: file.clone() });
         if let Some(code) = code {
-            let message = runtime_errors::find(code).map_or("", |error| error.short);
+            let (message, help) = runtime_errors::find(code).map_or(("", ""), |error| (error.short, error.long));
+            let is_of_move = [IMPOSSIBLE_MOVE, MOTION_FAULT].contains(&code);
+            let reason = self.state.refusal.take().filter(|_| is_of_move);
             let is_line_missing = self.lines.take_missing();
-            self.record(EventKind::Error { code, message, program, line, file, is_line_missing });
+            self.record(EventKind::Error { code, message, reason, help, program, line, file, is_line_missing });
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.state.record.forget(task);

@@ -47,6 +47,18 @@ impl IoTable {
         self.channel(id).map(|channel| channel.image)
     }
 
+    /// Value that programs read from the next cycle on: the locked value, otherwise the value at the terminal of an
+    /// input or the last written value of an output. Unlike [`IoTable::image`], it is current while the run is stopped.
+    #[must_use]
+    pub fn next_image(&self, id: SignalId) -> Option<f64> {
+        let channel = self.channel(id)?;
+        let unlocked = match channel.signal.direction {
+            Direction::Input => channel.hardware,
+            Direction::Output => channel.image,
+        };
+        Some(channel.lock.unwrap_or(unlocked))
+    }
+
     /// Interventions in a signal.
     #[must_use]
     pub fn forcing(&self, id: SignalId) -> Option<Forcing> {

@@ -127,12 +127,9 @@ mod tests {
 
     fn error(code: u16, task: &str, program: &str) -> Event {
         let (program, file) = (program.to_owned(), "a.pgx".to_owned());
-        Event {
-            t: 1.0,
-            task: Some(task.to_owned()),
-            at: None,
-            kind: EventKind::Error { code, message: "bad", program, line: 3, file, is_line_missing: false },
-        }
+        let (message, reason, help) = ("bad", None, "");
+        let kind = EventKind::Error { code, message, reason, help, program, line: 3, file, is_line_missing: false };
+        Event { t: 1.0, task: Some(task.to_owned()), at: None, kind }
     }
 
     fn expected(code: u16, task: Option<&str>, program: Option<&str>) -> Spanned<ExpectedError> {

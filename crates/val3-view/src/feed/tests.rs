@@ -39,10 +39,32 @@ begin
 end
 "#;
 
+const FAILING: &str = r#"
+num nList[3]
+
+program start()
+begin
+  taskCreate "other",10,other()
+  delay(0.2)
+  nList[7]=1
+end
+
+program other()
+begin
+  delay(10)
+end
+"#;
+
+/// Stands for the code of a line.
+fn line(file: &str, line: u32) -> Option<String> {
+    let (_, program) = file.rsplit_once('/')?;
+    Some(format!("{program} {line}"))
+}
+
 /// All messages of the first second of a run.
 fn run(listing: &str) -> Vec<ViewerMessage> {
     let mut controller = Running::start(listing).controller;
-    let mut feed = Feed::new(&controller, Role::Operator);
+    let mut feed = Feed::new(&controller, Role::Operator, line);
     while controller.now() < 1_000_000_000 {
         let start = controller.now();
         if let RunStatus::Waiting(Some(wake)) = controller.step() {
@@ -92,6 +114,22 @@ fn tasks_appear_in_the_state() {
 }
 
 #[test]
+fn tasks_at_rest_and_errors_have_the_code_of_their_line() {
+    let messages = run(FAILING);
+    let states: Vec<&Value> = objects(&messages, "state").map(|state| &state["tasks"][0]).collect();
+    assert_eq!((&states[1]["state"], &states[1]["lineCode"]), (&json!("waiting"), &json!("start.pgx 6")));
+    let last = states.last().unwrap();
+    assert_eq!(
+        (&last["state"], &last["error"], &last["lineCode"]),
+        (&json!("error"), &json!(20), &json!("start.pgx 7"))
+    );
+    let mut events = objects(&messages, "events").flat_map(|message| message["events"].as_array().unwrap());
+    let error = events.find(|event| event["kind"] == "error").unwrap();
+    assert_eq!((&error["lineCode"], &error["task"]), (&json!("start.pgx 7"), &json!("main~")));
+    assert!(error["help"].as_str().unwrap().contains("size"), "{error}");
+}
+
+#[test]
 fn equal_runs_have_equal_messages() {
     assert_eq!(run(LISTING), run(LISTING));
 }
@@ -107,7 +145,7 @@ fn an_arm_that_rests_has_one_sample() {
 fn a_run_that_goes_back_forgets_what_followed() {
     let mut controller = Running::start(LISTING).controller;
     let snapshot = controller.snapshot();
-    let mut feed = Feed::new(&controller, Role::Debugger);
+    let mut feed = Feed::new(&controller, Role::Debugger, line);
     while controller.now() < 50_000_000 {
         controller.step();
     }
@@ -136,7 +174,7 @@ fn points_have_their_configuration() {
 fn tools_have_the_name_of_their_data() {
     let mut running = Running::start(LISTING);
     running.controller.devices.state.robot.set_power(true);
-    let mut feed = Feed::new(&running.controller, Role::Operator);
+    let mut feed = Feed::new(&running.controller, Role::Operator, line);
     while running.controller.now() < 2_000_000_000 {
         let start = running.controller.now();
         if let RunStatus::Waiting(Some(wake)) = running.controller.step() {

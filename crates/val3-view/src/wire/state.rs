@@ -31,10 +31,11 @@ pub struct StateMessage {
 
 /// State of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
 pub struct TaskState {
     /// Task name.
     pub name: String,
-    /// State in a word.
+    /// State in a word: `running`, `waiting`, `suspended` or `error`.
     pub state: String,
     /// Current program.
     pub program: String,
@@ -54,6 +55,8 @@ pub struct TaskState {
     pub awaits: Option<String>,
     /// Number of the run-time error that has stopped the task.
     pub error: Option<u16>,
+    /// Code of the line, if the task waits or was stopped by an error.
+    pub line_code: Option<String>,
 }
 
 /// State of a signal.
@@ -62,7 +65,8 @@ pub struct TaskState {
 pub struct SignalState {
     /// Physical path.
     pub link: String,
-    /// Value at the terminal of an input, written value of an output.
+    /// Value that programs read: the locked value, otherwise the value at the terminal of an input or the written
+    /// value of an output.
     #[schemars(with = "f64")]
     pub value: Option<f64>,
     /// Whether the value is locked.

@@ -30,11 +30,12 @@ fn small_messages_follow_the_schema() {
     for message in [
         Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Fastest(Fastest::Max), is_paused: false, is_stopped: false }),
         Message::Clock(Clock { t: 1.0, speed: PaceSpeed::Times(2.0), is_paused: true, is_stopped: true }),
-        Message::Events(EventsMessage { events: vec![print] }),
+        Message::Events(EventsMessage { events: vec![PageEvent { event: print, line_code: None }] }),
         Message::Unsaved(UnsavedMessage { points: vec![point.clone()], undo: Some(point) }),
         Message::End(End { t: 2.0, reason: EndReason::Limit, exit_code: 3 }),
         Message::Rewind(Rewind { t: 0.0 }),
         Message::Gap,
+        Message::Past(Past { messages: 1000 }),
         Message::Answer(Answer { id: json!(1), error: None, more: Map::from_iter([("files".to_owned(), json!([]))]) }),
         Message::Samples(Samples { base64: "AA==".to_owned() }),
         Message::Select(Select { name: None }),

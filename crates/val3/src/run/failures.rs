@@ -38,10 +38,6 @@ pub(super) struct ImpossiblePath {
 #[derive(Debug, Default)]
 pub(super) struct Failures {
     unhandled: Vec<Failure>,
-    /// Last line of the event log.
-    logged: String,
-    /// Line of the event log about the last rejected move.
-    refused: Option<String>,
     /// Path before which the arm has stopped, until `resetMotion` discards it.
     path: Option<ImpossiblePath>,
 }
@@ -50,17 +46,14 @@ impl Failures {
     /// Tracks the errors in events. An error counts as handled when another task resumes or kills the failed task.
     pub(super) fn follow(&mut self, event: &Event) {
         match &event.kind {
-            EventKind::Log { text, .. } => self.logged.clone_from(text),
-            // The error event of the task follows.
-            EventKind::Move { phase: "error", .. } => self.refused = Some(self.logged.clone()),
             EventKind::Fault { instruction, text, file, line, .. } => {
                 let (file, reason) = (file.clone(), text.clone());
                 self.path = Some(ImpossiblePath { instruction, file, line: *line, reason, is_shown: false });
             }
             EventKind::Move { phase: "reset", .. } => self.path = None,
-            EventKind::Error { code, line, file, is_line_missing, .. } => {
+            EventKind::Error { code, reason, line, file, is_line_missing, .. } => {
                 let is_line_missing = *is_line_missing;
-                let (task, file, reason) = (event.task.clone().unwrap_or_default(), file.clone(), self.refused.take());
+                let (task, file, reason) = (event.task.clone().unwrap_or_default(), file.clone(), reason.clone());
                 let (code, line, at) = (*code, *line, event.t);
                 self.unhandled.push(Failure { task, code, file, line, reason, is_line_missing, at, is_shown: false });
             }
@@ -117,13 +110,14 @@ mod tests {
     use super::*;
 
     fn error(task: &str, at: f64) -> Event {
-        let (program, file) = (String::new(), String::new());
-        Event {
-            t: at,
-            task: Some(task.to_owned()),
-            at: None,
-            kind: EventKind::Error { code: 10, message: "", program, line: 1, file, is_line_missing: false },
-        }
+        numbered(10, task, at)
+    }
+
+    fn numbered(code: u16, task: &str, at: f64) -> Event {
+        let (program, file, reason) = (String::new(), String::new(), None);
+        let (message, help) = ("", "");
+        let kind = EventKind::Error { code, message, reason, help, program, line: 1, file, is_line_missing: false };
+        Event { t: at, task: Some(task.to_owned()), at: None, kind }
     }
 
     fn killed(name: &str, by: Option<&str>) -> Event {
@@ -162,16 +156,7 @@ mod tests {
         };
         failures.follow(&Event { t: 2.0, task: None, at: None, kind });
         assert!(failures.is_empty());
-        let Event { t, task, kind: EventKind::Error { message, program, line, file, .. }, .. } = error("work", 3.0)
-        else {
-            panic!("no error")
-        };
-        failures.follow(&Event {
-            t,
-            task,
-            at: None,
-            kind: EventKind::Error { code: MOTION_FAULT, message, program, line, file, is_line_missing: false },
-        });
+        failures.follow(&numbered(MOTION_FAULT, "work", 3.0));
         failures.follow(&fault);
         assert_eq!(failures.take_path(), None, "error 150 has the reason");
     }

@@ -10,6 +10,7 @@ use val3_machine::event::{EndReason, Event, seconds};
 use val3_view::wire::{self, Arguments as _, Role};
 use val3_view::{Feed, Operator};
 
+use super::missing::code;
 use super::recorder::ScenarioRecorder;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
@@ -90,7 +91,7 @@ impl Viewers {
         if args.open && !browser::open(page) {
             to_stderr(|out| writeln!(out, "note: no browser could be opened"));
         }
-        let feed = Feed::new(controller, Role::Operator);
+        let feed = Feed::new(controller, Role::Operator, code);
         let recorder = ScenarioRecorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
         let mut viewers =
@@ -101,7 +102,7 @@ impl Viewers {
 
     /// Begins another run of the application: viewers receive its scene and complete state.
     pub(super) fn begin(&mut self, controller: &Controller) {
-        self.feed = Feed::new(controller, Role::Operator);
+        self.feed = Feed::new(controller, Role::Operator, code);
         self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
         self.recorder.restart();
         (self.sent, self.heartbeat) = (0, Heartbeat { last: None });

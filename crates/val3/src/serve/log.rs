@@ -81,6 +81,11 @@ impl MessageLog {
         self.first + self.messages.len() as u64
     }
 
+    /// Number of messages from a cursor on.
+    pub(super) fn count_since(&self, cursor: u64) -> u64 {
+        self.end().saturating_sub(cursor.max(self.first))
+    }
+
     /// Returns at most `count` messages from a cursor on, and advances the cursor. If messages at the cursor were
     /// dropped, the lasting messages and a `gap` come first.
     pub(super) fn messages_since(&self, cursor: &mut u64, count: usize) -> Vec<StoredMessage> {

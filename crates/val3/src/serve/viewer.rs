@@ -7,8 +7,10 @@ use std::time::Instant;
 
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message as Frame, Utf8Bytes, WebSocket, close_code};
+use serde_json::json;
 use tokio::sync::mpsc;
 use tokio::time::{interval, timeout};
+use val3_view::wire;
 
 use super::access::ViewerRole;
 use super::command::{Parsed, PendingCommand, answer};
@@ -38,6 +40,8 @@ pub(super) struct Viewer {
     socket: WebSocket,
     /// Cursor in the log.
     cursor: u64,
+    /// Whether the viewer was told that it reads the past.
+    is_in_past: bool,
     quota: Quota,
     /// Time of the last received frame.
     heard: Instant,
@@ -49,7 +53,7 @@ pub(super) async fn attend(socket: WebSocket, role: ViewerRole, shared: Arc<Shar
     let (answers, inbox) = mpsc::channel(OPEN_COMMANDS);
     let now = Instant::now();
     let quota = Quota::new(shared.limits.commands, now);
-    let mut viewer = Viewer { shared, role, socket, cursor: 0, quota, heard: now, answers };
+    let mut viewer = Viewer { shared, role, socket, cursor: 0, is_in_past: false, quota, heard: now, answers };
     if let Err(Some((code, reason))) = viewer.run(inbox).await {
         viewer.close(Frame::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
     }
@@ -60,6 +64,7 @@ impl Viewer {
         let mut news = self.shared.log.subscribe();
         let mut is_over = self.shared.is_over.clone();
         let mut pings = interval(self.shared.limits.ping_time);
+        self.announce_past().await?;
         loop {
             news.mark_unchanged();
             let has_more = self.send_batch(&mut inbox).await?;
@@ -77,6 +82,13 @@ impl Viewer {
         }
     }
 
+    /// Tells the viewer the number of the messages of the past, unless they are so few that they are read immediately.
+    async fn announce_past(&mut self) -> Result<(), Departure> {
+        let messages = self.shared.log.lock().count_since(self.cursor);
+        self.is_in_past = messages > BATCH as u64;
+        if self.is_in_past { self.send(past(messages)).await } else { Ok(()) }
+    }
+
     /// Sends the next messages from the log. Each answer is sent before the messages that were published after it.
     /// Returns whether more messages follow.
     async fn send_batch(&mut self, inbox: &mut mpsc::Receiver<Utf8Bytes>) -> Result<bool, Departure> {
@@ -92,6 +104,9 @@ impl Viewer {
                 StoredMessage::Binary(bytes) => Frame::Binary(bytes),
             })
             .await?;
+        }
+        if !has_more && std::mem::take(&mut self.is_in_past) {
+            self.send(past(0)).await?;
         }
         Ok(has_more)
     }
@@ -178,6 +193,11 @@ impl Viewer {
             TrySendError::Disconnected(_) => "the run has ended",
         })
     }
+}
+
+/// Message about the number of messages of the past.
+fn past(messages: u64) -> Frame {
+    Frame::text(json!(wire::Message::Past(wire::Past { messages })).to_string())
 }
 
 /// Close reason for viewers that exceed the quota.

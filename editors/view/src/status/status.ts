@@ -2,6 +2,7 @@
 
 import type { CellState } from "../panels/shared/cell";
 import type { TaskState } from "../panels/tasks/chart";
+import { awaitsMovingArm, conditionOf, waitsText } from "./waits";
 
 export interface Status {
   kind: "fault" | "stopped" | "waiting" | "running";
@@ -20,24 +21,34 @@ export interface StatusFacts {
   isStopped: boolean;
   /** Whether the server does not answer. */
   isSilent: boolean;
+  /** Read part of the past in %, until a page that was opened late has reached the present. */
+  readPast: number | undefined;
+  /** Whether the page is part of an editor. */
+  isInEditor: boolean;
   state: CellState | undefined;
 }
 
-/** Tasks that are named in a sentence. */
+/** Failed tasks that are named in a sentence. */
 const NAMED = 2;
 
-export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, state }: StatusFacts): Status {
+const NO_POWER = "The arm has no power. Switch the power on.";
+
+export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, readPast, isInEditor, state }: StatusFacts): Status {
   if (lost !== undefined) {
     return { kind: "fault", text: lost, word: "no connection" };
   }
   if (isSilent && end === undefined) {
     return { kind: "fault", text: "No answer from the server for 3 s. It is stopped or overloaded.", word: "no answer" };
   }
+  if (readPast !== undefined) {
+    return { kind: "waiting", text: `Reading the past of the run: ${readPast} %.`, word: "reading" };
+  }
   if (role === undefined || role === "preview") {
-    return { kind: "stopped", text: role === undefined ? "The run has not begun." : "The application does not run.", word: "not running" };
+    const missing = isInEditor ? "No application is shown. Open one of its files in the editor." : "The run has not begun.";
+    return { kind: "stopped", text: role === undefined ? missing : "The application does not run.", word: "not running" };
   }
   // A recording shows the state at each of its times.
-  const present: Status = state === undefined ? { kind: "running", text: "", word: "running" } : (robotStatus(state) ?? taskStatus(state.tasks));
+  const present: Status = state === undefined ? { kind: "running", text: "", word: "running" } : stateStatus(state, role);
   if (role === "recording") {
     return { ...present, word: "recording" };
   }
@@ -56,34 +67,59 @@ export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilen
   return present;
 }
 
+/** Returns the state of the robot and its tasks: first the tasks that have failed. */
+function stateStatus(state: CellState, role: string): Status {
+  const failed = state.tasks.filter(({ error }) => error !== null);
+  if (failed.length > 0 && failed.length === state.tasks.length) {
+    return { kind: "fault", text: `${failed.length === 1 ? failedText(failed) : "All tasks have failed."} ${remedy(role)}`.trim(), word: "fault" };
+  }
+  const live = { ...state, tasks: state.tasks.filter(({ error }) => error === null) };
+  const present = robotStatus(live) ?? taskStatus(live.tasks);
+  return failed.length === 0 ? present : { kind: "fault", text: `${failedText(failed)} ${present.text}`, word: "fault" };
+}
+
+function failedText(failed: readonly TaskState[]): string {
+  const named = failed.slice(0, NAMED).map(({ name, error, program, line }) => `${name} has failed with error ${error} at ${program}:${line}`);
+  const more = failed.length - named.length;
+  return `${named.join("; ")}${more === 0 ? "" : `; and ${more} more`}.`;
+}
+
+/** Returns how the user starts the application again after all tasks have failed. */
+function remedy(role: string): string {
+  switch (role) {
+    case "operator": return "Press Run to start the application again.";
+    case "debugger": return "Restart the application in the editor.";
+    default: return "";
+  }
+}
+
 /** Returns why the arm does not move, if a task waits for it. */
-function robotStatus({ emergencyStop, awaitedHold, tasks }: CellState): Status | undefined {
+function robotStatus({ power, emergencyStop, awaitedHold, tasks }: CellState): Status | undefined {
   if (emergencyStop === "open") {
     return { kind: "stopped", text: "The E-stop is pressed. Release it, then switch the power on.", word: "E-stop" };
   }
   // The reason why the arm does not move is part of what these tasks wait for.
   const held = tasks.filter(({ waits, awaits }) => awaits != null && waits !== awaits);
-  return awaitedHold == null ? undefined : { kind: "stopped", text: `${awaitedHold} ${waitsText(held)}`.trim(), word: "arm held" };
+  if (awaitedHold != null) {
+    return { kind: "stopped", text: `${awaitedHold} ${waitsText(held)}`.trim(), word: "arm held" };
+  }
+  const unpowered = power ? [] : tasks.filter(awaitsPower);
+  return unpowered.length === 0 ? undefined : { kind: "stopped", text: `${NO_POWER} ${waitsText(unpowered)}`, word: "no power" };
+}
+
+function awaitsPower({ waits, lineCode }: TaskState): boolean {
+  const condition = waits === null ? undefined : conditionOf(lineCode);
+  return condition !== undefined && /\bisPowered\s*\(/i.test(condition) && !/(?:!|\bnot\b)\s*isPowered\b/i.test(condition);
 }
 
 function taskStatus(tasks: readonly TaskState[]): Status {
-  const failed = tasks.filter(({ error }) => error !== null);
-  if (failed.length > 0 && failed.length === tasks.length) {
-    return { kind: "fault", text: "All tasks have failed.", word: "fault" };
-  }
-  const live = tasks.filter(({ error }) => error === null);
-  if (live.length === 0) {
+  if (tasks.length === 0) {
     return { kind: "stopped", text: "No task exists.", word: "no task" };
   }
-  return live.every(({ waits, state }) => waits !== null || state === "suspended")
-    ? { kind: "waiting", text: waitsText(live) || "All tasks are suspended.", word: "waiting" }
-    : { kind: "running", text: "Running.", word: "running" };
-}
-
-/** Returns a sentence about what tasks wait for, with their lines. */
-export function waitsText(tasks: readonly TaskState[]): string {
-  const waiting = tasks.filter(({ waits }) => waits !== null);
-  const named = waiting.slice(0, NAMED).map(({ name, waits, awaits, program, line }) => `${name} waits for ${awaits ?? waits ?? ""} at ${program}:${line}`);
-  const more = waiting.length - named.length;
-  return named.length === 0 ? "" : `${named.join("; ")}${more === 0 ? "" : `; and ${more} more`}.`.replaceAll("`", "");
+  if (tasks.some(({ waits, state }) => waits === null && state !== "suspended")) {
+    return { kind: "running", text: "Running.", word: "running" };
+  }
+  return tasks.some(awaitsMovingArm)
+    ? { kind: "running", text: `The arm moves. ${waitsText(tasks)}`, word: "running" }
+    : { kind: "waiting", text: waitsText(tasks) || "All tasks are suspended.", word: "waiting" };
 }

@@ -60,10 +60,18 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
       <Track store={store} zoom={zoom} onSeek={seek} onToggle={toggle} />
       <Jumps store={store} onSeek={seek} />
       <output class="time" title={oldest.value > 0 ? `What was before ${oldest.value.toFixed(0)} s is forgotten` : undefined}>{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
-      {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : isPaused.value ? "Paused" : "Live"}</button>}
+      {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : presentText(store)}</button>}
       <NoticeLine notice={notice} />
     </section>
   );
+}
+
+/** Returns a word about the newest time. */
+function presentText({ readPast, end, isPaused, isStopped }: Store): string {
+  if (readPast.value !== undefined) {
+    return `Reading: ${readPast.value} %`;
+  }
+  return end.value !== undefined ? "End" : isStopped.value ? "Stopped" : isPaused.value ? "Paused" : "Live";
 }
 
 /** The time as a slider. The wheel zooms into it. */
@@ -148,6 +156,9 @@ function LiveControls({ store, notice }: { store: Store; notice: Notice }): JSX.
   const isPaused = store.isPaused.value;
   const speed = store.speed.value;
   const refused = (reason: string): void => void (notice.text.value = reason);
+  if (store.scene.value?.role === "debugger") {
+    return <span class="pace">{store.isStopped.value ? "Stopped by the debugger" : "Run by the debugger"}</span>;
+  }
   return (
     <>
       <Button reason={blocked} onPress={() => void notice.send(cell, "pace", { isPaused: !isPaused })} onRefused={refused}>{isPaused ? "Play" : "Pause"}</Button>

@@ -3,7 +3,8 @@ import { test } from "node:test";
 import { signal } from "@preact/signals";
 import { Holder, type Step } from "../../src/panels/pendant/Holder";
 import { goStep } from "../../src/panels/pendant/jogSteps";
-import { nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
+import { startAgain } from "../../src/panels/pendant/startAgain";
+import { endReason, hasFailed, nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
 import { type Answer, type Cell, type CellState, Notice } from "../../src/panels/shared/cell";
 
 const STATE: CellState = { tasks: [], power: true, mode: "manual", emergencyStop: "none", isHeld: true, monitorSpeed: 50 };
@@ -78,12 +79,28 @@ test("the speed keys go through round values", () => {
 });
 
 test("reasons say what the operator has to do first", () => {
-  assert.equal(jogReason(STATE), undefined);
-  assert.equal(jogReason({ ...STATE, mode: "remote" }), "Choose the manual working mode to jog.");
-  assert.equal(jogReason({ ...STATE, power: false }), "Switch the power on to jog.");
+  assert.equal(jogReason(STATE, undefined), undefined);
+  assert.equal(jogReason({ ...STATE, mode: "remote" }, undefined), "Choose the manual working mode to jog.");
+  assert.equal(jogReason({ ...STATE, power: false }, undefined), "Switch the power on to jog.");
   assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "open" }), "Release the E-stop before you switch the power on.");
   assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "released" }), undefined);
   assert.match(stopText({ ...STATE, emergencyStop: "released" }), /acknowledge/);
   assert.deepEqual([runReason(true, false, true), runReason(false, false, true)], [undefined, "The application is running."]);
-  assert.deepEqual([runReason(false, true, true), runReason(false, true, false)], [undefined, "The run has ended. Start it again in the editor."]);
+  assert.deepEqual([runReason(false, true, true), runReason(false, true, false)], [undefined, "The run is over. Start it again in the editor."]);
+  const ended = "The run has ended. Press Run to start the application again.";
+  assert.deepEqual([endReason(false, true), endReason(true, true), endReason(true, false)], [undefined, ended, "The run has ended."]);
+  assert.equal(jogReason({ ...STATE, mode: "remote" }, ended), ended, "another mode does not help");
+});
+
+test("Run ends an application whose tasks have all failed, then starts it again", async () => {
+  const { cell, sent } = bench();
+  const task = { name: "start", state: "error", program: "start", line: 5, file: "start.pgx", priority: 10, period: null, overruns: 0, error: 20, waits: null };
+  assert.deepEqual([hasFailed({ ...STATE, tasks: [task] }), hasFailed({ ...STATE, tasks: [task, { ...task, error: null }] }), hasFailed({ ...STATE, tasks: [] })], [true, false, false]);
+  const hasEnded = signal(false);
+  const started = startAgain({ ...cell, hasEnded, isPaused: signal(true) }, new Notice());
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(sent, [{ keys: { stop: true } }, { isPaused: false }]);
+  hasEnded.value = true;
+  await started;
+  assert.deepEqual(sent.slice(2), [{}]);
 });

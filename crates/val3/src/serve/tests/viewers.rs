@@ -1,10 +1,31 @@
 //! Viewers with the same messages, and viewers that do not read.
 
+use std::net::TcpStream;
 use std::time::{Duration, Instant};
+
+use serde_json::json;
+use tungstenite::WebSocket;
 
 use super::super::StoredMessage;
 use super::super::limits::ServerLimits;
 use super::client::{next, next_json, open, send, server, text};
+
+/// The next message that is not about the past.
+fn next_of_run(viewer: &mut WebSocket<TcpStream>) -> Option<Vec<u8>> {
+    std::iter::from_fn(|| next(viewer)).find(|message| !message.starts_with(br#"{"kind":"past""#))
+}
+
+#[test]
+fn a_late_viewer_learns_when_it_has_read_the_past() {
+    let server = server(ServerLimits::default());
+    server.publish((0..1000).map(|_| text("{}")));
+    let mut late = open(server.operator_page()).unwrap();
+    assert_eq!(next_json(&mut late), json!({ "kind": "past", "messages": 1000 }));
+    for _ in 0..1000 {
+        assert_eq!(next(&mut late).unwrap(), b"{}");
+    }
+    assert_eq!(next_json(&mut late), json!({ "kind": "past", "messages": 0 }));
+}
 
 #[test]
 fn all_viewers_see_the_same() {
@@ -16,7 +37,7 @@ fn all_viewers_see_the_same() {
     let seen: Vec<Vec<_>> = early
         .into_iter()
         .chain([late])
-        .map(|mut viewer| (0..102).map(|_| next(&mut viewer).unwrap()).collect())
+        .map(|mut viewer| (0..102).map(|_| next_of_run(&mut viewer).unwrap()).collect())
         .collect();
     assert!(seen.windows(2).all(|pair| pair[0] == pair[1]));
     assert_eq!((seen[0][0].as_slice(), seen[0][100].as_slice()), (&b"{\"n\":0}"[..], &[1, 2, 3][..]));
@@ -84,7 +105,7 @@ fn viewers_see_the_end() {
     let server = server(ServerLimits::default());
     let mut viewer = open(server.operator_page()).unwrap();
     server.publish((0..1000).map(|_| text("{}")));
-    let reader = std::thread::spawn(move || std::iter::from_fn(|| next(&mut viewer)).count());
+    let reader = std::thread::spawn(move || std::iter::from_fn(|| next_of_run(&mut viewer)).count());
     drop(server);
     assert_eq!(reader.join().unwrap(), 1000);
 }

@@ -12,7 +12,7 @@ import { HoldButton } from "./HoldButton";
 import { Holder, type Step } from "./Holder";
 import { cartesianStep, fraction, jointStep, STEPS } from "./jogSteps";
 import { composed, type Frame, frameOf, inverse, poseOf } from "./pose";
-import { jogReason } from "./robotState";
+import { endReason, jogReason } from "./robotState";
 import { fixed } from "../shared/fixed";
 
 const DIRECTIONS = ["X", "Y", "Z", "RX", "RY", "RZ"] as const;
@@ -30,7 +30,7 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
   if (scene === undefined) {
     return null;
   }
-  const reason = cell.blocked.value ?? jogReason(cell.state.value);
+  const reason = cell.blocked.value ?? jogReason(cell.state.value, endReason(cell.hasEnded.value, cell.canRestart.value));
   const controls = { cell, notice, scene, holder, step, reason };
   return (
     <fieldset class="jog">

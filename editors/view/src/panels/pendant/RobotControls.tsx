@@ -3,7 +3,8 @@
 import type { JSX } from "preact";
 import { Button } from "../shared/Button";
 import type { Cell, Notice } from "../shared/cell";
-import { MODES, nextSpeed, powerReason, runReason, speedFrom, stopText } from "./robotState";
+import { endReason, hasFailed, MODES, nextSpeed, powerReason, runReason, speedFrom, stopText } from "./robotState";
+import { startAgain } from "./startAgain";
 
 interface Props {
   cell: Cell;
@@ -13,23 +14,24 @@ interface Props {
 export function RobotControls({ cell, notice }: Props): JSX.Element {
   const state = cell.state.value;
   const blocked = cell.blocked.value;
-  const ended = cell.hasEnded.value ? "The run has ended." : undefined;
+  const ended = endReason(cell.hasEnded.value, cell.canRestart.value);
+  const isOver = cell.hasEnded.value || hasFailed(state);
   const operate = (keys: object): void => void notice.operate(cell, keys);
   const refused = (reason: string): void => void (notice.text.value = reason);
-  const run = (): void => void (cell.hasEnded.peek() ? notice.send(cell, "run", {}) : notice.send(cell, "pace", { isPaused: false }));
+  const run = (): void => void (isOver ? startAgain(cell, notice) : notice.send(cell, "pace", { isPaused: false }));
   const isPowered = state?.power ?? false;
   const isStopped = state?.emergencyStop === "open";
   const isHeld = state?.isHeld ?? false;
   return (
     <div class="robot-controls" role="group" aria-label="Robot">
       <div class="row">
-        <Button title={cell.hasEnded.value ? "Read the files and start the application again" : "Continue the run"} reason={blocked ?? runReason(cell.isPaused.value, cell.hasEnded.value, cell.canRestart.value)} onPress={run} onRefused={refused}>Run</Button>
+        <Button title={isOver ? "Read the files and start the application again" : "Continue the run"} reason={blocked ?? runReason(cell.isPaused.value, isOver, cell.canRestart.value)} onPress={run} onRefused={refused}>Run</Button>
         <Button reason={blocked ?? ended} title="Stop the application" onPress={() => operate({ stop: true })} onRefused={refused}>Stop</Button>
         <Button reason={blocked ?? ended} title={isHeld ? "Let the programs move the arm" : "Hold the arm"} onPress={() => operate({ move: isHeld })} onRefused={refused}>
           {isHeld ? "Move" : "Hold"}
         </Button>
-        <Button className={isPowered ? "power on" : "power"} title={isPowered ? "Switch the power off" : "Switch the power on"} reason={blocked ?? ended ?? powerReason(state)} onPress={() => operate({ power: !isPowered })} onRefused={refused}>
-          Power {isPowered ? "on" : "off"}
+        <Button className={isPowered ? "power on" : "power"} title={isPowered ? "The power is on" : "The power is off"} reason={blocked ?? ended ?? powerReason(state)} onPress={() => operate({ power: !isPowered })} onRefused={refused}>
+          Switch power {isPowered ? "off" : "on"}
         </Button>
         <Button className={isStopped ? "e-stop pressed" : "e-stop"} reason={blocked ?? ended} onPress={() => operate({ estop: !isStopped })} onRefused={refused}>
           {isStopped ? "Release E-stop" : "E-stop"}
@@ -46,7 +48,7 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
 
 function ModeChoice({ cell, notice }: Props): JSX.Element {
   const mode = cell.state.value?.mode ?? "";
-  const blocked = cell.blocked.value;
+  const blocked = cell.blocked.value ?? endReason(cell.hasEnded.value, cell.canRestart.value);
   return (
     <label>
       Mode{" "}
@@ -60,7 +62,7 @@ function ModeChoice({ cell, notice }: Props): JSX.Element {
 
 function SpeedField({ cell, notice }: Props): JSX.Element {
   const speed = cell.state.value?.monitorSpeed ?? 0;
-  const blocked = cell.blocked.value;
+  const blocked = cell.blocked.value ?? endReason(cell.hasEnded.value, cell.canRestart.value);
   const turn = (to: number): void => void notice.operate(cell, { monitor_speed: to });
   const enter = (field: HTMLInputElement): void => {
     const to = speedFrom(field.value);

@@ -31,10 +31,23 @@ export function powerReason(state: CellState | undefined): string | undefined {
   return state?.power !== true && state?.emergencyStop === "open" ? "Release the E-stop before you switch the power on." : undefined;
 }
 
+/** Returns the reason why the switches of the robot have no effect after the end of the run. */
+export function endReason(hasEnded: boolean, canRestart: boolean): string | undefined {
+  return hasEnded ? `The run has ended.${canRestart ? " Press Run to start the application again." : ""}` : undefined;
+}
+
+/** Whether all tasks were stopped by errors. */
+export function hasFailed(state: CellState | undefined): boolean {
+  return state !== undefined && state.tasks.length > 0 && state.tasks.every(({ error }) => error !== null);
+}
+
 /** Returns the reason why the operator cannot move the arm by hand. */
-export function jogReason(state: CellState | undefined): string | undefined {
+export function jogReason(state: CellState | undefined, ended: string | undefined): string | undefined {
   if (state === undefined) {
     return "There is no arm yet.";
+  }
+  if (ended !== undefined) {
+    return ended;
   }
   if (state.mode !== "manual") {
     return "Choose the manual working mode to jog.";
@@ -42,10 +55,10 @@ export function jogReason(state: CellState | undefined): string | undefined {
   return state.power ? undefined : "Switch the power on to jog.";
 }
 
-/** Returns the reason why Run is disabled. */
-export function runReason(isPaused: boolean, hasEnded: boolean, canRestart: boolean): string | undefined {
-  if (hasEnded) {
-    return canRestart ? undefined : "The run has ended. Start it again in the editor.";
+/** Returns the reason why Run is disabled. It also starts an application again whose tasks have all failed. */
+export function runReason(isPaused: boolean, isOver: boolean, canRestart: boolean): string | undefined {
+  if (isOver) {
+    return canRestart ? undefined : "The run is over. Start it again in the editor.";
   }
   return isPaused ? undefined : "The application is running.";
 }

@@ -5,7 +5,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { HoldButton } from "../pendant/HoldButton";
 import { Holder } from "../pendant/Holder";
 import { goStep } from "../pendant/jogSteps";
-import { jogReason } from "../pendant/robotState";
+import { endReason, jogReason } from "../pendant/robotState";
 import type { Cell, Notice } from "../shared/cell";
 import { type PointName, pointText } from "./edits";
 import { type ArmSolution, firstChoice, solutionsOf, solutionText } from "./solutions";
@@ -41,7 +41,7 @@ export function GoTo({ cell, notice, point: { name, key }, tool }: Props): JSX.E
     return null;
   }
   const target = solutions[index]?.joints ?? undefined;
-  const reason = target === undefined ? "The arm cannot reach it." : jogReason(cell.state.value);
+  const reason = target === undefined ? "The arm cannot reach it." : jogReason(cell.state.value, endReason(cell.hasEnded.value, cell.canRestart.value));
   const label = `Go to ${pointText({ name, key })}`;
   return (
     <fieldset class="go-to">

@@ -4,14 +4,17 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
-import { type Group, groupOf, GROUPS, type RunEvent, shownEvents, textOf } from "./eventText";
+import { type Group, groupOf, GROUPS, isWarning, type RunEvent, shownEvents, textOf } from "./eventText";
+import { faultOf } from "./faults";
 import { countUpTo } from "./upTo";
+import "./events.css";
 
 const AT_FIRST: readonly Group[] = ["errors", "messages", "tasks", "robot", "moves", "clearance", "parts"];
 
 export function EventLog({ cell }: { cell: Cell }): JSX.Element {
   const [groups, setGroups] = useState<ReadonlySet<Group>>(new Set(AT_FIRST));
   const [text, setText] = useState("");
+  const [chosen, setChosen] = useState<RunEvent | undefined>(undefined);
   const count = countUpTo(cell.history.events, cell.slowTime.value);
   const events = useMemo(() => shownEvents(cell.history.events.slice(0, count), { groups, text }), [cell, count, groups, text]);
   const toggle = (group: Group): void => {
@@ -33,7 +36,8 @@ export function EventLog({ cell }: { cell: Cell }): JSX.Element {
       </div>
       <LongTable<RunEvent>
         label="Event log" className="events" columns={["Time", "Task", "Event"]} rows={events} followsEnd empty="No event up to the shown time."
-        keyOf={(_, index) => index} rowClass={(event) => groupOf(event)}
+        keyOf={(_, index) => index} rowClass={(event) => `${groupOf(event)}${isWarning(event) ? " warning" : ""}`}
+        isSelected={(event) => event === chosen} onRowClick={(event) => setChosen(event === chosen ? undefined : event)}
         cells={(event) => (
           <>
             <td><button type="button" class="place" title="Show this time" onClick={() => cell.seek(event.t)}>{event.t.toFixed(3)} s</button></td>
@@ -42,6 +46,21 @@ export function EventLog({ cell }: { cell: Cell }): JSX.Element {
           </>
         )}
       />
+      {chosen === undefined ? null : <Whole cell={cell} event={chosen} onClose={() => setChosen(undefined)} />}
     </>
+  );
+}
+
+/** The text of a clicked row, which the table may cut, with the remedy of a fault. */
+function Whole({ cell, event, onClose }: { cell: Cell; event: RunEvent; onClose: () => void }): JSX.Element {
+  const { code, help } = faultOf(event) ?? {};
+  return (
+    <div class="whole-event" role="region" aria-label="Event" tabIndex={0}>
+      <button type="button" class="place" title="Show this time" onClick={() => cell.seek(event.t)}>{event.t.toFixed(3)} s</button>
+      <button type="button" class="quiet" aria-label="Close the event" onClick={onClose}>×</button>
+      <p>{textOf(event)}</p>
+      {code === undefined ? null : <code>{code}</code>}
+      {help === undefined ? null : <p>{help}</p>}
+    </div>
   );
 }

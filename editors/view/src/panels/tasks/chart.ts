@@ -2,8 +2,8 @@
 
 import type * as wire from "../../wire";
 
-/** State of a task. Runs of earlier versions have no `awaits`. */
-export type TaskState = Omit<wire.TaskState, "awaits"> & { awaits?: string | null | undefined };
+/** State of a task. Runs of earlier versions have no `awaits` and `lineCode`. */
+export type TaskState = Omit<wire.TaskState, "awaits" | "lineCode"> & { [Key in "awaits" | "lineCode"]?: string | null | undefined };
 
 /** Time span in which a task is in one state. */
 export interface Segment {

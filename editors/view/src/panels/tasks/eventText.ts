@@ -28,6 +28,11 @@ export function groupOf(event: RunEvent): Group {
   return isFault ? "errors" : (GROUP_OF[event.kind] ?? "messages");
 }
 
+/** Whether the event is a warning in the controller's log. */
+export function isWarning(event: RunEvent): boolean {
+  return event.kind === "log" && event["level"] === "warning";
+}
+
 /** Formats an event without its time. Events of unknown kinds show their fields. */
 export function textOf(event: RunEvent): string {
   const say = TEXTS[event.kind];
@@ -48,7 +53,7 @@ const TEXTS: Partial<Record<string, (field: Fields) => string>> = {
   notice: (field) => field("text"),
   log: (field) => `${field("level")}: ${field("text")}`,
   task: (field) => `${field("name")} ${field("state")}${field("code") === "" ? "" : ` ${field("code")}`} at ${at(field)}`,
-  error: (field) => `error ${field("code")} at ${at(field)}: ${field("message")}`,
+  error: (field) => `error ${field("code")} at ${at(field)}: ${field("message")}${field("reason") === "" ? "" : `: ${field("reason")}`}`,
   fault: (field) => `the arm cannot follow the path of ${field("type")} ${field("id")} at ${at(field)}: ${field("text")}`,
   lacking: (field) => `${field("instruction")} is not available, at ${at(field)}`,
   io: (field) => `${field("link")} = ${field("value")}`,
