@@ -7,7 +7,7 @@ import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
 import { nearnessAt } from "../panels/clearance/encounters";
 import { add, composed, type Frame, frameOf, IDENTITY, type Vector } from "../panels/pendant/pose";
-import { pointText } from "../panels/points/edits";
+import { handTool } from "../panels/points/tools";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
 import { armLines } from "./armLines";
@@ -18,11 +18,12 @@ import { type Label, Labels } from "./Labels";
 import { DropLines } from "./DropLines";
 import { failedMoves, FailedTargets } from "./FailedTargets";
 import { areaBetween } from "./fitting";
+import { FrameMarks } from "./FrameMarks";
 import { hiddenLayers } from "./layers";
 import { Lines } from "./lines";
 import { MotionMarks } from "./MotionMarks";
 import { NearPairs } from "./NearPairs";
-import { AXES, DARK, LIGHT, type Look } from "./palette";
+import { DARK, LIGHT, type Look } from "./palette";
 import { surfaceAt } from "./picking";
 import { PointMarks } from "./PointMarks";
 import { reachShape } from "./reach";
@@ -33,6 +34,7 @@ import { Trail } from "./trail";
 export class Viewport {
   readonly camera: Camera;
   readonly trail = new Trail();
+  /** Centre point of the tool with which the operator jogs and teaches, in world. */
   tcp: Frame = IDENTITY;
   frames = 0;
   isFollowing = false;
@@ -42,7 +44,7 @@ export class Viewport {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly labels: Labels;
-  private readonly triads = new Lines({ width: 2.4 });
+  private readonly marks = new FrameMarks();
   private readonly ruler = new Lines({ width: 2, isOnTop: true });
   private readonly points = new PointMarks();
   private readonly motion = new MotionMarks();
@@ -75,7 +77,7 @@ export class Viewport {
     this.renderer.localClippingEnabled = true;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
-    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.marks.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object);
   }
 
   get drawCalls(): number {
@@ -132,7 +134,7 @@ export class Viewport {
     const sample = store.panels.cell.sample.value;
     const placed = armFrames(cell.arm, base, sample?.joints ?? []);
     const before = this.tcp.position;
-    this.tcp = composed(placed.flange, frameOf(sample?.tool ?? []));
+    this.tcp = composed(placed.flange, frameOf(handTool(store.panels.cell).pose));
     this.arm?.place(placed);
     this.placeObjects({ base, arm: placed, frames: store.panels.cell.frames.value, tools: store.panels.cell.tools.value });
     this.obstacles = armLines(cell.arm, base, placed).flatMap(along);
@@ -145,8 +147,9 @@ export class Viewport {
     const { faults, refused } = store.panels.cell.history;
     const failed = [...failedMoves(motion.value.queue, faults, store.time.value), ...refused.at(store.time.value)];
     this.failed.place(failed, this.length * 0.02, this.look);
-    this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels];
-    this.placeFrames(placed.flange, base);
+    const hasFrames = !hiddenLayers.peek().has("frames");
+    this.marks.place({ cell: store.panels.cell, selection: store.selection.value, flange: placed.flange, base, hasFrames }, this.length, this.look);
+    this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels, ...this.marks.labels];
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
     this.showLayers();
@@ -268,43 +271,6 @@ export class Viewport {
     this.renderer.render(this.scene, this.camera.lens);
     this.frames += 1;
     this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas);
-  }
-
-  private placeFrames(flange: Frame, base: Frame): void {
-    const chosen = this.store.selection.value;
-    this.triads.segments.clear();
-    this.triad(IDENTITY, this.length * 0.32);
-    if (Math.hypot(...base.position) > 1) {
-      this.triad(base, this.length * 0.2);
-    }
-    for (const { pose, ...frame } of hiddenLayers.peek().has("frames") ? [] : this.store.panels.cell.frames.value) {
-      const name = pointText(frame);
-      const isChosen = chosen?.kind === "frame" && chosen.name === name;
-      this.triad(frameOf(pose), this.length * (isChosen ? 0.24 : 0.13));
-      this.names.push({ text: name, at: pose, kind: isChosen ? "selected" : "frame" });
-    }
-    const { r, g, b } = new Color(this.look.joint);
-    this.triads.segments.add(flange.position, this.tcp.position, [r, g, b]);
-    this.triad(this.tcp, this.length * 0.11);
-    const tool = this.store.panels.cell.sample.value?.tool;
-    const named = [...this.store.tools.values()].find(({ pose }) => pose === tool)?.name;
-    this.names.push({ text: named ?? "TCP", at: this.tcp.position, kind: chosen?.kind === "tool" && chosen.name === named ? "selected" : "tool" });
-    const other = chosen?.kind === "tool" && chosen.name !== named ? this.store.panels.cell.tools.value.find(({ name }) => name === chosen.name) : undefined;
-    if (other !== undefined) {
-      const at = composed(flange, frameOf(other.pose));
-      this.triads.segments.add(flange.position, at.position, [r, g, b]);
-      this.triad(at, this.length * 0.11);
-      this.names.push({ text: other.name, at: at.position, kind: "selected" });
-    }
-    this.triads.show();
-  }
-
-  private triad({ position, rotation }: Frame, length: number): void {
-    AXES.forEach((colour, axis) => {
-      const end = position.map((value, row) => value + length * (rotation[row]?.[axis] ?? 0));
-      const { r, g, b } = new Color(colour);
-      this.triads.segments.add(position, end, [r, g, b]);
-    });
   }
 
   private placeRuler(): void {
