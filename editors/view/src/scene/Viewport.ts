@@ -6,11 +6,11 @@ import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
 import { nearnessAt } from "../panels/clearance/encounters";
-import { add, composed, type Frame, frameOf, IDENTITY, type Vector } from "../panels/pendant/pose";
+import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
 import { handTool } from "../panels/points/tools";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
-import { armLines } from "./armLines";
+import { along, armLines } from "./armLines";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type CarrierFrames, CellObjects } from "./CellObjects";
@@ -30,6 +30,13 @@ import { reachShape } from "./reach";
 import { isSoftware } from "./software";
 import { stage } from "./stage";
 import { Trail } from "./trail";
+
+/** Kinds of names that the border of the picture shows if their position is outside. */
+const FAR_KINDS: ReadonlySet<Label["kind"]> = new Set(["failed", "selected"]);
+
+/** Distance up to which *Fit* shows the targets of failed moves, and points and frames, as multiples of the arm's length. */
+const FAR_FAILED = 10;
+const FAR_NAMED = 3;
 
 export class Viewport {
   readonly camera: Camera;
@@ -153,6 +160,7 @@ export class Viewport {
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
     this.showLayers();
+    this.names = this.names.map((label) => (FAR_KINDS.has(label.kind) ? { ...label, away: distance(this.tcp.position, label.at) } : label));
     if (this.trail.growth !== this.fitted) {
       this.fitted = this.trail.growth;
       this.fitAgain();
@@ -209,23 +217,23 @@ export class Viewport {
     }
   }
 
-  /** Shows the arm, its path, and the points and frames near it, between the bars over the picture. */
+  /** Shows the arm, its path, targets of failed moves, and the points and frames near it, between the bars over the picture. */
   fit(view?: ViewName): void {
     const { cell } = this;
     const base = new Vector3(...frameOf(cell?.base ?? []).position);
     const positions: (readonly [number, number, number])[] = [[base.x, base.y, this.floor]];
-    const add = (at: readonly number[]): void => {
+    const add = (at: readonly number[], far = FAR_NAMED): void => {
       const [x = 0, y = 0, z = 0] = at;
-      if (new Vector3(x, y, z).distanceTo(base) < this.length * 3) {
+      if (new Vector3(x, y, z).distanceTo(base) < this.length * far) {
         positions.push([x, y, z]);
       }
     };
-    this.corners().forEach(add);
+    this.corners().forEach((at) => add(at));
     positions.push(...this.trail.positions());
     add(this.tcp.position);
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
     this.store.panels.cell.frames.value.forEach(({ pose }) => add(pose));
-    this.failed.labels.forEach(({ at }) => add(at));
+    this.failed.labels.forEach(({ at }) => add(at, FAR_FAILED));
     this.camera.show(positions, areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas)), view);
     this.isFirst = false;
   }
@@ -279,14 +287,12 @@ export class Viewport {
     if (from !== undefined && to !== undefined) {
       const { r, g, b } = new Color(this.look.selected);
       this.ruler.segments.add(from, to, [r, g, b]);
-      const distance = Math.hypot(...from.slice(0, 3).map((value, axis) => (to[axis] ?? 0) - value));
-      this.names.push({ text: `${distance.toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
+      this.names.push({ text: `${distance(from, to).toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
     }
     this.ruler.show();
   }
 }
 
-/** Returns positions on a line, with its ends. */
-function along([start, end]: readonly [Vector, Vector]): Vector[] {
-  return [0, 0.25, 0.5, 0.75, 1].map((share) => add(start, [end[0] - start[0], end[1] - start[1], end[2] - start[2]], share));
+function distance(from: readonly number[], to: readonly number[]): number {
+  return Math.hypot(...[0, 1, 2].map((axis) => (to[axis] ?? 0) - (from[axis] ?? 0)));
 }
