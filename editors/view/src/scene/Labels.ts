@@ -2,17 +2,27 @@
 
 import { Vector3 } from "three";
 import type { Lens } from "./Camera";
+import { arrow, directionTo, placesTowards } from "./outside";
+import { textWidth } from "./textWidth";
 
 export interface Label {
   text: string;
   at: readonly number[];
   kind: "point" | "frame" | "tool" | "selected" | "measure" | "near" | "contact" | "failed";
+  /** Distance from the tool centre point, in mm. A position outside the picture then has an arrow at the border. */
+  away?: number;
 }
 
 type Box = readonly [left: number, top: number, right: number, bottom: number];
 
 const ORDER = ["measure", "failed", "contact", "near", "selected", "tool", "frame", "point"];
 const HEIGHT = 18;
+
+/** Kinds of names in semibold, as in scene.css. */
+const BOLD: readonly Label["kind"][] = ["tool", "selected", "measure", "near", "contact", "failed"];
+
+/** Distance of a name from its position, in px. */
+const GAP = 9;
 
 /** Half size of the areas along the arm that names of points do not cover, in px. */
 const AROUND = 12;
@@ -37,13 +47,18 @@ export class Labels {
       const place = onScreen(label.at);
       const [across, down] = [Math.round(place.x), Math.round(place.y) - HEIGHT / 2];
       const avoided = label.kind === "point" ? [...taken, ...arm] : taken;
-      const wide = label.text.length * 7 + 12;
+      const isOutside = place.z > 1 || place.x < 0 || place.y < 0 || place.x > width || place.y > height;
+      const isFar = isOutside && label.away !== undefined;
+      const direction = directionTo(label.at, camera);
+      const text = isFar ? `${label.text}, ${label.away?.toFixed(0) ?? ""} mm away ${arrow(direction)}` : label.text;
+      const wide = textWidth(text, BOLD.includes(label.kind));
       const isFree = ([x, y]: readonly [number, number]): boolean => x >= 0 && y >= 0 && x + wide <= width && y + HEIGHT <= height
         && !avoided.some(([left, top, right, bottom]) => y < bottom && top < y + HEIGHT && x < right && left < x + wide);
       // Right of the position, left of it, above and below.
-      const free = ([[across + 9, down], [across - 9 - wide, down], [across - wide / 2, down - HEIGHT], [across - wide / 2, down + HEIGHT]] as const).find(isFree);
-      if (place.z <= 1 && free !== undefined) {
-        this.put(count, label, ...free);
+      const around = [[across + GAP, down], [across - GAP - wide, down], [across - wide / 2, down - HEIGHT], [across - wide / 2, down + HEIGHT]] as const;
+      const free = (isFar ? placesTowards(direction, [width, height], [wide, HEIGHT]) : around).find(isFree);
+      if ((isFar || place.z <= 1) && free !== undefined) {
+        this.put(count, { ...label, text }, ...free);
         count += 1;
         taken.push([free[0], free[1], free[0] + wide, free[1] + HEIGHT]);
       }

@@ -6,11 +6,11 @@ import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
 import { nearnessAt } from "../panels/clearance/encounters";
-import { add, composed, type Frame, frameOf, IDENTITY, type Vector } from "../panels/pendant/pose";
-import { pointText } from "../panels/points/edits";
+import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
+import { handTool } from "../panels/points/tools";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
-import { armLines } from "./armLines";
+import { along, armLines } from "./armLines";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type CarrierFrames, CellObjects } from "./CellObjects";
@@ -18,11 +18,12 @@ import { type Label, Labels } from "./Labels";
 import { DropLines } from "./DropLines";
 import { failedMoves, FailedTargets } from "./FailedTargets";
 import { areaBetween } from "./fitting";
+import { FrameMarks } from "./FrameMarks";
 import { hiddenLayers } from "./layers";
 import { Lines } from "./lines";
 import { MotionMarks } from "./MotionMarks";
 import { NearPairs } from "./NearPairs";
-import { AXES, DARK, LIGHT, type Look } from "./palette";
+import { DARK, LIGHT, type Look } from "./palette";
 import { surfaceAt } from "./picking";
 import { PointMarks } from "./PointMarks";
 import { reachShape } from "./reach";
@@ -30,9 +31,17 @@ import { isSoftware } from "./software";
 import { stage } from "./stage";
 import { Trail } from "./trail";
 
+/** Kinds of names that the border of the picture shows if their position is outside. */
+const FAR_KINDS: ReadonlySet<Label["kind"]> = new Set(["failed", "selected"]);
+
+/** Distance up to which *Fit* shows the targets of failed moves, and points and frames, as multiples of the arm's length. */
+const FAR_FAILED = 10;
+const FAR_NAMED = 3;
+
 export class Viewport {
   readonly camera: Camera;
   readonly trail = new Trail();
+  /** Centre point of the tool with which the operator jogs and teaches, in world. */
   tcp: Frame = IDENTITY;
   frames = 0;
   isFollowing = false;
@@ -42,7 +51,7 @@ export class Viewport {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly labels: Labels;
-  private readonly triads = new Lines({ width: 2.4 });
+  private readonly marks = new FrameMarks();
   private readonly ruler = new Lines({ width: 2, isOnTop: true });
   private readonly points = new PointMarks();
   private readonly motion = new MotionMarks();
@@ -75,7 +84,7 @@ export class Viewport {
     this.renderer.localClippingEnabled = true;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
-    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.marks.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object);
   }
 
   get drawCalls(): number {
@@ -132,7 +141,7 @@ export class Viewport {
     const sample = store.panels.cell.sample.value;
     const placed = armFrames(cell.arm, base, sample?.joints ?? []);
     const before = this.tcp.position;
-    this.tcp = composed(placed.flange, frameOf(sample?.tool ?? []));
+    this.tcp = composed(placed.flange, frameOf(handTool(store.panels.cell).pose));
     this.arm?.place(placed);
     this.placeObjects({ base, arm: placed, frames: store.panels.cell.frames.value, tools: store.panels.cell.tools.value });
     this.obstacles = armLines(cell.arm, base, placed).flatMap(along);
@@ -145,11 +154,13 @@ export class Viewport {
     const { faults, refused } = store.panels.cell.history;
     const failed = [...failedMoves(motion.value.queue, faults, store.time.value), ...refused.at(store.time.value)];
     this.failed.place(failed, this.length * 0.02, this.look);
-    this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels];
-    this.placeFrames(placed.flange, base);
+    const hasFrames = !hiddenLayers.peek().has("frames");
+    this.marks.place({ cell: store.panels.cell, selection: store.selection.value, flange: placed.flange, base, hasFrames }, this.length, this.look);
+    this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels, ...this.marks.labels];
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
     this.showLayers();
+    this.names = this.names.map((label) => (FAR_KINDS.has(label.kind) ? { ...label, away: distance(this.tcp.position, label.at) } : label));
     if (this.trail.growth !== this.fitted) {
       this.fitted = this.trail.growth;
       this.fitAgain();
@@ -206,23 +217,23 @@ export class Viewport {
     }
   }
 
-  /** Shows the arm, its path, and the points and frames near it, between the bars over the picture. */
+  /** Shows the arm, its path, targets of failed moves, and the points and frames near it, between the bars over the picture. */
   fit(view?: ViewName): void {
     const { cell } = this;
     const base = new Vector3(...frameOf(cell?.base ?? []).position);
     const positions: (readonly [number, number, number])[] = [[base.x, base.y, this.floor]];
-    const add = (at: readonly number[]): void => {
+    const add = (at: readonly number[], far = FAR_NAMED): void => {
       const [x = 0, y = 0, z = 0] = at;
-      if (new Vector3(x, y, z).distanceTo(base) < this.length * 3) {
+      if (new Vector3(x, y, z).distanceTo(base) < this.length * far) {
         positions.push([x, y, z]);
       }
     };
-    this.corners().forEach(add);
+    this.corners().forEach((at) => add(at));
     positions.push(...this.trail.positions());
     add(this.tcp.position);
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
     this.store.panels.cell.frames.value.forEach(({ pose }) => add(pose));
-    this.failed.labels.forEach(({ at }) => add(at));
+    this.failed.labels.forEach(({ at }) => add(at, FAR_FAILED));
     this.camera.show(positions, areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas)), view);
     this.isFirst = false;
   }
@@ -270,57 +281,18 @@ export class Viewport {
     this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas);
   }
 
-  private placeFrames(flange: Frame, base: Frame): void {
-    const chosen = this.store.selection.value;
-    this.triads.segments.clear();
-    this.triad(IDENTITY, this.length * 0.32);
-    if (Math.hypot(...base.position) > 1) {
-      this.triad(base, this.length * 0.2);
-    }
-    for (const { pose, ...frame } of hiddenLayers.peek().has("frames") ? [] : this.store.panels.cell.frames.value) {
-      const name = pointText(frame);
-      const isChosen = chosen?.kind === "frame" && chosen.name === name;
-      this.triad(frameOf(pose), this.length * (isChosen ? 0.24 : 0.13));
-      this.names.push({ text: name, at: pose, kind: isChosen ? "selected" : "frame" });
-    }
-    const { r, g, b } = new Color(this.look.joint);
-    this.triads.segments.add(flange.position, this.tcp.position, [r, g, b]);
-    this.triad(this.tcp, this.length * 0.11);
-    const tool = this.store.panels.cell.sample.value?.tool;
-    const named = [...this.store.tools.values()].find(({ pose }) => pose === tool)?.name;
-    this.names.push({ text: named ?? "TCP", at: this.tcp.position, kind: chosen?.kind === "tool" && chosen.name === named ? "selected" : "tool" });
-    const other = chosen?.kind === "tool" && chosen.name !== named ? this.store.panels.cell.tools.value.find(({ name }) => name === chosen.name) : undefined;
-    if (other !== undefined) {
-      const at = composed(flange, frameOf(other.pose));
-      this.triads.segments.add(flange.position, at.position, [r, g, b]);
-      this.triad(at, this.length * 0.11);
-      this.names.push({ text: other.name, at: at.position, kind: "selected" });
-    }
-    this.triads.show();
-  }
-
-  private triad({ position, rotation }: Frame, length: number): void {
-    AXES.forEach((colour, axis) => {
-      const end = position.map((value, row) => value + length * (rotation[row]?.[axis] ?? 0));
-      const { r, g, b } = new Color(colour);
-      this.triads.segments.add(position, end, [r, g, b]);
-    });
-  }
-
   private placeRuler(): void {
     const [from, to] = this.measured;
     this.ruler.segments.clear();
     if (from !== undefined && to !== undefined) {
       const { r, g, b } = new Color(this.look.selected);
       this.ruler.segments.add(from, to, [r, g, b]);
-      const distance = Math.hypot(...from.slice(0, 3).map((value, axis) => (to[axis] ?? 0) - value));
-      this.names.push({ text: `${distance.toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
+      this.names.push({ text: `${distance(from, to).toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
     }
     this.ruler.show();
   }
 }
 
-/** Returns positions on a line, with its ends. */
-function along([start, end]: readonly [Vector, Vector]): Vector[] {
-  return [0, 0.25, 0.5, 0.75, 1].map((share) => add(start, [end[0] - start[0], end[1] - start[1], end[2] - start[2]], share));
+function distance(from: readonly number[], to: readonly number[]): number {
+  return Math.hypot(...[0, 1, 2].map((axis) => (to[axis] ?? 0) - (from[axis] ?? 0)));
 }

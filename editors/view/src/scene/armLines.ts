@@ -19,3 +19,8 @@ export function armLines(arm: Pick<Scene["arm"], "capsules">, base: Frame, { lin
 function placed({ position, rotation }: Frame, [x = 0, y = 0, z = 0]: readonly number[]): Vector {
   return add(position, turned(rotation, [x, y, z]));
 }
+
+/** Returns positions on a line, with its ends. */
+export function along([start, end]: readonly [Vector, Vector]): Vector[] {
+  return [0, 0.25, 0.5, 0.75, 1].map((share) => add(start, [end[0] - start[0], end[1] - start[1], end[2] - start[2]], share));
+}

@@ -45,6 +45,14 @@ export class Segments {
     this.changed = 0;
   }
 
+  /** Removes the first segments. */
+  drop(count: number): void {
+    this.positions.copyWithin(0, count * SIZE, this.count * SIZE);
+    this.colours.copyWithin(0, count * SIZE, this.count * SIZE);
+    this.count -= count;
+    this.changed = 0;
+  }
+
   clear(): void {
     this.count = 0;
     this.changed = 0;

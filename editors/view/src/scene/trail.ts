@@ -16,8 +16,15 @@ import { ThinLines } from "./thinLines";
 const LONGEST = 0.2;
 const NEAR = 0.2;
 
-/** Largest number of drawn pieces. Above it, pairs of pieces in the older half are merged. */
+/** Largest number of drawn pieces. Above it, the older half is simplified. */
 const MOST = 60_000;
+
+/** Number of pieces above which the oldest are discarded after the older half was simplified. */
+const KEPT = (MOST * 3) / 4;
+
+/** Limits of a simplified piece: duration in s, and distance of the path from it in mm. */
+export const LONGEST_OLD = 1;
+export const NEAR_OLD = 2;
 
 /**
  * Number of pieces before the shown time that are drawn as wide lines. Without a graphics card, ten minutes of motion
@@ -42,6 +49,8 @@ export interface Piece {
   speed: number;
   /** Speed limit, an index into `limits` of the scene. */
   limit: number;
+  /** Largest distance of the path from the piece, in mm. */
+  off: number;
 }
 
 export class Trail {
@@ -126,15 +135,16 @@ export class Trail {
       const from = this.straight[0] ?? last.position;
       const piece = this.pieces.at(-1);
       const isSame = piece?.phase === sample.phase && piece.source === sample.source && sample.t - piece.from < LONGEST;
-      if (isSame && this.straight.length > 0 && isStraight(from, position, this.straight)) {
+      if (isSame && this.straight.length > 0 && farthest(from, position, this.straight) < NEAR) {
         this.straight.push(position);
         this.segments.end(position);
         Object.assign(piece, { t: sample.t, speed: sample.speed, limit: sample.limit });
       } else if (distance(last.position, position) > 1e-6) {
         this.segments.add(last.position, position, this.colour(sample.phase));
-        this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed, limit: sample.limit });
+        this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed, limit: sample.limit, off: NEAR });
         this.straight = [last.position, position];
         this.mention(sample.phase);
+        this.surround(last.position);
         this.surround(position);
         this.thin();
       }
@@ -144,12 +154,13 @@ export class Trail {
     this.last = { sample, position };
   }
 
-  /** Returns the positions of the path, at most about a thousand. */
+  /** Returns the ends of the pieces, at most about two thousand. */
   *positions(): Generator<Position> {
     const step = Math.ceil(Math.max(this.pieces.length, 1) / 1000);
     for (let index = 0; index < this.pieces.length; index += step) {
-      const [, [x = 0, y = 0, z = 0]] = this.segments.at(index);
-      yield [x, y, z];
+      const [from, to] = this.segments.at(index);
+      yield positionOf(from);
+      yield positionOf(to);
     }
   }
 
@@ -169,44 +180,67 @@ export class Trail {
     }
   }
 
-  /** Bounds the number of pieces: the older half keeps half of its pieces. The whole path remains visible. */
+  /** Bounds the number of pieces: simplifies the older half, and discards the oldest pieces if too many remain. */
   private thin(): void {
     if (this.pieces.length <= MOST) {
       return;
     }
-    const joined: boolean[] = [];
     const older = this.pieces.splice(0, MOST / 2);
-    const kept: Piece[] = [];
-    for (const piece of older) {
-      const before = kept.at(-1);
-      const isJoined = joined.at(-1) === false && before?.t === piece.from && before.phase === piece.phase;
-      joined.push(isJoined);
-      if (isJoined) {
-        kept[kept.length - 1] = { ...piece, from: before.from };
-      } else {
-        kept.push(piece);
-      }
-    }
+    const { kept, isJoined } = simplified(older, this.segments);
     this.pieces.unshift(...kept);
-    this.segments.join(joined);
+    this.segments.join(isJoined);
+    const surplus = Math.max(0, this.pieces.length - KEPT);
+    this.pieces.splice(0, surplus);
+    this.segments.drop(surplus);
   }
+}
+
+/** Merges successive pieces of the same line and phase that are nearly straight. `isJoined` marks each piece that extends the one before it. */
+function simplified(pieces: readonly Piece[], segments: Segments): { kept: Piece[]; isJoined: boolean[] } {
+  const kept: Piece[] = [];
+  const isJoined: boolean[] = [];
+  /** Start of the last kept piece, and the ends of its pieces. */
+  let [start, ends]: [Position, Position[]] = [[0, 0, 0], []];
+  /** Largest distance of the path from the pieces in the last kept piece. */
+  let off = 0;
+  for (const [index, piece] of pieces.entries()) {
+    const before = kept.at(-1);
+    const [from, to] = segments.at(index);
+    const end = positionOf(to);
+    const isContinued = before !== undefined && before.t === piece.from && before.phase === piece.phase && before.source === piece.source && piece.t - before.from <= LONGEST_OLD;
+    const widest = Math.max(off, piece.off);
+    const total = isContinued ? widest + farthest(start, end, ends) : Infinity;
+    isJoined.push(total <= NEAR_OLD);
+    if (before !== undefined && total <= NEAR_OLD) {
+      kept[kept.length - 1] = { ...piece, from: before.from, off: total };
+      ends.push(end);
+      off = widest;
+    } else {
+      kept.push(piece);
+      [start, ends, off] = [positionOf(from), [end], piece.off];
+    }
+  }
+  return { kept, isJoined };
+}
+
+function positionOf([x = 0, y = 0, z = 0]: ArrayLike<number> & Iterable<number>): Position {
+  return [x, y, z];
 }
 
 function distance(from: Position, to: Position): number {
   return Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
 }
 
-/** Whether all positions are near the line between two positions. */
-function isStraight(from: Position, to: Position, between: readonly Position[]): boolean {
+/** Returns the largest distance of positions from the line between two positions, in mm. */
+function farthest(from: Position, to: Position, between: readonly Position[]): number {
   const [x, y, z] = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
   const square = Math.max(x * x + y * y + z * z, 1e-12);
+  let largest = 0;
   for (const position of between) {
     const [dx, dy, dz] = [position[0] - from[0], position[1] - from[1], position[2] - from[2]];
     const share = Math.min(Math.max((dx * x + dy * y + dz * z) / square, 0), 1);
     const [ox, oy, oz] = [dx - x * share, dy - y * share, dz - z * share];
-    if (ox * ox + oy * oy + oz * oz >= NEAR * NEAR) {
-      return false;
-    }
+    largest = Math.max(largest, ox * ox + oy * oy + oz * oz);
   }
-  return true;
+  return Math.sqrt(largest);
 }

@@ -1,8 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { signal } from "@preact/signals";
 import { firstChoice, solutionsOf, solutionText } from "../../src/panels/points/solutions";
 import { reasonsOf } from "../../src/panels/points/reachQuery";
-import { taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
+import { FLANGE, handTool, taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
+import { shownTools } from "../../src/scene/FrameMarks";
 import { editedTrsf, fatherText, fieldTexts, pointText } from "../../src/panels/points/edits";
 
 test("points have the names that programs write", () => {
@@ -38,6 +40,17 @@ test("the tool is the chosen one or the one of the last move", () => {
   const tool = { name: "tTools", key: "1" };
   assert.deepEqual([toolText(tool, "tA"), toolText(undefined, "tA"), toolText(undefined, null)], ["tTools[1]", "tA", "the last move's tool"]);
   assert.deepEqual([toolArguments(undefined), toolArguments(tool)], [{}, { tool }]);
+});
+
+test("the centre point is that of the chosen tool, otherwise of the last move's tool", () => {
+  const gripper = { name: "tGripper", key: null, father: null, local: [0, 0, 120], pose: [0, 0, 120], file: "", line: 1 };
+  const sample = signal({ joints: [], tool: [0, 0, 7], toolName: "tSuction" });
+  const cell = (chosen: typeof FLANGE | undefined): Parameters<typeof handTool>[0] => ({ chosenTool: signal(chosen), tools: signal([gripper]), sample });
+  assert.deepEqual(handTool(cell(undefined)), { name: "tSuction", pose: [0, 0, 7], isOfLastMove: true });
+  assert.deepEqual(handTool(cell({ name: "tGripper", key: null })), { name: "tGripper", pose: [0, 0, 120], isOfLastMove: false });
+  assert.deepEqual(handTool(cell(FLANGE)), { name: "flange", pose: [], isOfLastMove: false });
+  assert.equal(handTool(cell({ name: "tOther", key: null })).name, "tSuction");
+  assert.deepEqual([...shownTools(cell({ name: "tGripper", key: null }), "tGripper").keys()], ["tSuction", "tGripper"]);
 });
 
 test("the arm goes to the joints of movej, or to others in reach", () => {

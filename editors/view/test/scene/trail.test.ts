@@ -4,7 +4,7 @@ import { Vector3 } from "three";
 import { armFrames, type Chain } from "../../src/kinematics";
 import { composed, frameOf, IDENTITY } from "../../src/panels/pendant/pose";
 import { Samples } from "../../src/samples";
-import { Trail } from "../../src/scene/trail";
+import { NEAR_OLD, Trail } from "../../src/scene/trail";
 import { ToolPositions } from "../../src/toolPositions";
 import { scene } from "../sample.mjs";
 import { encoded } from "../sampleBatch.mjs";
@@ -16,10 +16,15 @@ const ARM = {
   flange: [0, 0, 0, 0, 0, 0],
 };
 
+/** Samples of a second. */
+const BATCH = 250;
+
 /** Returns samples at intervals of 4 ms with joints and a phase. */
 function samples(list: readonly (readonly [number, number, number])[]): Samples {
   const made = new Samples();
-  made.add(encoded(list.map(([first, second, phase], index) => ({ t: index * 0.004, joints: [first, second], phase }))));
+  for (let begin = 0; begin < list.length; begin += BATCH) {
+    made.add(encoded(list.slice(begin, begin + BATCH).map(([first, second, phase], index) => ({ t: (begin + index) * 0.004, joints: [first, second], phase }))));
+  }
   return made;
 }
 
@@ -65,17 +70,55 @@ void test("the path is shown up to the middle of a piece", () => {
   assert.equal(made.shown, 1);
 });
 
-void test("a long path keeps its ends and its last pieces, and has fewer pieces in its older half", () => {
-  const count = 70_000;
-  const zigzag = Array.from({ length: count }, (_, index): [number, number, number] => [index / 10, index % 2 === 0 ? 0 : 5, 0]);
-  const made = trail(zigzag);
-  assert.ok(made.segments.count <= 60_000 && made.segments.count > 30_000, `${made.segments.count}`);
-  const last = made.segments.count - 1;
-  assert.equal(made.piece(0)?.from, 0);
-  assert.equal(made.piece(last)?.from, (count - 2) * 0.004);
-  for (let index = 1; index <= last; index += 1) {
+/** Checks that pieces follow each other without gaps. */
+function assertContinuous(made: Trail): void {
+  for (let index = 1; index < made.segments.count; index += 1) {
     assert.equal(made.piece(index)?.from, made.piece(index - 1)?.t);
     assert.deepEqual([...made.segments.at(index)[0]], [...made.segments.at(index - 1)[1]]);
+  }
+}
+
+void test("every sample of a long path is near the piece of its time", () => {
+  const count = 200_000;
+  const list = Array.from({ length: count }, (_, index): [number, number, number] => [200 + 40 * Math.sin(index / 10) + index / 1000, 200 + 60 * Math.cos(index / 14), Math.floor(index / 500) % 2]);
+  const made = trail(list);
+  assert.ok(made.segments.count <= 60_000 && made.segments.count > 30_000, `${made.segments.count}`);
+  assert.ok(Number(made.piece(100)?.t) - Number(made.piece(0)?.from) > 1, "old pieces are simplified");
+  assertContinuous(made);
+  const begin = Number(made.piece(0)?.from);
+  for (let index = 0, at = 0; index < count; index += 1) {
+    const t = index * 0.004;
+    while (at < made.segments.count - 1 && Number(made.piece(at)?.t) < t - 1e-9) {
+      at += 1;
+    }
+    const [from, to] = made.segments.at(at);
+    const { position } = armFrames(ARM, IDENTITY, (list[index] ?? []).slice(0, 2)).flange;
+    const off = t < begin - 1e-9 ? 0 : distance([...from], [...to], position);
+    assert.ok(off <= Number(made.piece(at)?.off) + 1e-3 && Number(made.piece(at)?.off) <= NEAR_OLD, `${off} mm at ${t} s`);
+  }
+});
+
+void test("pieces of different lines and phases stay apart", () => {
+  const made = trail(Array.from({ length: 150_000 }, (_, index): [number, number, number] => [index / 1000, 0, Math.floor(index / 2) % 2]));
+  for (let index = 1; index < made.segments.count; index += 1) {
+    assert.notEqual(made.piece(index)?.phase, made.piece(index - 1)?.phase);
+  }
+});
+
+void test("a long path that cannot be simplified loses its oldest pieces", () => {
+  const count = 70_000;
+  const made = trail(Array.from({ length: count }, (_, index): [number, number, number] => [index / 10, index % 2 === 0 ? 0 : 5, 0]));
+  assert.ok(made.segments.count <= 60_000 && made.segments.count >= 45_000, `${made.segments.count}`);
+  assertContinuous(made);
+  assert.ok(Number(made.piece(0)?.from) > 0);
+  assert.equal(made.piece(made.segments.count - 1)?.from, (count - 2) * 0.004);
+});
+
+void test("the positions of a path contain its start and its end", () => {
+  const positions = [...trail([[0, 0, 0], [500, 0, 0], [500, 300, 1]]).positions()];
+  for (const joints of [[0, 0], [500, 300]]) {
+    const { position } = armFrames(ARM, IDENTITY, joints).flange;
+    assert.ok(positions.some((found) => Math.hypot(...found.map((value, axis) => value - (position[axis] ?? 0))) < 0.001), joints.join());
   }
 });
 

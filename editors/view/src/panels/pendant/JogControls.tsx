@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { pointText } from "../points/edits";
 import { ToolChoice } from "../points/ToolChoice";
-import { chosenPose } from "../points/tools";
+import { handTool } from "../points/tools";
 import type { Cell, CellPoint, CellScene, Notice } from "../shared/cell";
 import { flangeAt } from "./armModel";
 import { JointEntry } from "./JointEntry";
@@ -98,7 +98,7 @@ function isNearLimit(value: number, min: number, max: number): boolean {
 
 function Directions({ cell, notice, scene, holder, step, reason, way }: ControlProps & { way: string }): JSX.Element {
   const sample = cell.sample.value;
-  const [base, tool] = [frameOf(scene.base), frameOf(chosenPose(cell.chosenTool.value, cell.tools.value) ?? sample?.tool ?? [])];
+  const [base, tool] = [frameOf(scene.base), frameOf(handTool(cell).pose)];
   const world = composed(base, composed(flangeAt(scene.arm, sample?.joints ?? []), tool));
   const frame = frameOfWay(cell.frames.value, way);
   const pose = poseOf(frame === undefined ? world : composed(inverse(frame), world));

@@ -1,6 +1,6 @@
 // Tool whose centre point is taught, and the configuration that a taught point gets.
 
-import type { CellPoint, Pose } from "../shared/cell";
+import type { Cell, CellPoint, Pose } from "../shared/cell";
 import { type PointName, pointText, samePoint } from "./edits";
 
 /** Tool; `undefined` for the tool of the last move. */
@@ -28,4 +28,21 @@ export function taughtConfig(point: string | null | undefined, arm: string | und
 /** Returns the pose of a chosen tool on the flange; `undefined` for the tool of the last move. */
 export function chosenPose(tool: ChosenTool, tools: readonly CellPoint[]): Pose | undefined {
   return tool === undefined ? undefined : samePoint(tool, FLANGE) ? [] : tools.find((candidate) => samePoint(candidate, tool))?.pose;
+}
+
+/** Tool with which the operator jogs and teaches, and whose centre point is read. */
+export interface HandTool {
+  /** Name of the tool; `undefined` if no data have the pose of the last move's tool. */
+  name: string | undefined;
+  pose: Pose;
+  isOfLastMove: boolean;
+}
+
+/** Returns the chosen tool, otherwise the tool of the last move. */
+export function handTool({ chosenTool, tools, sample }: Pick<Cell, "chosenTool" | "tools" | "sample">): HandTool {
+  const [chosen, last] = [chosenTool.value, sample.value];
+  const pose = chosenPose(chosen, tools.value);
+  return chosen === undefined || pose === undefined
+    ? { name: last?.toolName ?? undefined, pose: last?.tool ?? [], isOfLastMove: true }
+    : { name: pointText(chosen), pose, isOfLastMove: false };
 }
