@@ -29,7 +29,7 @@ fn results(expressions: impl Iterator<Item = String>) -> String {
     for stmt in &body.block {
         let StmtKind::Print(id) = stmt.kind else { panic!("{stmt:?}") };
         assert!(!matches!(body.expr(id), Expr::Missing));
-        if !faulty.iter().any(|problem| problem.place.range == body.range(id)) {
+        if !faulty.iter().any(|problem| body.range(id).contains_range(problem.place.range)) {
             let text = file.text(db)[body.range(id)].replace("v_", "");
             out += &format!("{text} = {}\n", inference.ty(id).display(db));
         }
@@ -153,4 +153,29 @@ fn results_of_unknown_operands() {
         ! zMissing: UnknownName { name: "zMissing", near: None }
     "#]]
     .assert_eq(&types(listing));
+}
+
+/// An assignment is valid as the value of another assignment exactly if a variable of its printed result type is.
+#[test]
+fn an_assignment_has_its_result_type_as_a_value() {
+    let valid = |expressions: Vec<String>| -> Vec<String> {
+        let shown = results(expressions.into_iter());
+        shown.lines().filter_map(|line| Some(line.rsplit_once(" = ")?.0.to_owned())).collect()
+    };
+    let all = || TYPES.iter().flat_map(|target| TYPES.iter().map(move |value| (*target, *value)));
+    let pairs = valid(all().map(|(target, value)| format!("v_{target}=v_{value}")).collect());
+    let chains = all().flat_map(|(middle, value)| TYPES.map(|target| format!("v_{target}=v_{middle}=v_{value}")));
+    let chains = valid(chains.collect());
+    for (middle, value) in all().filter(|(middle, value)| pairs.contains(&format!("{middle}={value}"))) {
+        // 3.5.2 and 3.7.2.
+        let result = match middle {
+            "dio" => "bool",
+            "sio" => value,
+            variable => variable,
+        };
+        for target in TYPES {
+            let is_valid = pairs.contains(&format!("{target}={result}"));
+            assert_eq!(chains.contains(&format!("{target}={middle}={value}")), is_valid, "{target}={middle}={value}");
+        }
+    }
 }
