@@ -85,7 +85,8 @@ impl Infer<'_> {
     /// type.
     fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
         if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(id)) {
-            return Argument { id, literal: Some(values.len()), value: InferredValue::UNKNOWN };
+            let literal = values.iter().map(|value| value.is_some_and(|value| self.is_literal(value))).collect();
+            return Argument { id, literal: Some(literal), value: InferredValue::UNKNOWN };
         }
         let outer = std::mem::replace(&mut self.may_be_absent, slot);
         let value = self.expr(id);
