@@ -38,7 +38,8 @@ fn joint(
     result: Var<JointValue>,
 ) -> Result<bool> {
     moves::check_arm(call)?;
-    let flange = moves::pose_of_point(call, point)? * moves::pose_of_tool(call, tool)?.inverse();
+    let tool = moves::pose_of_tool(call, tool)?;
+    let flange = moves::pose_of_point(call, point)? * tool.inverse();
     let requested = PointValue::read(call.memory, point.0)?.config.requested();
     let initial = moves::to_arm(call, initial);
     let Ok(joints) = call.ports.arm().solve(&flange.into(), &initial, requested) else { return Ok(false) };
