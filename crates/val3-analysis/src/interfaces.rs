@@ -5,6 +5,7 @@
 
 mod compare;
 mod incomplete_libraries;
+mod saved_libraries;
 mod usage;
 
 use rustc_hash::FxHashSet;
@@ -207,11 +208,12 @@ impl Interfaces<'_> {
         }
     }
 
-    /// Returns the fault of a path without a project; `None` if the project may be on a medium that is not available
-    /// here.
+    /// Returns the fault of a path without a project; `None` if the application saves a library there, or if the project
+    /// may be on a medium that is not available here.
     fn unresolved(&self, path: &SmolStr) -> Option<ProblemKind> {
         let roots = self.project.roots(self.db);
         match paths::project(folder(self.db, self.project), roots, path) {
+            ResolvedPath::Path(target) if saved_libraries::is_saved(self.db, self.project, &target) => None,
             ResolvedPath::Path(_) => Some(ProblemKind::LibLoadPath { path: path.clone() }),
             ResolvedPath::Elsewhere => {
                 let root = paths::root(path);

@@ -343,8 +343,8 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::UnknownName { name, near } => unknown_name::word(name, near.as_deref());
         Kind::UnknownProgram { name, near, is } => unknown_program::word(name, near.as_deref(), *is);
         Kind::UnknownInstruction { name, near, is } => unknown_instruction::word(name, near.as_deref(), *is);
-        Kind::MissingAddOn { name, add_on, lists_others } =>
-            missing_add_on::word(name, add_on.as_deref(), *lists_others);
+        Kind::MissingAddOn { name, add_on, lists_others, other_forms } =>
+            missing_add_on::word(name, add_on.as_deref(), *lists_others, other_forms);
         Kind::UnknownLibrary { alias, near } => unknown_library::word(alias, near.as_deref());
         Kind::UnknownType { name, near } => unknown_type::word(name, near.as_deref());
         Kind::UnknownField { ty, field, near } => unknown_field::word(ty, field, near.as_deref());

@@ -7,6 +7,7 @@ use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 use val3_machine::event::{ClearanceMove, Event as MachineEvent, EventKind};
+use val3_machine::missing_instruction;
 
 use crate::conventions::Conventions;
 use crate::protocol::{
@@ -162,7 +163,7 @@ fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
             (event.kind.handling_problem()?, OutputEventCategory::Console)
         }
         EventKind::Lacking { instruction, .. } => (
-            format!("this controller does not have the instruction `{instruction}`: the run ends here"),
+            format!("{}: the run ends here", missing_instruction(instruction)),
             OutputEventCategory::Stderr,
         ),
         _ => return None,

@@ -280,7 +280,7 @@ macro_rules! value {
         $crate::call::PointRef
     };
     (joint) => {
-        [f64; 6]
+        $crate::values::JointValue
     };
     (config) => {
         $crate::values::ConfigValue

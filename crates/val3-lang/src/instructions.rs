@@ -268,6 +268,9 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 /// Loads a library under an identifier. The analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
+/// Saves a library, under its path or another one, where `libLoad` finds it (6.7).
+pub const LIB_SAVE: &str = "libSave";
+
 /// Instructions that name a task of the same application or library (5.10).
 pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", TASK_KILL, TASK_STATUS];
 

@@ -11,7 +11,7 @@ use crate::ports::MoveRequest;
 use crate::references;
 use crate::runtime_errors::{ANOTHER_ARM, INVALID_PARAMETER};
 use crate::types::Arm;
-use crate::values::{ConfigValue, MdescValue};
+use crate::values::{ConfigValue, JointValue, MdescValue};
 
 /// Maximum force of a compliant move, in per cent of the nominal load (11.1.4).
 const GREATEST_FORCE: f64 = 1000.0;
@@ -20,9 +20,9 @@ const GREATEST_FORCE: f64 = 1000.0;
 ///
 /// # Errors
 /// 81 for a controller with another kind of arm.
-pub(crate) fn joint_path(call: &mut Call<'_>, joint: Joints) -> Result<MovePath> {
+pub(crate) fn joint_path(call: &mut Call<'_>, joint: JointValue) -> Result<MovePath> {
     check_arm(call)?;
-    Ok(MovePath::Joint(joint))
+    Ok(MovePath::Joint(to_arm(call, joint)))
 }
 
 /// Path of a joint move to a point.
@@ -121,17 +121,27 @@ pub(crate) fn in_millimetres(call: &Call<'_>, trsf: &Trsf) -> IsometryMatrix3<f6
     trsf.scaled(call.unit.millimetres()).isometry()
 }
 
+/// Converts a joint position of the application to degrees and mm.
+pub(crate) fn to_arm(call: &mut Call<'_>, joint: JointValue) -> Joints {
+    joint.joints(call.ports.arm(), call.unit.millimetres())
+}
+
+/// Converts a joint position of the arm, in degrees and mm, to the application's length unit.
+pub(crate) fn of_arm(call: &mut Call<'_>, joints: Joints) -> JointValue {
+    JointValue::of(joints, call.ports.arm(), call.unit.millimetres())
+}
+
 fn pose(call: &Call<'_>, way: &[Trsf]) -> IsometryMatrix3<f64> {
     let mut pose = chain::resolve(way);
     pose.translation.vector *= call.unit.millimetres();
     pose
 }
 
-/// Returns a tool's pose at a joint position, as a point in `frame` with the arm's configuration.
+/// Returns a tool's pose at a joint position of the arm, as a point in `frame` with the arm's configuration.
 ///
 /// # Errors
 /// 160, 161, 163, 164.
-pub(crate) fn point_at(call: &mut Call<'_>, joint: &[f64; 6], tool: ToolRef, frame: FrameRef) -> Result<PointValue> {
+pub(crate) fn point_at(call: &mut Call<'_>, joint: &Joints, tool: ToolRef, frame: FrameRef) -> Result<PointValue> {
     let tool = pose_of_tool(call, tool)?;
     let reference = pose_of_frame(call, frame)?;
     let arm = call.ports.arm();
@@ -139,3 +149,6 @@ pub(crate) fn point_at(call: &mut Call<'_>, joint: &[f64; 6], tool: ToolRef, fra
     let seen = Trsf::from(reference.inverse() * arm.flange(joint) * tool);
     Ok(PointValue { trsf: seen.scaled(1.0 / call.unit.millimetres()), config, frame: LinkPlace::Data(frame.0) })
 }
+
+#[cfg(test)]
+mod tests;

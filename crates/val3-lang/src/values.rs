@@ -8,6 +8,7 @@ pub mod binary;
 pub mod bits;
 mod config;
 pub mod date;
+mod joint;
 mod mdesc;
 pub mod number_reading;
 pub mod number_text;
@@ -17,5 +18,6 @@ pub mod strings;
 pub mod text;
 
 pub use config::ConfigValue;
+pub use joint::JointValue;
 pub use mdesc::{HIGHEST_AXIS_SPEED, MdescValue};
 pub use text::Text;

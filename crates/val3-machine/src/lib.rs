@@ -9,9 +9,12 @@ pub mod event;
 pub mod files;
 pub mod inputs;
 pub mod io;
+mod missing_instruction;
 mod run_status;
 pub mod screen;
 pub mod script;
 pub mod shapes;
 pub mod sio;
 mod string_bytes;
+
+pub use missing_instruction::missing_instruction;

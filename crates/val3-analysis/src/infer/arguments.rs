@@ -22,6 +22,8 @@ pub(super) struct Callee<'a> {
     pub(super) lines: &'a dyn Fn() -> Vec<SmolStr>,
     /// Returns the location of the declaration; called only for a message, because it reads another file.
     pub(super) declared: &'a dyn Fn() -> Option<FileRange>,
+    /// Whether the controller may have other forms, so that a mismatch is not reported.
+    pub(super) may_have_others: bool,
 }
 
 impl Callee<'_> {
@@ -38,7 +40,7 @@ pub(super) enum MatchingForms {
     Form(usize),
     /// Several forms, because an argument type is unknown.
     Several(Vec<usize>),
-    /// No form matches; the mismatch was reported.
+    /// No form matches. The mismatch was reported, unless the controller may have other forms.
     None,
 }
 
@@ -60,7 +62,9 @@ impl Infer<'_> {
             candidates.map(|(index, form)| (index, first_miss(self.scope.arm(), &arguments, form))).collect();
         if misses.is_empty() {
             self.literals_alone(&arguments);
-            self.argument_count(call, args.len(), callee);
+            if !callee.may_have_others {
+                self.argument_count(call, args.len(), callee);
+            }
             return MatchingForms::None;
         }
         let mut fits = misses.iter().filter(|(_, miss)| miss.is_none()).map(|(index, _)| *index).peekable();
@@ -68,6 +72,10 @@ impl Infer<'_> {
             self.literals(&arguments, callee.forms.get(first).copied());
             let certain = arguments.iter().all(|argument| argument.literal.is_some() || !argument.value.is_unknown());
             return if certain { MatchingForms::Form(first) } else { MatchingForms::Several(fits.collect()) };
+        }
+        if callee.may_have_others {
+            self.literals_alone(&arguments);
+            return MatchingForms::None;
         }
         self.report_miss(&arguments, &misses, callee);
         MatchingForms::Several(misses.iter().map(|(index, _)| *index).collect())
@@ -77,7 +85,8 @@ impl Infer<'_> {
     /// type.
     fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
         if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(id)) {
-            return Argument { id, literal: Some(values.len()), value: InferredValue::UNKNOWN };
+            let literal = values.iter().map(|value| value.is_some_and(|value| self.is_literal(value))).collect();
+            return Argument { id, literal: Some(literal), value: InferredValue::UNKNOWN };
         }
         let outer = std::mem::replace(&mut self.may_be_absent, slot);
         let value = self.expr(id);

@@ -3,7 +3,7 @@
 use smallvec::SmallVec;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnOverload;
-use val3_lang::instruction::{CallClass, Instruction};
+use val3_lang::instruction::{Availability, CallClass, Instruction, Overload};
 use val3_lang::instructions;
 use val3_lang::types::BaseType;
 
@@ -111,16 +111,32 @@ impl Infer<'_> {
         on_library: bool,
         args: &[ExprId],
     ) -> Option<ResolvedCall> {
-        let forms: SmallVec<[_; 4]> =
-            instruction.overloads.iter().filter(|form| form.on_library == on_library).collect();
-        let lines = || forms.iter().map(|form| form.signature(instruction.name).into()).collect();
-        let formals = forms.iter().map(|form| Formals::Instruction(form.params)).collect();
-        let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
+        let forms = forms(instruction, on_library);
+        let chosen = self.form_of_catalogue(id, callee, instruction, &forms, args);
+        self.outcome(&chosen, &outcomes(&forms))
+    }
+
+    /// Matches the arguments against the forms of an instruction, and records the call.
+    fn form_of_catalogue(
+        &mut self,
+        id: ExprId,
+        callee: ExprId,
+        instruction: &'static Instruction,
+        forms: &[&'static Overload],
+        args: &[ExprId],
+    ) -> MatchingForms {
+        let lines = || signatures(instruction, forms);
+        let callee = Callee {
+            name: self.text(callee),
+            forms: forms.iter().map(|form| Formals::Instruction(form.params)).collect(),
+            lines: &lines,
+            declared: &|| None,
+            may_have_others: matches!(instruction.availability, Availability::AddOn(_)),
+        };
         let chosen = self.arguments(id, args, &callee);
         let form = if let MatchingForms::Form(index) = chosen { forms.get(index).copied() } else { None };
         self.table.add_call(InstructionCall { id, instruction, form });
-        let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
-        self.outcome(&chosen, &outcomes)
+        chosen
     }
 
     /// Returns the result of a call. If several forms or no form match, returns the result if all of them agree.
@@ -148,19 +164,26 @@ impl Infer<'_> {
     ) -> Option<ResolvedCall> {
         let mut forms = self.scope.add_on_forms(name, on_library);
         if forms.is_empty() {
-            self.report(callee, self.scope.missing_add_on(name));
             if let Some(ty) = self.scope.stand_in_type(name) {
+                self.report(callee, self.scope.missing_add_on(name, Vec::new()));
                 self.arguments_alone(args);
                 return Some(ResolvedCall { result: Some(Base::of(ty)), class: CallClass::Modifier });
             }
             forms = self.scope.stand_in_forms(name, on_library);
-        }
-        if forms.is_empty() {
-            return self.resolve_by_catalogue(id, callee, name, on_library, args);
+            if forms.is_empty() {
+                return self.resolve_by_catalogue(id, callee, name, on_library, args);
+            }
+            self.report(callee, self.scope.missing_add_on(name, Vec::new()));
         }
         let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
-        let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
+        let callee = Callee {
+            name: self.text(callee),
+            forms: formals,
+            lines: &lines,
+            declared: &|| None,
+            may_have_others: false,
+        };
         let chosen = self.arguments(id, args, &callee);
         if let MatchingForms::Form(index) = chosen
             && let Some(&form) = forms.get(index)
@@ -172,7 +195,7 @@ impl Infer<'_> {
     }
 
     /// Resolves an add-on instruction without a table by the forms of the catalogue, which the virtual controller
-    /// executes. A mismatch is not reported, because the installed add-on may have other forms.
+    /// executes. The installed add-on may have other forms, so a mismatch is only mentioned.
     fn resolve_by_catalogue(
         &mut self,
         id: ExprId,
@@ -182,19 +205,34 @@ impl Infer<'_> {
         args: &[ExprId],
     ) -> Option<ResolvedCall> {
         let Some(instruction) = instructions::find(name) else {
+            self.report(callee, self.scope.missing_add_on(name, Vec::new()));
             self.arguments_alone(args);
             return None;
         };
-        let before = self.sink.len();
-        let called = self.known_instruction(id, callee, instruction, on_library, args);
+        let forms = forms(instruction, on_library);
+        let chosen = self.form_of_catalogue(id, callee, instruction, &forms, args);
+        let others = if let MatchingForms::None = chosen { signatures(instruction, &forms) } else { Vec::new() };
+        self.report(callee, self.scope.missing_add_on(name, others));
         if self.table.retract_without_form(id) {
-            self.sink.retract_to(before);
             return None;
         }
-        called
+        self.outcome(&chosen, &outcomes(&forms))
             .filter(|called| called.result.is_some())
             .map(|called| ResolvedCall { class: CallClass::Modifier, ..called })
     }
+}
+
+/// Returns the forms that are called on a library identifier, or the other forms.
+fn forms(instruction: &'static Instruction, on_library: bool) -> SmallVec<[&'static Overload; 4]> {
+    instruction.overloads.iter().filter(|form| form.on_library == on_library).collect()
+}
+
+fn signatures(instruction: &Instruction, forms: &[&Overload]) -> Vec<SmolStr> {
+    forms.iter().map(|form| form.signature(instruction.name).into()).collect()
+}
+
+fn outcomes(forms: &[&Overload]) -> SmallVec<[Outcome; 4]> {
+    forms.iter().map(|form| (form.result, form.class)).collect()
 }
 
 /// Formats a syntax line, for example `num $fileOpen(string s1, num& n2[])`.

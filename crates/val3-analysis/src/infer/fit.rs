@@ -1,5 +1,6 @@
 //! Matching of arguments against parameters (2.6).
 
+use smallvec::SmallVec;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnParam;
 use val3_lang::instruction::ArgumentForm;
@@ -68,8 +69,8 @@ fn of_program(param: &SignatureParam) -> Formal<'_> {
 #[derive(Debug, Clone)]
 pub(super) struct Argument {
     pub(super) id: ExprId,
-    /// Number of values in a `{…}`, whose type depends on the parameter.
-    pub(super) literal: Option<usize>,
+    /// Values of a `{…}`, whose type depends on the parameter: whether each of them is a `{…}`, too.
+    pub(super) literal: Option<SmallVec<[bool; 8]>>,
     pub(super) value: InferredValue,
 }
 
@@ -94,7 +95,7 @@ pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) 
     if formal.base == Some(Base::Unknown) {
         return None;
     }
-    if let Some(values) = argument.literal {
+    if let Some(values) = &argument.literal {
         return literal_misfit(arm, values, formal);
     }
     let value = &argument.value;
@@ -107,7 +108,7 @@ pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) 
     container_misfit(value, formal).or_else(|| type_misfit(arm, value, formal))
 }
 
-fn literal_misfit(arm: Option<Arm>, values: usize, formal: Formal<'_>) -> Option<Misfit> {
+fn literal_misfit(arm: Option<Arm>, values: &[bool], formal: Formal<'_>) -> Option<Misfit> {
     match formal.base {
         Some(base) if !literal_suits(arm, values, base) => Some(Misfit::Type),
         _ if formal.shape != ArgumentForm::Value && !formal.loose => Some(Misfit::Constant),
@@ -158,13 +159,17 @@ fn container_misfit(value: &InferredValue, formal: Formal<'_>) -> Option<Misfit>
     }
 }
 
-/// Whether `{…}` with this number of values may be a value of `base`.
-fn literal_suits(arm: Option<Arm>, values: usize, base: Base) -> bool {
+/// Whether `{…}` with these values may be a value of `base`. Only fields of structures may be `{…}` again.
+fn literal_suits(arm: Option<Arm>, values: &[bool], base: Base) -> bool {
     match base {
         Base::Unknown | Base::User(_) => true,
         Base::Builtin(ty, own) => {
-            let fields = types::fields(ty, own.or(arm)).len();
-            fields > 0 && values <= fields
+            let fields = types::fields(ty, own.or(arm));
+            let is_structure = |ty| !types::fields(ty, own.or(arm)).is_empty();
+            let mut pairs = fields.iter().zip(values);
+            !fields.is_empty()
+                && values.len() <= fields.len()
+                && pairs.all(|(field, is_literal)| !is_literal || is_structure(field.ty))
         }
     }
 }

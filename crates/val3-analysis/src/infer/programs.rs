@@ -28,6 +28,7 @@ impl Infer<'_> {
                     forms: smallvec![Formals::Program(&signature.params)],
                     lines: &|| vec![signature.syntax_line(db)],
                     declared: &|| declarations::program(db, file),
+                    may_have_others: false,
                 };
                 self.arguments(call, args, &callee);
             }

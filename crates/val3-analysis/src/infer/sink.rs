@@ -65,14 +65,9 @@ impl<'db> Sink<'db> {
         Problem { kind, place: FileRange { file: self.file, range }, related: related.into_iter().collect() }
     }
 
-    /// Returns the number of problems so far, for [`Sink::retract_to`].
+    /// Returns the number of problems so far.
     pub(super) fn len(&self) -> usize {
         self.faults.problems.len()
-    }
-
-    /// Removes all problems after the first `len`.
-    pub(super) fn retract_to(&mut self, len: usize) {
-        self.faults.problems.truncate(len);
     }
 
     /// Whether a problem within `range` was reported.

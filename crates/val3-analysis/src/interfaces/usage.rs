@@ -18,6 +18,8 @@ pub struct LibraryUses {
     pub guarded: FxHashSet<(SmolStr, SmolStr)>,
     /// All `library:libLoad(…)` calls.
     pub loads: Vec<Load>,
+    /// Paths in `library:libSave(…)` and `libSave(…)`.
+    pub saves: Vec<LoadedPath>,
 }
 
 /// A `library:libLoad(…)`.
@@ -76,6 +78,9 @@ fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut LibraryUses) {
         (Expr::Path { library, item }, Some(first)) if item == instructions::LIB_LOAD => {
             let load = Load { alias: library.clone(), path: path(body, *first), range: body.range(*first) };
             uses.loads.push(load);
+        }
+        (Expr::Path { item: name, .. } | Expr::Name(name), Some(first)) if name == instructions::LIB_SAVE => {
+            uses.saves.push(path(body, *first));
         }
         (Expr::Path { library, item }, Some(first)) if item == instructions::LIB_EXIST => {
             if let Some(symbol) = body.string(*first) {

@@ -41,6 +41,8 @@ pub enum ProblemKind {
         add_on: Option<SmolStr>,
         /// Whether the cell has tables of other add-ons.
         lists_others: bool,
+        /// Syntax lines of the known forms, if the arguments match none of them.
+        other_forms: Vec<SmolStr>,
     },
     /// A library identifier that the project does not declare.
     UnknownLibrary {

@@ -245,8 +245,28 @@ fn instructions_of_add_ons() {
         nA: num | $nothing(1): ?
         $fileOpen(1): ?
         ! true: ArgumentType { callee: "$thing", parameter: "n1", expected: ["num", "string"], found: "bool" }
-        ! $nothing: MissingAddOn { name: "$nothing", add_on: None, lists_others: true }
-        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: true }
+        ! $nothing: MissingAddOn { name: "$nothing", add_on: None, lists_others: true, other_forms: [] }
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: true, other_forms: ["num $fileOpen(string sPath, string sMode)"] }
     "#]]
     .assert_eq(&types(&listing));
+}
+
+#[test]
+fn arguments_of_add_on_instructions_without_a_table_are_compared_with_the_known_forms() {
+    let listing = "num nF\nstring sA[2]\nnF=$fileOpen(\"a\",\"r\",1)\nnF=$fileOpen(\"a\",nWrong)\nnF=$fileOpen(\"a\",1)\n\
+                   nF=$fileOpen(sA[0],\"r\")\nnF=$fileOpen(sA[nNo],\"r\",1)\n";
+    expect![[r#"
+        nF: num | $fileOpen("a","r",1): ?
+        nF: num | nWrong: ? | $fileOpen("a",nWrong): ?
+        nF: num | $fileOpen("a",1): ?
+        nF: num | sA: string[] | sA[0]: string | $fileOpen(sA[0],"r"): num
+        nF: num | sA: string[] | nNo: ? | sA[nNo]: string | $fileOpen(sA[nNo],"r",1): ?
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: false, other_forms: ["num $fileOpen(string sPath, string sMode)"] }
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: false, other_forms: [] }
+        ! nWrong: UnknownName { name: "nWrong", near: None }
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: false, other_forms: ["num $fileOpen(string sPath, string sMode)"] }
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: false, other_forms: [] }
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: false, other_forms: ["num $fileOpen(string sPath, string sMode)"] }
+        ! nNo: UnknownName { name: "nNo", near: None }
+    "#]].assert_eq(&types(listing));
 }

@@ -193,6 +193,30 @@ fn unknown_paths_are_reported() {
     .assert_eq(&faulty.map(|path| loads(path, "nA=1")).concat());
 }
 
+#[test]
+fn saved_libraries_need_not_exist() {
+    let saved = |save: &str, load: &str| {
+        faults(&format!(
+            "library part \"Disk://part\"\nstring sA\n{save}\npart:libLoad({load})\n--- part\npublic num nWeight\n"
+        ))
+    };
+    for (save, load) in [
+        ("part:libSave(\"part2\")", "\"Disk://PART2\""),
+        ("libSave(\"Disk://saved/main\")", "\"saved/main\""),
+        ("part:libSave(\"./old\")", "\"Disk://main/old/old.pjx\""),
+        ("part:libSave(\"parts/p\"+sA)", "\"parts/p7\""),
+        ("part:libSave(\"parts/\"+sA+\"/box\")", "\"parts/a/box\""),
+    ] {
+        assert_eq!(saved(save, load), "", "{save}");
+    }
+    for save in ["part:libSave(\"part3\")", "part:libSave()", "part:libSave(sA)", "part:libSave(\"parts/p\"+sA)"] {
+        assert!(saved(save, "\"part2\"").contains("LibLoadPath"), "{save}");
+    }
+    let of_library = "library part \"Disk://part\"\npart:libLoad(\"copy\")\n--- part\npublic program save()\nbegin\n  \
+                      libSave(\"copy\")\nend\n";
+    assert_eq!(faults(of_library), "");
+}
+
 fn faults_with_library(autoload: &str, line: &str) -> String {
     faults(&format!(
         "library part \"Disk://part\"{autoload}\nnum nA\nstring sA\n{line}\n--- part\npublic num nWeight\n"

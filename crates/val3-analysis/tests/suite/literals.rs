@@ -5,6 +5,20 @@ use expect_test::expect;
 use crate::show::{faults, types};
 
 #[test]
+fn nested_braces_select_the_form_of_an_instruction() {
+    let declarations = "point pA\njoint jA\nmdesc mA\n";
+    for target in ["{{400,0,300,0,180,0},{ssame,esame,wsame}}", "{{400},{}}", "{,{ssame}}", "{1,2,3}", "{}", "jA"] {
+        let line = format!("movej({target},flange,mA)");
+        assert_eq!(faults(&format!("{declarations}{line}\n")), "", "{target}");
+    }
+    expect![[r#"
+        main/start.pgx:5 `1` LiteralFieldType { ty: "point", field: "trsf", expected: "trsf", found: "num" }
+        main/start.pgx:5 `2` LiteralFieldType { ty: "config", field: "shoulder", expected: "shoulder", found: "num" }
+        main/start.pgx:6 `{1,2,3,4,5,6,7}` LiteralWithoutType { expected: None }
+    "#]].assert_eq(&faults(&format!("{declarations}movej({{1,{{2}}}},flange,mA)\nmovej({{1,2,3,4,5,6,7}},flange,mA)\n")));
+}
+
+#[test]
 fn every_structured_type() {
     let listing = r#"
         trsf trA

@@ -6,6 +6,7 @@ use std::ops::Bound;
 use val3_analysis::body::ExprId;
 use val3_lang::arguments::{ArgumentRange, DIMENSION, dimensions, power_base, range};
 use val3_lang::instructions::{POWER, RESIZE};
+use val3_lang::values::printed::num;
 
 use super::{Call, ProgramView};
 
@@ -22,7 +23,7 @@ impl OutOfRange {
     /// Message: one sentence.
     pub(crate) fn message(&self) -> String {
         let Self { callee, parameter, value, range, .. } = self;
-        format!("`{callee}` takes {} for `{parameter}`, not {value}", RangeInWords(range))
+        format!("`{callee}` takes {} for `{parameter}`, not {}", RangeInWords(range), num(*value))
     }
 }
 

@@ -76,6 +76,12 @@ mod tests {
     }
 
     #[test]
+    fn long_numbers_have_an_exponent() {
+        let report = check(&RULE, "num n\nn=exp(1e300)\nn=sqrt(-1e-7)");
+        assert!(report.contains("not 1e300\n") && report.contains("not -1e-7\n"), "{report}");
+    }
+
+    #[test]
     fn parameters_out_of_range_are_reported() {
         expect![[r#"
             start.pgx:5 `-1` `left` takes at least 0 for `nSize`, not -1

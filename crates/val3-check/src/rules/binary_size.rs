@@ -4,6 +4,7 @@ use val3_analysis::body::ExprId;
 use val3_lang::arguments::bytes;
 use val3_lang::instructions::{FROM_BINARY, TO_BINARY};
 use val3_lang::runtime_errors::INVALID_PARAMETER;
+use val3_lang::values::printed::num;
 
 use crate::diagnostic::Wording;
 use crate::english::count;
@@ -72,7 +73,7 @@ fn check_array(program: &ProgramView<'_>, array: ExprId, needed: f64, bytes: Opt
 fn word(array: &str, size: u32, needed: f64, counts_bytes: bool) -> Wording {
     let help = if counts_bytes { "the number counts values, not bytes" } else { "" };
     Wording::new(
-        format!("`{array}` has {}, but {needed} are needed", count(size as usize, "value")),
+        format!("`{array}` has {}, but {} are needed", count(size as usize, "value"), num(needed)),
         runtime_error(INVALID_PARAMETER),
         help,
     )

@@ -1,13 +1,13 @@
 //! V0402: global data without a reference that is used as if it had one.
 
 use rustc_hash::FxHashSet;
+use val3_analysis::body::ExprId;
 use val3_analysis::items::declarations;
 use val3_lang::builtins;
 use val3_lang::data_path::DataPath;
-use val3_lang::motion::missing_reference;
 use val3_lang::types::BaseType;
 
-use super::no_reference::needed;
+use super::no_reference::{error_of, needed};
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
@@ -56,14 +56,15 @@ rule! {
 fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     for call in program.calls() {
-        for (arg, ty) in needed(call) {
+        let mut has_failed = false;
+        for (arg, ty) in needed(call).filter(|(arg, ty)| lacks_father(program, *arg, *ty)) {
             let name = program.text(arg);
-            let data = DataPath::new(name).before_index();
-            let lacks = program.initial(arg).is_some_and(|initial| !initial.has_father);
-            if !lacks || is_built_in(data, ty) || !told.insert(name) {
+            let wording = word(name, ty, call.instruction.name, std::mem::replace(&mut has_failed, true));
+            if !told.insert(name) {
                 continue;
             }
-            let reported = found.report(&RULE, program.range(arg), word(name, ty, call.instruction.name));
+            let reported = found.report(&RULE, program.range(arg), wording);
+            let data = DataPath::new(name).before_index();
             let item = program.items.data.get(data);
             if let Some(place) = item.and_then(|item| declarations::data(program.db, item.file, data.into())) {
                 reported.related_in(place, "its data names no father");
@@ -72,14 +73,20 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
 }
 
+/// Whether the argument is a value of global data that has no father in its file and gets none in a program.
+pub(super) fn lacks_father(program: &ProgramView<'_>, argument: ExprId, ty: BaseType) -> bool {
+    let data = DataPath::new(program.text(argument)).before_index();
+    !is_built_in(data, ty) && program.initial(argument).is_some_and(|initial| !initial.has_father)
+}
+
 /// Whether the data is `world` or `flange`, which files of s5 and s6 declare. They are the last fathers of all frames
 /// and tools.
 fn is_built_in(data: &str, ty: BaseType) -> bool {
     builtins::find(data).is_some_and(|builtin| builtin.is_variable && builtin.ty == ty)
 }
 
-fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {
-    let error = missing_reference(ty).map(|number| format!(" (run-time error {number})")).unwrap_or_default();
+fn word(name: &str, ty: BaseType, instruction: &str, has_failed: bool) -> Wording {
+    let error = error_of(ty, has_failed);
     Wording::new(
         format!("the {} `{name}` that `{instruction}` uses has no father in its data file{error}", ty.name()),
         "no reference",
@@ -115,7 +122,7 @@ mod tests {
               | no reference
               ? name its father in the data file (`fatherId`), or `link` it before it is used
               > main.dtx:4 `pX` its data names no father
-            start.pgx:5 `tX` the tool `tX` that `movel` uses has no father in its data file (run-time error 164)
+            start.pgx:5 `tX` the tool `tX` that `movel` uses has no father in its data file
               | no reference
               ? name its father in the data file (`fatherId`), or `link` it before it is used
               > main.dtx:8 `tX` its data names no father

@@ -2,6 +2,7 @@
 
 use val3_kinematics::{Arm, ExcessSpeed};
 use val3_lang::motion::AXIS_SPEED;
+use val3_lang::values::printed::num;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView, arm_of_project, descriptor_numbers};
@@ -49,7 +50,8 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 pub(super) fn word(arm: &Arm, vel: f64, excess: &ExcessSpeed) -> Wording {
     Wording::new(
         format!(
-            "`{AXIS_SPEED}` = {vel} moves axis {} of the {} faster than its maximum speed",
+            "`{AXIS_SPEED}` = {} moves axis {} of the {} faster than its maximum speed",
+            num(vel),
             excess.axis,
             arm.name()
         ),

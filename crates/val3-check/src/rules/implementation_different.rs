@@ -10,7 +10,8 @@ rule! {
     /// ## Why
     /// The programs that use the identifier were compiled against the interface. Type, container and, for a program,
     /// each parameter with its type and passing (`&` or not) must be the same (6.2, 6.3). If an item differs, the
-    /// interfaces do not match and `libLoad` returns 11 (6.6).
+    /// interfaces do not match and `libLoad` returns 11 (6.6). A program that tests the code may be right, so this is a
+    /// warning.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +52,7 @@ rule! {
     ///   putln(x_nCount*2)
     /// end
     /// ```
-    V0607 "implementation-different" Error
+    V0607 "implementation-different" Warning
 }
 
 /// Returns the wording of the finding. `expected` and `found` are declarations as syntax lines.

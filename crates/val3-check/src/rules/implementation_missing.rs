@@ -12,7 +12,7 @@ rule! {
     /// The project that declares the identifier defines the interface. Any library with the same public programs and
     /// data may be loaded under it (6.3). If an item is missing, `libLoad` returns 11, and the first use of the item
     /// stops the task with run-time error 80 (6.6). `libExist` and `isDefined` report beforehand whether an item
-    /// exists.
+    /// exists. A program that tests the code may be right, so this is a warning.
     ///
     /// ## Bad
     /// ```val3
@@ -50,7 +50,7 @@ rule! {
     ///   putln(x_nCount*2)
     /// end
     /// ```
-    V0605 "implementation-missing" Error
+    V0605 "implementation-missing" Warning
 }
 
 /// Returns the wording of the finding; `items` are sorted by name.

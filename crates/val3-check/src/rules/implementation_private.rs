@@ -10,7 +10,8 @@ rule! {
     /// ## Why
     /// Only public programs and data are part of an interface (6.2). A private item counts as missing: `libLoad`
     /// returns 11, and its first use stops the task with run-time error 80 (6.6). Often a program was first written for
-    /// the library alone and later became part of the interface.
+    /// the library alone and later became part of the interface. A program that tests the code may be right, so this is
+    /// a warning.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +52,7 @@ rule! {
     ///   putln(x_nCount*2)
     /// end
     /// ```
-    V0606 "implementation-private" Error
+    V0606 "implementation-private" Warning
 }
 
 /// Returns the wording of the finding.

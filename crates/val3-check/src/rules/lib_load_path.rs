@@ -8,7 +8,7 @@ rule! {
     /// ## Why
     /// If `libLoad` finds nothing, it does not stop the task but returns an error code from 20 on (6.6, 6.7). A program
     /// that ignores the code continues with the previous library or with none. The library may exist on the controller
-    /// only, so this is a warning.
+    /// only, so this is a warning. A path that the application passes to `libSave` is not reported.
     ///
     /// ## Bad
     /// ```val3

@@ -1,6 +1,7 @@
 //! V0303: a loop whose block never runs.
 
 use val3_analysis::body::{Constant, ExprId, StmtKind};
+use val3_lang::values::printed::num;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
@@ -74,7 +75,7 @@ fn word_for(start: f64, stop: f64, step: Option<f64>) -> Wording {
         Some(_) => ("downwards", "to count upwards, leave `step` out or make it positive"),
     };
     Wording::new(
-        format!("this `for` never runs: it counts {direction} from {start} to {stop}"),
+        format!("this `for` never runs: it counts {direction} from {} to {}", num(start), num(stop)),
         "already past its limit",
         help,
     )

@@ -1,6 +1,8 @@
 //! V0104: an instruction of an add-on that is not installed.
 
-use crate::{diagnostic::Wording, rule::rule};
+use smol_str::SmolStr;
+
+use crate::{diagnostic::Wording, english::one_of, rule::rule};
 
 rule! {
     /// An instruction belongs to an add-on that the cell does not have.
@@ -10,7 +12,9 @@ rule! {
     /// installed add-on has a table of its instructions in the folder `usr/app` of the cell, one for each kind of arm.
     /// If the table is missing, the controller reports the instruction as an undefined function and does not load the
     /// application. If the cell has no such tables, as in most repositories, this is only information: make sure that
-    /// the controller has the add-on. Each instruction is reported once per application.
+    /// the controller has the add-on. Each instruction is reported once per application. Without the table, arguments
+    /// are compared with the forms that `val3 explain` shows. Other arguments are mentioned, because the add-on on the
+    /// controller may accept them.
     ///
     /// ## Bad
     /// ```val3
@@ -44,7 +48,7 @@ rule! {
 }
 
 /// Returns the wording of the finding.
-pub(crate) fn word(name: &str, add_on: Option<&str>, cell_lists_others: bool) -> Wording {
+pub(crate) fn word(name: &str, add_on: Option<&str>, cell_lists_others: bool, other_forms: &[SmolStr]) -> Wording {
     let (add_on, table) = match add_on {
         Some(add_on) => (format!("the add-on `{add_on}`"), format!("`val3.{add_on}.*.cfx`")),
         None => ("an add-on".to_owned(), "its table `val3.*.cfx`".to_owned()),
@@ -57,7 +61,15 @@ pub(crate) fn word(name: &str, add_on: Option<&str>, cell_lists_others: bool) ->
             format!("make sure that the controller has it; with {table} in `usr/app` of the cell this is checked");
         ("", help)
     };
-    Wording::new(format!("`{name}` needs {add_on}{lack}"), "instruction of an add-on", help)
+    let need = format!("`{name}` needs {add_on}{lack}");
+    if other_forms.is_empty() {
+        return Wording::new(need, "instruction of an add-on", help);
+    }
+        Wording::new(
+        format!("{need}, and is not known with these arguments"),
+        "instruction of an add-on, with other arguments",
+        format!("the known form is {}; `val3 run` ends at any other; {help}", one_of(other_forms)),
+    )
 }
 
 #[cfg(test)]
@@ -76,13 +88,22 @@ mod tests {
             | instruction of an add-on
             ? install the add-on on the controller, and copy `val3.Expansion.*.cfx` into `usr/app` of the cell
         "#]]
-        .assert_eq(&word("$fileOpen", Some("Expansion"), true).to_string());
+        .assert_eq(&word("$fileOpen", Some("Expansion"), true, &[]).to_string());
         expect![[r#"
             `$myWeld` needs an add-on
             | instruction of an add-on
             ? make sure that the controller has it; with its table `val3.*.cfx` in `usr/app` of the cell this is checked
         "#]]
-        .assert_eq(&word("$myWeld", None, false).to_string());
+        .assert_eq(&word("$myWeld", None, false, &[]).to_string());
+        expect![[r#"
+            `$fileOpen` needs the add-on `Expansion`, and is not known with these arguments
+            | instruction of an add-on, with other arguments
+            ? the known form is `num $fileOpen(string sPath, string sMode)`; `val3 run` ends at any other; make sure that the controller has it; with `val3.Expansion.*.cfx` in `usr/app` of the cell this is checked
+        "#]]
+        .assert_eq(
+            &word("$fileOpen", Some("Expansion"), false, &["num $fileOpen(string sPath, string sMode)".into()])
+                .to_string(),
+        );
     }
 
     /// Level of the finding in a cell with `table`, if any.

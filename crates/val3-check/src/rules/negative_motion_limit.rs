@@ -1,5 +1,7 @@
 //! V0231: a number in a motion descriptor that no move accepts.
 
+use val3_lang::values::printed::num;
+
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView, descriptor_numbers};
 use crate::rule::rule;
@@ -47,7 +49,7 @@ fn is_distance(field: &str) -> bool {
 
 pub(super) fn word(field: &str, number: f64) -> Wording {
     Wording::new(
-        format!("`{field}` of a motion descriptor cannot be {number}"),
+        format!("`{field}` of a motion descriptor cannot be {}", num(number)),
         "every move with it fails",
         if is_distance(field) { "write 0 or more" } else { "write a number above 0" },
     )

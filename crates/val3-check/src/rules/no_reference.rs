@@ -10,6 +10,7 @@ use val3_analysis::flow::{FlowNode, FlowNodeId, PointKind, forward};
 use val3_lang::motion::{missing_reference, needs_reference};
 use val3_lang::types::BaseType;
 
+use super::data_without_reference::lacks_father;
 use crate::diagnostic::Wording;
 use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::rule;
@@ -73,14 +74,24 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (id, _) in flow.points() {
         let Some(linked) = facts.before(id) else { continue };
         for call in program.calls_at(id) {
+            let mut has_failed = false;
             for (arg, ty) in needed(call) {
-                let Some(name) = local(program, arg).filter(|name| !is_linked(linked, name)) else { continue };
-                if told.insert(name) {
-                    found.report(&RULE, program.range(arg), word(program.text(arg), ty, call.instruction.name));
+                let name = local(program, arg).filter(|name| !is_linked(linked, name));
+                let fails = name.is_some() || lacks_father(program, arg, ty);
+                if name.is_some_and(|name| told.insert(name)) {
+                    let wording = word(program.text(arg), ty, call.instruction.name, has_failed);
+                    found.report(&RULE, program.range(arg), wording);
                 }
+                has_failed |= fails;
             }
         }
     }
+}
+
+/// Run-time error of a value of this type without a father, in brackets; empty if an earlier argument of the line fails.
+pub(super) fn error_of(ty: BaseType, has_failed: bool) -> String {
+    let number = missing_reference(ty).filter(|_| !has_failed);
+    number.map(|number| format!(" (run-time error {number})")).unwrap_or_default()
 }
 
 /// Arguments that need a father.
@@ -128,12 +139,13 @@ fn local(program: &ProgramView<'_>, id: ExprId) -> Option<SmolStr> {
     matches!(program.effects.root(id)?, RootVariable::Local(_)).then(|| program.path_without_indexes(id))
 }
 
-fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {
+/// Returns the wording of the finding. If the line fails at an earlier argument, its run-time error has another number.
+fn word(name: &str, ty: BaseType, instruction: &str, has_failed: bool) -> Wording {
     let (what, from) = match ty {
         BaseType::Tool => ("tool", "flange"),
         _ => ("frame", "world"),
     };
-    let error = missing_reference(ty).map(|number| format!(" (run-time error {number})")).unwrap_or_default();
+    let error = error_of(ty, has_failed);
     Wording::new(
         format!("the {} `{name}` has no reference {what} when `{instruction}` uses it{error}", ty.name()),
         "no reference yet",
@@ -175,6 +187,23 @@ mod tests {
             &RULE,
             &program("movel(l_p,tA,mA)\nmovel(pA,l_t,mA)\nl_q[0]=appro(l_q[1],{0,0,1,0,0,0})\nl_p=here(tA,l_f)"),
         ));
+    }
+
+    /// An instruction reads its arguments from left to right, and fails at the first one without a reference.
+    #[test]
+    fn only_the_first_argument_that_fails_names_the_error() {
+        let report = check(&RULE, &program("?position(l_p,l_f)\n?here(l_t,l_f)"));
+        assert!(report.contains("the point `l_p` has no reference frame when `position` uses it (run-time error 162)"));
+        assert!(report.contains("the frame `l_f` has no reference frame when `position` uses it\n"), "{report}");
+        assert!(report.contains("the tool `l_t` has no reference tool when `here` uses it (run-time error 164)"));
+        let file = "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
+                    xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+                    xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    <Data name=\"pNo\" \
+                    access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\">\n      <Value key=\"0\" x=\"1\" \
+                    />\n    </Data>\n  </Datas>\n</Database>\n";
+        let code = "program start()\n  frame l_f\nbegin\n?position(pNo,l_f)\nend\n";
+        let report = check(&RULE, &format!("{code}\n{file}"));
+        assert!(report.contains("the frame `l_f` has no reference frame when `position` uses it\n"), "{report}");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use val3_lang::arguments::bits;
 use val3_lang::instructions::DIO_SET;
+use val3_lang::values::printed::num;
 
 use crate::diagnostic::Wording;
 use crate::english::count;
@@ -45,7 +46,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 fn word(outputs: &str, size: u32, value: f64) -> Wording {
     Wording::new(
-        format!("`{outputs}` has {}, too few to show {value}", count(size as usize, "output")),
+        format!("`{outputs}` has {}, too few to show {}", count(size as usize, "output"), num(value)),
         format!("there is room for 0 to {}", bits(size) - 1.0),
         "",
     )

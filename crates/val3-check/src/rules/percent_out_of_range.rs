@@ -3,6 +3,7 @@
 use val3_lang::motion::AXIS_SPEED;
 use val3_lang::runtime_errors::BAD_VEL;
 use val3_lang::values::HIGHEST_AXIS_SPEED;
+use val3_lang::values::printed::num;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView, descriptor_numbers};
@@ -44,7 +45,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 pub(super) fn word(number: f64) -> Wording {
     Wording::new(
-        format!("`{AXIS_SPEED}` of a motion descriptor is in per cent, and cannot be {number}"),
+        format!("`{AXIS_SPEED}` of a motion descriptor is in per cent, and cannot be {}", num(number)),
         format!("every move with it fails: {}", runtime_error(BAD_VEL)),
         "100 is the nominal value; the speed of the tool in mm/s is `tvel`",
     )

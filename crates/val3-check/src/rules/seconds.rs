@@ -1,6 +1,7 @@
 //! V0240: a time that was probably intended in milliseconds.
 
 use val3_lang::arguments::counts_seconds;
+use val3_lang::values::printed::num;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView};
@@ -47,10 +48,11 @@ fn is_doubtful(seconds: f64) -> bool {
 }
 
 fn word(callee: &str, seconds: f64) -> Wording {
+    let minutes = num((seconds / MINUTE * 10.0).round() / 10.0);
     Wording::new(
-        format!("`{callee}` takes seconds, and {seconds} seconds are {:.1} minutes", seconds / MINUTE),
+        format!("`{callee}` takes seconds, and {} seconds are {} minutes", num(seconds), minutes),
         "a very long time",
-        format!("for {seconds} ms write `{}`", seconds / 1000.0),
+        format!("for {} ms write `{}`", num(seconds), num(seconds / 1000.0)),
     )
 }
 

@@ -2,6 +2,7 @@
 
 use val3_lang::runtime_errors::INVALID_PARAMETER;
 use val3_lang::tasks::{PERIOD_STEP, is_exact_period, period_steps};
+use val3_lang::values::printed::num;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProgramView};
@@ -67,9 +68,9 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 
 fn seconds(period: f64) -> Wording {
     Wording::new(
-        format!("the task runs once in {period} seconds"),
+        format!("the task runs once in {} seconds", num(period)),
         "a period counts seconds",
-        format!("for {period} ms write `{}`", period / 1000.0),
+        format!("for {} ms write `{}`", num(period), num(period / 1000.0)),
     )
 }
 
@@ -86,9 +87,9 @@ fn rounded(period: f64) -> Wording {
     let step = PERIOD_STEP * 1000.0;
     let below = (period / PERIOD_STEP).floor() * step;
     Wording::new(
-        format!("the period {} ms is not a multiple of {step} ms", milliseconds(period)),
-        format!("rounded down to {below} ms"),
-        format!("write {} or {}", below / 1000.0, (below + step) / 1000.0),
+        format!("the period {} ms is not a multiple of {step} ms", num(milliseconds(period))),
+        format!("rounded down to {} ms", num(below)),
+        format!("write {} or {}", num(below / 1000.0), num((below + step) / 1000.0)),
     )
 }
 

@@ -65,14 +65,15 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
 }
 
-/// Different periods of the tasks that the application may create, in multiples of 4 ms.
+/// Different periods of the tasks that the application may create, in multiples of 4 ms. A shorter period creates no
+/// task.
 fn periods(program: &ProgramView<'_>) -> Vec<u32> {
     let application = program.application();
     let created = application.tasks.iter();
     let created =
         created.filter(|task| task.created_by.as_ref().is_some_and(|name| application.run_by.contains_key(name)));
     let mut periods: Vec<u32> = Vec::new();
-    for period in created.filter_map(|task| task.start.period) {
+    for period in created.filter_map(|task| task.start.period).filter(|period| *period > 0) {
         if !periods.contains(&period) {
             periods.push(period);
         }
@@ -132,6 +133,7 @@ mod tests {
     fn two_and_unknown_periods_are_not_reported() {
         let code = "num n\ntaskCreateSync \"a\",0.004,b,watching()\ntaskCreateSync \"b\",0.02,b,watching()\n\
                     taskCreateSync \"c\",0.021,b,watching()\ntaskCreateSync \"d\",n,b,watching()\n\
+                    taskCreateSync \"f\",0.001,b,watching()\n\
                     program idle()\nbegin\ntaskCreateSync \"e\",0.1,b,watching()\nend\n";
         assert_eq!(check(&RULE, &format!("{WATCHING}{code}")), "");
     }

@@ -9,7 +9,7 @@ use crate::enumerations;
 use crate::fault::{Fault, Result};
 use crate::memory::{LinkPlace, Memory, Place, Slot, View};
 use crate::types::BaseType;
-use crate::values::{ConfigValue, MdescValue, Text};
+use crate::values::{ConfigValue, JointValue, MdescValue, Text};
 
 /// A parameter of a handler.
 pub trait FromArgument: Sized {
@@ -134,16 +134,15 @@ impl StoredValue for Trsf {
     }
 }
 
-/// A joint position: six numbers; the numbers of missing axes are 0.
-impl StoredValue for [f64; 6] {
+impl StoredValue for JointValue {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
-        memory.nums(at, 0)
+        Ok(Self(memory.nums(at, 0)?))
     }
 
     #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
-        memory.set_nums(at, 0, self)
+        memory.set_nums(at, 0, self.0)
     }
 }
 
@@ -271,7 +270,7 @@ macro_rules! by_value {
         })*
     };
 }
-by_value!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, MdescValue);
+by_value!(f64, bool, Text, Trsf, JointValue, ConfigValue, MdescValue);
 
 macro_rules! by_place {
     ($($ty:ident),*) => {

@@ -5,7 +5,7 @@ use val3_geometry::Trsf;
 use super::{Call, Flow, StoredValue};
 use crate::fault::Result;
 use crate::memory::{LinkPlace, Place};
-use crate::values::{ConfigValue, Text};
+use crate::values::{ConfigValue, JointValue, Text};
 
 /// Instruction value.
 pub trait InstructionValue {
@@ -59,7 +59,7 @@ macro_rules! stored {
         })*
     };
 }
-stored!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, PointValue);
+stored!(f64, bool, Text, Trsf, JointValue, ConfigValue, PointValue);
 
 /// Result of a handler: a value, or a wait of the task.
 pub trait HandlerResult {

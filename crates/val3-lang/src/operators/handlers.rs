@@ -11,9 +11,9 @@ use crate::call::{
 use crate::fault::{Fault, Result};
 use crate::memory::{Lanes, Memory, Place, ValueType};
 use crate::types::{Arm, BaseType};
-use crate::values::printed;
+use crate::values::{JointValue, printed};
 
-/// Difference up to which axes count as equal, in degrees or mm: the resolution of an arm. The manual states no number
+/// Difference up to which axes count as equal, in degrees and the length unit of the application: the resolution of an arm. The manual states no number
 /// (9.2.2).
 pub const ARM_PRECISION: f64 = 1e-4;
 
@@ -118,18 +118,22 @@ fn two<T: FromArgument, O: HandlerResult>(call: &mut Call<'_>, compute: impl FnO
     compute(a, b).settle(call)
 }
 
-fn each(a: [f64; 6], b: [f64; 6], compute: impl Fn(f64, f64) -> f64) -> [f64; 6] {
+fn each(JointValue(a): JointValue, JointValue(b): JointValue, compute: impl Fn(f64, f64) -> f64) -> JointValue {
     let mut result = a;
     result.iter_mut().zip(b).for_each(|(a, b)| *a = compute(*a, b));
-    result
+    JointValue(result)
 }
 
 /// Whether the condition is true for all existing axes.
-fn all<const AXES: usize>(a: [f64; 6], b: [f64; 6], suits: impl Fn(f64, f64) -> bool) -> bool {
+fn all<const AXES: usize>(
+    JointValue(a): JointValue,
+    JointValue(b): JointValue,
+    suits: impl Fn(f64, f64) -> bool,
+) -> bool {
     a.into_iter().zip(b).take(AXES).all(|(a, b)| suits(a, b))
 }
 
-fn is_same_position(a: [f64; 6], b: [f64; 6]) -> bool {
+fn is_same_position(a: JointValue, b: JointValue) -> bool {
     all::<6>(a, b, |a, b| (a - b).abs() <= ARM_PRECISION)
 }
 

@@ -217,7 +217,7 @@ impl Robot for NoController {
     }
 
     fn reference_position(&mut self, _: &str) -> [f64; 6] {
-        unreachable!()
+        [0.0, 0.0, 30.0, 0.0, 90.0, 0.0]
     }
 }
 
@@ -248,7 +248,7 @@ impl MotionPort for NoController {
     }
 
     fn latched_joint(&mut self) -> Option<[f64; 6]> {
-        unreachable!()
+        Some([0.0, 0.0, 40.0, 0.0, 90.0, 0.0])
     }
 
     /// Returns an inch per second, and more for a longer tool.
@@ -270,7 +270,7 @@ impl MotionPort for NoController {
     }
 
     fn is_at_rest(&mut self) -> bool {
-        unreachable!()
+        true
     }
 
     fn is_compliant(&mut self) -> bool {
@@ -289,12 +289,12 @@ impl MotionPort for NoController {
         unreachable!()
     }
 
-    fn reset_motion(&mut self, _: Option<[f64; 6]>) {
-        unreachable!()
+    fn reset_motion(&mut self, start: Option<[f64; 6]>) {
+        self.start = start;
     }
 
-    fn reset_turn(&mut self, _: [f64; 6]) -> Result<[f64; 6]> {
-        unreachable!()
+    fn reset_turn(&mut self, reference: [f64; 6]) -> Result<[f64; 6]> {
+        Ok(reference)
     }
 
     fn move_id(&mut self) -> f64 {

@@ -15,11 +15,13 @@ pub(crate) struct NoController {
     pub(crate) arm: Arm,
     /// Recorded moves.
     pub(crate) moves: Vec<MoveRequest>,
+    /// Start of the next move as set by `resetMotion`.
+    pub(crate) start: Option<[f64; 6]>,
 }
 
 impl Default for NoController {
     fn default() -> Self {
-        Self { arm: Arm::by_name("TX2-90").unwrap(), moves: Vec::new() }
+        Self { arm: Arm::by_name("TX2-90").unwrap(), moves: Vec::new(), start: None }
     }
 }
 

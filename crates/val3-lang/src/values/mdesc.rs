@@ -5,8 +5,8 @@ use val3_moves::BlendKind;
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::{BAD_ACCEL, BAD_DECEL, BAD_LEAVE, BAD_REACH, BAD_RVEL, BAD_TVEL, BAD_VEL};
 
-/// Maximum acceleration in per cent, and maximum speed in mm/s and degrees/s (model choice: real programs write 99999
-/// for "no limit").
+/// Maximum acceleration in per cent, and maximum speed in degrees/s and in length units of the application per second
+/// (model choice: real programs write 99999 for "no limit", in millimetres as in inches).
 const HIGHEST: f64 = 1e6;
 
 /// Maximum joint speed in per cent (model choice: real programs use 500). A higher speed is run-time error 100.
@@ -38,8 +38,12 @@ impl MdescValue {
     ///
     /// # Errors
     /// 100 to 106: a field is negative, too large, or 0 so that the arm would not move.
-    pub fn checked(mut self, unit: f64) -> Result<Self> {
-        (self.tvel, self.leave, self.reach) = (self.tvel * unit, self.leave * unit, self.reach * unit);
+    pub fn checked(self, unit: f64) -> Result<Self> {
+        self.check()?;
+        Ok(Self { tvel: self.tvel * unit, leave: self.leave * unit, reach: self.reach * unit, ..self })
+    }
+
+    fn check(&self) -> Result<()> {
         for (value, highest, error) in [
             (self.vel, HIGHEST_AXIS_SPEED, BAD_VEL),
             (self.accel, HIGHEST, BAD_ACCEL),
@@ -56,7 +60,7 @@ impl MdescValue {
                 return Err(Fault(error));
             }
         }
-        Ok(self)
+        Ok(())
     }
 }
 
@@ -78,6 +82,16 @@ mod tests {
 
     /// A field of a descriptor.
     type Field = fn(&mut MdescValue) -> &mut f64;
+
+    const FIELDS: [Field; 7] = [
+        |mdesc| &mut mdesc.vel,
+        |mdesc| &mut mdesc.accel,
+        |mdesc| &mut mdesc.decel,
+        |mdesc| &mut mdesc.tvel,
+        |mdesc| &mut mdesc.rvel,
+        |mdesc| &mut mdesc.reach,
+        |mdesc| &mut mdesc.leave,
+    ];
 
     #[test]
     fn a_bad_field_is_its_error() {
@@ -104,6 +118,17 @@ mod tests {
     fn values_of_real_programs_are_accepted() {
         for mdesc in [PLAIN, MdescValue { vel: 500.0, accel: 9999.0, decel: 9999.0, leave: 0.0, reach: 0.0, ..PLAIN }] {
             assert_eq!(mdesc.checked(1.0), Ok(mdesc));
+        }
+    }
+
+    /// A descriptor is valid in inches if and only if it is valid in millimetres.
+    #[test]
+    fn limits_are_in_the_unit_of_the_application() {
+        let numbers = [0.0, 50.0, 9_999.0, 99_999.0, 1e6, 1.1e6, f64::INFINITY, f64::NAN];
+        for (number, field) in numbers.into_iter().flat_map(|number| FIELDS.map(|field| (number, field))) {
+            let mut mdesc = PLAIN;
+            *field(&mut mdesc) = number;
+            assert_eq!(mdesc.checked(25.4).map(drop), mdesc.checked(1.0).map(drop), "{mdesc:?}");
         }
     }
 

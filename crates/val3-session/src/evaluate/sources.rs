@@ -50,11 +50,11 @@ fn incomplete(manifest: &Utf8Path) -> SessionError {
     }
 }
 
-/// Whether an unclosed block is the only fault of the code.
+/// Whether a block of the code is unclosed. Other faults do not count: the lines of a faulty block belong together, too,
+/// because they must not be executed without its condition.
 pub fn has_open_block(code: &str) -> bool {
     let parse = val3_syntax::parse(&program(code));
-    !parse.errors().is_empty()
-        && parse.errors().iter().all(|error| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. }))
+    parse.errors().iter().any(|error| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. }))
 }
 
 /// Splits pasted code into separately evaluated parts: single lines, and the lines of a block together. Empty lines
@@ -114,15 +114,4 @@ pub(crate) fn offset_in_code(code: &str, offset: usize) -> usize {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::texts;
-
-    #[test]
-    fn lines_are_texts_and_blocks_are_kept_together() {
-        assert_eq!(texts("1+1"), ["1+1"]);
-        assert_eq!(texts("nA=1\r\n\r\nnA\r\n"), ["nA=1", "nA"]);
-        assert_eq!(texts("if nA==1\n\n  ? nA\nendIf\n? 2"), ["if nA==1\n\n  ? nA\nendIf", "? 2"]);
-        assert_eq!(texts("while true\n? 1"), ["while true\n? 1"], "a block that is not closed is the last text");
-        assert_eq!(texts(" \n"), [""; 0]);
-    }
-}
+mod tests;

@@ -47,6 +47,14 @@ fn faults_do_not_change_variables() {
 }
 
 #[test]
+fn pasted_blocks_execute_only_the_chosen_branch() {
+    let code = "num nA=2\nswitch nA\n  case 0\n    nA=10\n  break\n  case 2\n    if nA==2\n      switch nA\n        \
+                default\n          nA=20\n        break\n      endSwitch\n    endIf\n  break\nendSwitch\nnA";
+    let texts = texts(code);
+    assert_eq!(evaluated(&mut empty(), &texts.iter().map(String::as_str).collect::<Vec<_>>()), ["20"]);
+}
+
+#[test]
 fn characters_of_xml_are_ordinary_characters() {
     let texts = ["\"a]]>b\"", "\"a<b&amp;'\"", "1<2 and 2>=1", "\"&#65;<\""];
     assert_eq!(evaluated(&mut empty(), &texts), ["\"a]]>b\"", "\"a<b&amp;'\"", "true", "\"&#65;<\""]);

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
+use val3_machine::missing_instruction;
 
 use super::fit::{ExpectationFault, Fit};
 use crate::failure::{Failure, FailureLocation};
@@ -97,7 +98,7 @@ pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<FailureLocat
             FailureLocation { program: program.clone(), file: file.clone(), line: *line },
         ),
         EventKind::Lacking { instruction, program, line, file } => (
-            format!("this controller does not have `{instruction}`"),
+            missing_instruction(instruction),
             FailureLocation { program: program.clone(), file: file.clone(), line: *line },
         ),
         _ => return None,

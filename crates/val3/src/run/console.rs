@@ -5,8 +5,8 @@ use std::io::{self, IsTerminal as _};
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, EventKind};
+use val3_machine::missing_instruction;
 use val3_machine::screen::{COLUMNS, PageContent, Pendant, display_columns, fitting};
-use val3_session::evaluate::missing_instruction;
 
 use super::encounters::{Encounter, Encounters};
 use super::failures::{Failure, Failures, ImpossiblePath};

@@ -57,13 +57,14 @@ impl<'db> NameResolver<'db> {
         })
     }
 
-    /// Returns the fault for an add-on instruction without a table in the cell.
-    pub(in crate::infer) fn missing_add_on(&self, name: &SmolStr) -> ProblemKind {
+    /// Returns the fault for an add-on instruction without a table in the cell. `other_forms` are the syntax lines of
+    /// its known forms, if the arguments match none of them.
+    pub(in crate::infer) fn missing_add_on(&self, name: &SmolStr, other_forms: Vec<SmolStr>) -> ProblemKind {
         let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
             Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
             _ => None,
         });
         let lists_others = self.project.cell(self.db).is_some_and(|cell| !cell.config(self.db).add_ons.is_empty());
-        ProblemKind::MissingAddOn { name: name.clone(), add_on, lists_others }
+        ProblemKind::MissingAddOn { name: name.clone(), add_on, lists_others, other_forms }
     }
 }

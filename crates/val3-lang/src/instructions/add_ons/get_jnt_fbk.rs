@@ -2,6 +2,8 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
+use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Returns the position of each axis as measured by the encoders.
@@ -18,6 +20,7 @@ instruction! {
     function () -> joint = position;
 }
 
-fn position(call: &mut Call<'_>) -> [f64; 6] {
-    call.ports.measured_joint()
+fn position(call: &mut Call<'_>) -> JointValue {
+    let measured = call.ports.measured_joint();
+    moves::of_arm(call, measured)
 }

@@ -2,7 +2,8 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
-use crate::values::Text;
+use crate::moves;
+use crate::values::{JointValue, Text};
 
 instruction! {
     /// Returns a reference position of the arm by its name.
@@ -22,6 +23,7 @@ instruction! {
     function (string sName) -> joint = reference;
 }
 
-fn reference(call: &mut Call<'_>, name: Text) -> [f64; 6] {
-    call.ports.reference_position(&name)
+fn reference(call: &mut Call<'_>, name: Text) -> JointValue {
+    let reference = call.ports.reference_position(&name);
+    moves::of_arm(call, reference)
 }

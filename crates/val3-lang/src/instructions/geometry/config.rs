@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::moves;
-use crate::values::ConfigValue;
+use crate::values::{ConfigValue, JointValue};
 
 instruction! {
     /// Returns the configuration of the arm at a joint position.
@@ -22,7 +22,8 @@ instruction! {
     function (joint jPosition) -> config = config;
 }
 
-fn config(call: &mut Call<'_>, joint: [f64; 6]) -> Result<ConfigValue> {
+fn config(call: &mut Call<'_>, joint: JointValue) -> Result<ConfigValue> {
     moves::check_arm(call)?;
-    Ok(ConfigValue::at(call.ports.arm(), &joint))
+    let joints = moves::to_arm(call, joint);
+    Ok(ConfigValue::at(call.ports.arm(), &joints))
 }

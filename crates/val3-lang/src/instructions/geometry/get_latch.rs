@@ -3,6 +3,8 @@
 use crate::call::{Call, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
+use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Reads the position that the latch has stored.
@@ -25,9 +27,8 @@ instruction! {
     modifier (joint& jPosition) -> bool = latched;
 }
 
-fn latched(call: &mut Call<'_>, joint: Var<[f64; 6]>) -> Result<bool> {
-    match call.ports.latched_joint() {
-        Some(position) => joint.set(call, position).map(|()| true),
-        None => Ok(false),
-    }
+fn latched(call: &mut Call<'_>, joint: Var<JointValue>) -> Result<bool> {
+    let Some(position) = call.ports.latched_joint() else { return Ok(false) };
+    let position = moves::of_arm(call, position);
+    joint.set(call, position).map(|()| true)
 }

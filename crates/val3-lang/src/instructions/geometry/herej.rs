@@ -2,6 +2,8 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
+use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Returns the position of each axis.
@@ -21,6 +23,7 @@ instruction! {
     function () -> joint = position;
 }
 
-fn position(call: &mut Call<'_>) -> [f64; 6] {
-    call.ports.commanded_joint()
+fn position(call: &mut Call<'_>) -> JointValue {
+    let commanded = call.ports.commanded_joint();
+    moves::of_arm(call, commanded)
 }

@@ -2,6 +2,8 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
+use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Returns whether a joint position lies within the software limits of every axis.
@@ -24,8 +26,9 @@ instruction! {
     function (joint jPosition) -> bool = is_in_range;
 }
 
-fn is_in_range(call: &mut Call<'_>, position: [f64; 6]) -> bool {
-    call.ports.arm().is_in_range(&position)
+fn is_in_range(call: &mut Call<'_>, position: JointValue) -> bool {
+    let joints = moves::to_arm(call, position);
+    call.ports.arm().is_in_range(&joints)
 }
 
 #[cfg(test)]

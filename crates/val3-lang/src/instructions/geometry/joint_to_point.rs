@@ -4,6 +4,7 @@ use crate::call::{Call, FrameRef, PointValue, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Returns the position of a tool for a joint position.
@@ -25,7 +26,8 @@ instruction! {
     function (tool tTool, frame fReference, joint jPosition) -> point = point;
 }
 
-fn point(call: &mut Call<'_>, tool: ToolRef, frame: FrameRef, joint: [f64; 6]) -> Result<PointValue> {
+fn point(call: &mut Call<'_>, tool: ToolRef, frame: FrameRef, joint: JointValue) -> Result<PointValue> {
     moves::check_arm(call)?;
-    moves::point_at(call, &joint, tool, frame)
+    let joints = moves::to_arm(call, joint);
+    moves::point_at(call, &joints, tool, frame)
 }

@@ -4,6 +4,7 @@ use crate::call::{Call, PointRef, PointValue, StoredValue, ToolRef, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Finds the joint position with which a tool reaches a point.
@@ -32,15 +33,16 @@ instruction! {
 fn joint(
     call: &mut Call<'_>,
     tool: ToolRef,
-    initial: [f64; 6],
+    initial: JointValue,
     point: PointRef,
-    result: Var<[f64; 6]>,
+    result: Var<JointValue>,
 ) -> Result<bool> {
     moves::check_arm(call)?;
-    let flange = moves::pose_of_point(call, point)? * moves::pose_of_tool(call, tool)?.inverse();
+    let tool = moves::pose_of_tool(call, tool)?;
+    let flange = moves::pose_of_point(call, point)? * tool.inverse();
     let requested = PointValue::read(call.memory, point.0)?.config.requested();
-    match call.ports.arm().solve(&flange.into(), &initial, requested) {
-        Ok(joint) => result.set(call, joint).map(|()| true),
-        Err(_) => Ok(false),
-    }
+    let initial = moves::to_arm(call, initial);
+    let Ok(joints) = call.ports.arm().solve(&flange.into(), &initial, requested) else { return Ok(false) };
+    let joint = moves::of_arm(call, joints);
+    result.set(call, joint).map(|()| true)
 }

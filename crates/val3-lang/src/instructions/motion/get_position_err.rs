@@ -2,6 +2,8 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
+use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Returns the deviation of each axis from its commanded position.
@@ -20,9 +22,9 @@ instruction! {
     function () -> joint = error;
 }
 
-fn error(call: &mut Call<'_>) -> [f64; 6] {
+fn error(call: &mut Call<'_>) -> JointValue {
     let (commanded, measured) = (call.ports.commanded_joint(), call.ports.measured_joint());
     let mut error = commanded;
     error.iter_mut().zip(measured).for_each(|(axis, measured)| *axis -= measured);
-    error
+    moves::of_arm(call, error)
 }

@@ -2,6 +2,8 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
+use crate::moves;
+use crate::values::JointValue;
 
 instruction! {
     /// Stops the arm and discards all recorded moves.
@@ -27,6 +29,7 @@ fn reset(call: &mut Call<'_>) {
     call.ports.reset_motion(None);
 }
 
-fn reset_to(call: &mut Call<'_>, start: [f64; 6]) {
+fn reset_to(call: &mut Call<'_>, start: JointValue) {
+    let start = moves::to_arm(call, start);
     call.ports.reset_motion(Some(start));
 }

@@ -2,7 +2,7 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
-use crate::values::numbers;
+use crate::values::{JointValue, numbers};
 
 instruction! {
     /// Returns the absolute value of a number, or the absolute axis values of a joint position.
@@ -30,8 +30,8 @@ fn of_number(_: &mut Call<'_>, value: f64) -> f64 {
     numbers::abs(value)
 }
 
-fn of_joint(_: &mut Call<'_>, position: [f64; 6]) -> [f64; 6] {
-    position.map(numbers::abs)
+fn of_joint(_: &mut Call<'_>, JointValue(position): JointValue) -> JointValue {
+    JointValue(position.map(numbers::abs))
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::moves;
-use crate::values::MdescValue;
+use crate::values::{JointValue, MdescValue};
 
 instruction! {
     /// Records a joint move that `alter` can deviate.
@@ -32,7 +32,7 @@ instruction! {
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }
 
-fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
+fn to_joint(call: &mut Call<'_>, joint: JointValue, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
     let path = moves::joint_path(call, joint)?;
     moves::record(call, "alterMovej", path, tool, mdesc, Manner::Alterable)
 }

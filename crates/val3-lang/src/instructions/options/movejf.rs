@@ -4,7 +4,7 @@ use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::moves;
-use crate::values::MdescValue;
+use crate::values::{JointValue, MdescValue};
 
 instruction! {
     /// Records a compliant joint move: the arm pushes with a given force and yields to external forces.
@@ -32,7 +32,7 @@ instruction! {
     modifier (joint jPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_joint;
 }
 
-fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
+fn to_joint(call: &mut Call<'_>, joint: JointValue, tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
     let manner = moves::compliant(force)?;
     let path = moves::joint_path(call, joint)?;
     moves::record(call, "movejf", path, tool, mdesc, manner)

@@ -3,7 +3,9 @@
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;
+use crate::moves;
 use crate::ports::{SECOND, Time};
+use crate::values::JointValue;
 
 instruction! {
     /// Resets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
@@ -32,7 +34,7 @@ const CHANGING: u8 = 1;
 /// Duration of the change, in ns.
 const CHANGE: Time = SECOND / 20;
 
-fn reset(call: &mut Call<'_>, reference: [f64; 6]) -> Result<Flow<[f64; 6]>> {
+fn reset(call: &mut Call<'_>, reference: JointValue) -> Result<Flow<JointValue>> {
     if call.is_first() {
         call.ports.reset_motion(None);
     }
@@ -40,6 +42,10 @@ fn reset(call: &mut Call<'_>, reference: [f64; 6]) -> Result<Flow<[f64; 6]>> {
         STOPPING if !call.ports.is_at_rest() => Ok(Flow::Wait(Wait::FOR_OTHERS)),
         STOPPING => Ok(call.sleep_in_part(CHANGING, CHANGE)),
         _ if call.waited() < CHANGE => Ok(call.sleep(CHANGE)),
-        _ => call.ports.reset_turn(reference).map(Flow::Done),
+        _ => {
+            let reference = moves::to_arm(call, reference);
+            let position = call.ports.reset_turn(reference)?;
+            Ok(Flow::Done(moves::of_arm(call, position)))
+        }
     }
 }

@@ -9,6 +9,7 @@ use val3_files::OutputFile;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Controller, RunStatus, TaskPosition};
 use val3_machine::event::{EndReason, Event, EventKind, shown_seconds};
+use val3_machine::missing_instruction;
 use val3_machine::screen::Pendant;
 
 use super::document::{
@@ -121,7 +122,7 @@ impl ResultRecorder {
             EventKind::Lacking { instruction, program, line, file } => self.errors.push(ErrorEntry {
                 t,
                 code: None,
-                message: format!("this controller does not support `{instruction}`"),
+                message: missing_instruction(instruction),
                 task: event.task.clone().unwrap_or_default(),
                 at: code_line(program, *line, file),
                 handled: false,
