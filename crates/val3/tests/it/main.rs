@@ -72,6 +72,7 @@ mod redirection;
 mod refusal;
 #[cfg(target_os = "linux")]
 mod replacing;
+mod replays;
 mod ros;
 mod run;
 mod run_arms;
