@@ -70,7 +70,7 @@ use std::sync::Arc;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_lang::ports::Time;
+use val3_lang::ports::{Time, nanoseconds};
 
 pub use bytes::LineBytes;
 pub use check::{Misfit, ScriptFault};
@@ -141,6 +141,22 @@ impl Script {
         Self { pending, reactions, silent, has_begun: false, problems: Vec::new() }
     }
 
+    /// Creates a script from actions with their times in seconds. Actions with the same time keep their order. The script
+    /// is the other end of the `silent` lines, even if it never sends anything.
+    #[must_use]
+    pub fn of_actions(actions: Vec<(f64, ScriptAction)>, silent: Vec<String>) -> Self {
+        let mut pending: Vec<Pending> = actions
+            .into_iter()
+            .map(|(t, ScriptAction(entry))| Pending {
+                time: nanoseconds(t),
+                place: ScriptPlace::At(t),
+                entry: Arc::new(entry),
+            })
+            .collect();
+        pending.sort_by_key(|pending| pending.time);
+        Self { pending: pending.into(), silent, ..Self::default() }
+    }
+
     /// Parses a script. Entries with the same time occur in file order.
     ///
     /// # Errors
@@ -151,7 +167,7 @@ impl Script {
     }
 
     /// The links of the serial lines and sockets that the script sends to or waits for.
-    fn lines(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
         let reactions = self.reactions.iter().flat_map(Reaction::entries);
         let entries = self.pending.iter().map(|pending| pending.entry.as_ref()).chain(reactions);
         let sent = self.reactions.iter().filter_map(|reaction| reaction.sent().map(SentText::link));

@@ -129,12 +129,14 @@ impl fmt::Display for Connection {
 
 impl Connection {
     /// Line name in the cell, for example `Socket\host`.
-    pub(crate) fn link(&self) -> &str {
+    #[must_use]
+    pub fn link(&self) -> &str {
         &self.link
     }
 
     /// Whether this is the connection of the line. Letter case is ignored.
-    pub(crate) fn is_for(&self, link: &str) -> bool {
+    #[must_use]
+    pub fn is_for(&self, link: &str) -> bool {
         self.link.eq_ignore_ascii_case(link)
     }
 

@@ -33,7 +33,7 @@ use crate::version::VERSION;
 pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, ArmUrdfArgs, AxisRange};
 pub(crate) use byte_size::ByteSize;
 pub(crate) use check::CheckArgs;
-pub(crate) use controller::ControllerArgs;
+pub(crate) use controller::{ControllerArgs, calendar};
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use info::{InfoArgs, InfoFormat};

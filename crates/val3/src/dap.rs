@@ -65,6 +65,7 @@ fn open(start: &SessionStart, handshake: &mut Handshake) -> Result<(RunArgs, Deb
     if start.settings.starts_at_end {
         launch::go_to_end(&mut args)?;
     }
+    run::complete_by_recording(&mut args).map_err(|error| error.to_string())?;
     let test = launch::test(&start.arguments)?;
     let settings = DebugSettings { session: start.settings.clone(), is_plain_run: start.is_plain_run, test };
     let (mut shown, has_colors) = (String::new(), handshake.shows_colors());

@@ -19,6 +19,8 @@ mod observers;
 mod opening;
 mod outside;
 mod record;
+mod recorded_actions;
+mod recorded_options;
 mod recorder;
 mod replay;
 mod result;
@@ -41,6 +43,7 @@ use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
 pub(crate) use outside::{check_script, read_script, unusable_script};
+pub(crate) use replay::complete as complete_by_recording;
 
 use clients::Clients;
 use course::Course;
@@ -62,6 +65,7 @@ const EXIT_BROKEN_OFF: u8 = 130;
 pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     let mut args = args.clone();
     let written = default_run::complete(&mut args)?;
+    replay::complete(&mut args)?;
     let args = &args;
     if args.interactive {
         live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;

@@ -26,6 +26,11 @@ impl Controller {
         self.script = script;
     }
 
+    /// Links of the serial lines and sockets whose other end is the script.
+    pub fn script_lines(&self) -> impl Iterator<Item = &str> {
+        self.script.lines()
+    }
+
     /// Evaluates the conditions of reactions before the first cycle.
     pub(crate) fn begin_reactions(&mut self, now: Time) {
         if !self.script.has_begun {

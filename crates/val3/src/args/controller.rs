@@ -31,7 +31,7 @@ pub(crate) struct ControllerArgs {
     pub(crate) network: bool,
     /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
     /// in real time the current time in UTC]
-    #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "DATE", value_parser = date)]
+    #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "DATE", value_parser = calendar)]
     pub(crate) date: Option<Calendar>,
     /// The monitor speed in per cent
     #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
@@ -97,10 +97,11 @@ fn root(text: &str) -> Result<PathRoot, String> {
     Ok(PathRoot { name: name.to_owned(), folder: folder.into() })
 }
 
-fn date(text: &str) -> Result<Calendar, String> {
+/// Parses the date of `--date`.
+pub(crate) fn calendar(text: &str) -> Result<Calendar, String> {
     let fields: Vec<u16> = text.split(['-', 'T', ' ', ':']).map_while(|field| field.parse().ok()).collect();
     let small = |field: u16| u8::try_from(field).ok();
-    let calendar = match *fields {
+    let date = match *fields {
         [year, month, day, hour, minute, second] => || -> Option<Calendar> {
             let (month, day) = (small(month)?, small(day)?);
             let (hour, minute, second) = (small(hour)?, small(minute)?, small(second)?);
@@ -108,7 +109,7 @@ fn date(text: &str) -> Result<Calendar, String> {
         }(),
         _ => None,
     };
-    calendar.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
+    date.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
 }
 
 fn microseconds(text: &str) -> Result<Time, String> {

@@ -59,7 +59,14 @@ pub(super) struct Course<'a> {
 
 impl<'a> Course<'a> {
     /// Opens the files that the arguments name, so that a run does not begin if a file cannot be written.
-    pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
+    pub(super) fn open(
+        args: &'a RunArgs,
+        ready: ReadyApplication,
+        mut observers: Observers,
+    ) -> Result<Self, UserError> {
+        if let Some(options) = &ready.options {
+            observers.begin(options)?;
+        }
         let motion = MotionObservers::open(args, &ready.controller)?;
         let export = args.export.as_deref().map(|path| Export::open(path, &ready.controller)).transpose()?;
         let result = ResultRecorder::open(args)?;
@@ -195,6 +202,10 @@ impl<'a> Course<'a> {
 
     /// Lets the debugger stop a run that would end with this status. Returns `false` if the run ends.
     fn stop_at_end(&mut self, status: RunStatus, guide: &mut dyn Guide) -> bool {
+        if let (RunStatus::Stuck, Some(session)) = (status, guide.session()) {
+            self.observers.compare_stuck();
+            self.observers.take_difference().into_iter().for_each(|difference| session.say(&format!("{difference}\n")));
+        }
         guide.session().is_some_and(|session| session.stop_at_end(status, &mut self.target()))
     }
 

@@ -89,7 +89,8 @@ fn insert(
 ) -> WrittenFiles {
     let mut written = WrittenFiles::default();
     args.application = shown(application);
-    if args.script.is_none() {
+    // A recording contains the actions of its script.
+    if args.script.is_none() && args.replay.is_none() {
         args.script = run.script.as_deref().map(shown);
     }
     if args.until.is_none() {

@@ -10,6 +10,7 @@ use super::console::Console;
 use super::end::End;
 use super::live::Live;
 use super::record::Record;
+use super::recorded_options::RecordedOptions;
 use super::replay::{Divergence, RunRecording};
 use crate::args::RunArgs;
 use crate::color::Color;
@@ -44,6 +45,17 @@ impl Observers {
         let recording = args.replay.as_deref().map(RunRecording::open).transpose()?;
         let record = Record::open(args.events.as_deref())?;
         Ok(Self { record, console: Console::silent()?, live: None, recording, for_client: Some(Vec::new()) })
+    }
+
+    /// Records the options of the run, before its events.
+    pub(super) fn begin(&mut self, options: &RecordedOptions) -> Result<(), UserError> {
+        self.record.begin(options)
+    }
+
+    /// Compares a run in which no task can continue with its recording.
+    pub(super) fn compare_stuck(&mut self) {
+        let divergence = self.recording.as_mut().and_then(RunRecording::compare_stuck);
+        self.report(divergence);
     }
 
     /// Sends events to all observers.

@@ -16,6 +16,7 @@ use val3_session::{Application, CodeForm, ControllerSettings, Tape};
 use val3_suite::{Scenario, Stages};
 
 use super::outside;
+use super::recorded_options::RecordedOptions;
 use super::unpacked::Unpacked;
 use crate::args::RunArgs;
 use crate::engine::Session;
@@ -49,6 +50,8 @@ pub(crate) struct ReadyApplication {
     pub(crate) application: Application,
     /// Debugged test.
     pub(crate) test: Option<Stages>,
+    /// Options for the event record; `None` if a test is debugged.
+    pub(crate) options: Option<RecordedOptions>,
     /// Announcements of sockets whose ports only the cell names.
     pub(crate) announcements: Rc<Announcements>,
     /// Note with the number of findings; `None` if a test is debugged.
@@ -68,8 +71,8 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     let mut application = Application::open(&Disk, &path, Some(&args.program))?;
     let script = args.script.as_deref().map(outside::read_script).transpose()?;
     let keys = script.as_ref().map(Scenario::controller_keys).cloned().unwrap_or_default();
-    let controller = args.controller.with(&keys);
-    if let Some(name) = &controller.arm {
+    let chosen = args.controller.with(&keys);
+    if let Some(name) = &chosen.arm {
         application.set_arm(name)?;
     }
     let project = application.project();
@@ -98,7 +101,7 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     // A compared run's recording contains its lines' external input, so this run records it, too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let announcements = Rc::new(Announcements::new(reader));
-    let settings = controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
+    let settings = chosen.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
     let settings = ControllerSettings { form, ..settings };
     let mut controller = application.controller(&settings, tape, image)?;
     for grant in application.grants(&settings)? {
@@ -107,12 +110,17 @@ pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -
     if let Some((message, help)) = application.missing_io_library() {
         show(&|out| writeln!(out, "note: {message}\n  help: {help}"));
     }
-    outside::arrange(&mut controller, args, script.as_ref(), &|data| is_resized(application.db(), project, data))?;
+    let is_resized = |data: &str| is_resized(application.db(), project, data);
+    if let Some(note) = outside::arrange(&mut controller, args, script.as_ref(), &is_resized)? {
+        show(&|out| writeln!(out, "note: {note}"));
+    }
+    let options = Some(RecordedOptions::of(&args.program, &chosen, &controller));
     start(&mut controller, &args.program, &programs)?;
     Ok(OpenedApplication::Ready(Box::new(ReadyApplication {
         controller,
         application,
         test: None,
+        options,
         announcements,
         checked: Some(checked.counts),
         _unpacked: unpacked,

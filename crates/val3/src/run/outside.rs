@@ -9,20 +9,27 @@ use val3_machine::controller_state::Calendar;
 use val3_machine::script::ScriptAction;
 use val3_suite::{Scenario, ScenarioError};
 
+use super::replay::RunRecording;
 use crate::args::RunArgs;
 use crate::user_error::UserError;
 
-/// Sets up the operator, the script and the calendar from the arguments. `is_resized` returns whether a data item
-/// changes its size.
+/// Sets up the operator, the script and the calendar from the arguments, or the actions of the recording that they name.
+/// `is_resized` returns whether a data item changes its size. Returns a note for the user.
 ///
 /// # Errors
-/// The script names an unknown variable or signal.
+/// The script names an unknown variable or signal, or the recording cannot be repeated.
 pub(super) fn arrange(
     controller: &mut Controller,
     args: &RunArgs,
     script: Option<&Scenario>,
     is_resized: &dyn Fn(&str) -> bool,
-) -> Result<(), UserError> {
+) -> Result<Option<String>, UserError> {
+    let mut note = None;
+    if let Some(path) = args.replay.as_ref().filter(|_| !has_actions(args)) {
+        let (actions, silent) = RunRecording::open(path)?.actions()?;
+        note = actions.note();
+        actions.arrange(silent, controller)?;
+    }
     if let (Some(path), Some(scenario)) = (&args.script, script) {
         let faults = controller.script_faults(scenario.script(), is_resized);
         check_script(path, &faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
@@ -42,7 +49,12 @@ pub(super) fn arrange(
     if args.follows_wall() && args.controller.date.is_none() {
         controller.devices.state.calendar = today();
     }
-    Ok(())
+    Ok(note)
+}
+
+/// Whether the arguments name actions, which replace those of a recording.
+fn has_actions(args: &RunArgs) -> bool {
+    args.script.is_some() || !args.keys.is_empty() || !args.set.is_empty()
 }
 
 /// Checks that a script has no faults.

@@ -4,11 +4,24 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use codespan_reporting::term::termcolor::NoColor;
+use serde::Serialize;
 use val3_machine::event::Event;
 
+use super::recorded_options::RecordedOptions;
 use crate::output::file_kind::OutputFileKind;
 use crate::output::{Destination, OutputContent, file, filtered};
 use crate::user_error::UserError;
+
+/// Kind of the line with the options of the run.
+pub(super) const BEGIN: &str = "begin";
+
+/// First line of a record.
+#[derive(Serialize)]
+struct BeginLine<'o> {
+    t: f64,
+    kind: &'static str,
+    options: &'o RecordedOptions,
+}
 
 /// Output of the event record.
 pub(crate) struct Record {
@@ -36,11 +49,21 @@ impl Record {
         self.path == "-"
     }
 
-    /// Writes an event. A closed pipe is no error.
+    /// Writes the options of the run, as the first line.
+    pub(super) fn begin(&mut self, options: &RecordedOptions) -> Result<(), UserError> {
+        self.write_line(&BeginLine { t: 0.0, kind: BEGIN, options })
+    }
+
+    /// Writes an event.
     pub(crate) fn write(&mut self, event: &Event) -> Result<(), UserError> {
+        self.write_line(event)
+    }
+
+    /// Writes a line. A closed pipe is no error.
+    fn write_line(&mut self, line: &impl Serialize) -> Result<(), UserError> {
         let Some(out) = &mut self.out else { return Ok(()) };
         let written = filtered(OutputContent::Json, self.to, &mut NoColor::new(out), |out| {
-            serde_json::to_writer(&mut *out, event)?;
+            serde_json::to_writer(&mut *out, line)?;
             writeln!(out)
         });
         self.judge(written)

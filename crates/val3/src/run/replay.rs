@@ -1,15 +1,19 @@
-//! `--replay`: compares a run with a recording, and ends the run at the recorded end.
+//! `--replay`: repeats a recorded run, compares both, and ends the run at the recorded end.
 
 use std::fmt::Display;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Deserialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use val3_files::FileClass;
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::{EndReason, Event};
 use val3_session::json_fault;
 
+use super::record::BEGIN;
+use super::recorded_actions::RecordedActions;
+use super::recorded_options::RecordedOptions;
+use crate::args::RunArgs;
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
@@ -17,9 +21,11 @@ use crate::user_error::UserError;
 #[derive(Debug)]
 pub(super) struct RunRecording {
     path: Utf8PathBuf,
-    /// Events, one per line.
+    /// Options of the recorded run; `None` if the recording does not contain them.
+    options: Option<RecordedOptions>,
+    /// Lines of the file, with one event each after the line of the options.
     lines: Vec<String>,
-    /// Number of compared events.
+    /// Number of compared lines.
     compared: usize,
     /// Time of the last event.
     end: Time,
@@ -38,6 +44,27 @@ pub(super) struct Divergence {
     line: usize,
     recorded: Option<String>,
     found: Option<String>,
+    has_options: bool,
+}
+
+/// First line of a recording.
+#[derive(Deserialize)]
+struct FirstLine {
+    kind: String,
+    #[serde(default)]
+    options: Option<RecordedOptions>,
+}
+
+/// Adds the options of the recorded run to the arguments that name a recording.
+///
+/// # Errors
+/// The file cannot be read, or is no recording.
+pub(crate) fn complete(args: &mut RunArgs) -> Result<(), UserError> {
+    let Some(path) = &args.replay else { return Ok(()) };
+    match RunRecording::open(path)?.options {
+        Some(options) => options.complete(args),
+        None => Ok(()),
+    }
 }
 
 /// Whether the line is the beginning of a JSON value.
@@ -72,18 +99,32 @@ impl RunRecording {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         // If the recorded run was killed, its last line may be incomplete.
         lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
-        let last = lines.last().ok_or("the file has no events")?;
+        let first = lines.first().ok_or("the file has no events")?;
+        let first: FirstLine = serde_json::from_str(first).map_err(|error| json_fault(&error, 1))?;
+        let options = first.options.filter(|_| first.kind == BEGIN);
+        let compared = usize::from(options.is_some());
+        let last = lines.get(compared..).and_then(<[String]>::last).ok_or("the file has no events")?;
         let last: RecordingEnd = serde_json::from_str(last).map_err(|error| json_fault(&error, lines.len()))?;
         let reason = last.reason.filter(|_| last.kind == "end");
         Ok(Self {
             path: path.to_owned(),
+            options,
             lines,
-            compared: 0,
+            compared,
             end: nanoseconds(last.t),
             reason,
             has_diverged: false,
             is_compared: true,
         })
+    }
+
+    /// Actions of the recorded run, and the lines whose other end was its script.
+    ///
+    /// # Errors
+    /// A line is no event.
+    pub(super) fn actions(&self) -> Result<(RecordedActions, Vec<String>), UserError> {
+        let actions = RecordedActions::of(&self.lines).map_err(|reason| unusable(&self.path, &reason))?;
+        Ok((actions, self.options.as_ref().map(|options| options.silent.clone()).unwrap_or_default()))
     }
 
     /// Time limit of the run: the recorded end, unless the recorded run has ended by itself.
@@ -126,6 +167,14 @@ impl RunRecording {
         self.diverge(at, recorded, found)
     }
 
+    /// Compares a run in which no task can continue. Returns the difference if the recorded run has continued.
+    pub(super) fn compare_stuck(&mut self) -> Option<Divergence> {
+        let next = self.lines.get(self.compared).filter(|_| self.is_compared && !self.has_diverged)?;
+        let kind = serde_json::from_str::<FirstLine>(next).map(|line| line.kind).unwrap_or_default();
+        let next = Some(next.clone()).filter(|_| kind != "stuck" && kind != "end")?;
+        self.diverge(self.compared, Some(next), None)
+    }
+
     /// Ends the comparison. Returns the difference if recorded events are missing and the run did not differ before.
     pub(super) fn finish(&mut self) -> Option<Divergence> {
         let next = self.lines.get(self.compared).filter(|_| self.is_compared && !self.has_diverged)?.clone();
@@ -134,25 +183,36 @@ impl RunRecording {
 
     fn diverge(&mut self, at: usize, recorded: Option<String>, found: Option<String>) -> Option<Divergence> {
         self.has_diverged = true;
-        Some(Divergence { path: self.path.clone(), line: at + 1, recorded, found })
+        let has_options = self.options.is_some();
+        Some(Divergence { path: self.path.clone(), line: at + 1, recorded, found, has_options })
     }
 }
 
-/// Whether two events are equal, regardless of field order and number format.
+/// Whether two events are equal, regardless of field order, number format, and the folder of the application.
 fn is_equal(one: Option<&String>, other: Option<&String>) -> bool {
-    let value = |event: Option<&String>| event.and_then(|event| serde_json::from_str::<Value>(event).ok());
-    one == other || value(one).is_some_and(|one| Some(one) == value(other))
+    one == other || event(one).is_some_and(|one| Some(one) == event(other))
+}
+
+/// Fields of an event, without the absolute path of a source file.
+fn event(line: Option<&String>) -> Option<Map<String, Value>> {
+    let mut fields: Map<String, Value> = serde_json::from_str(line?).ok()?;
+    fields.remove("file");
+    Some(fields)
 }
 
 impl From<Divergence> for UserError {
     fn from(divergence: Divergence) -> Self {
-        let Divergence { path, line, recorded, found } = divergence;
+        let Divergence { path, line, recorded, found, has_options } = divergence;
         let shown = |event: Option<String>, none: &str| event.unwrap_or_else(|| none.to_owned());
         let recorded = shown(recorded, "the recorded run had already ended");
-        let found = shown(found, "this run had already ended");
+        let found = shown(found, "this run has no further event");
+        let help = match has_options {
+            true => "use the files of the application and the version of val3 with which the run was recorded",
+            false => "use the application and the options of the recording, including --script and --keys",
+        };
         Self::new(format!("the run differs from `{path}` at line {line}"))
             .with_details(format!("  recorded: {}\n  this run: {}", one_line(&recorded), one_line(&found)))
-            .with_help("use the application and the options of the recording, including --script and --keys")
+            .with_help(help)
     }
 }
 

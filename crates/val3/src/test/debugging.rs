@@ -47,6 +47,7 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
         test: Some(test),
         announcements,
         checked: None,
+        options: None,
         _unpacked: None,
     })
 }

@@ -8,6 +8,11 @@ use crate::support::Folder;
 const COUNTS: &str = "num nCount\nprogram start()\nbegin\n  while true\n    nCount=nCount+1\n    ? nCount\n    \
                       delay(1)\n  endWhile\nend\nprogram stop()\nbegin\nend\n";
 
+const OPERATED: &str = "num nCount\nprogram start()\nbegin\n  wait(nCount==7)\n  ? nCount\n  delay(1)\nend\nprogram stop()\n\
+                        begin\nend\n";
+
+const OPERATOR: &str = "[[at]]\nt = 0.5\nset = { nCount = 7 }\n";
+
 /// A recording of 2.5 s, `run.jsonl`.
 fn recorded() -> Folder {
     let folder = Folder::with(COUNTS);
@@ -75,8 +80,48 @@ fn a_run_that_differs_from_its_recording_stops_there() {
             break output;
         }
     };
-    assert!(said.contains("at line 3") && said.contains("this run: {"), "{said}");
+    assert!(said.contains("at line 4") && said.contains("this run: {"), "{said}");
     session.end();
+}
+
+#[test]
+fn a_run_that_was_operated_opens_at_its_end() {
+    let folder = Folder::with(OPERATED);
+    folder.write("operator.toml", OPERATOR);
+    let run = folder.val3(&["run", "--script", "operator.toml", "--events", "run.jsonl"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, "7\n"));
+    let mut session = replay(&folder, &json!({ "startAtEnd": true }));
+    let stop = session.event("stopped");
+    assert_eq!(stop["description"], "Paused before the end of the application");
+    let (_, _, frame) = session.frame(stop["threadId"].as_i64().unwrap());
+    assert_eq!(session.evaluate(frame, "nCount"), "7");
+    session.end();
+}
+
+#[test]
+fn a_run_that_waits_for_an_action_that_cannot_be_repeated_differs() {
+    let folder = Folder::with(OPERATED);
+    folder.write("operator.toml", OPERATOR);
+    folder.val3(&["run", "--script", "operator.toml", "--events", "run.jsonl"]);
+    let events = folder.read("run.jsonl");
+    folder.write("run.jsonl", &events.replace("\"set\"", "\"somethingNew\""));
+    let mut session = replay(&folder, &json!({ "startAtEnd": true }));
+    assert!(session.event("output")["output"].as_str().unwrap().contains("a replay cannot repeat, at 0.5 s"));
+    let said = session.event("output")["output"].as_str().unwrap().to_owned();
+    assert!(said.contains("differs") && said.contains("this run has no further event"), "{said}");
+    session.stopped("pause");
+    session.end();
+}
+
+#[test]
+fn a_file_without_events_is_refused() {
+    let folder = Folder::with(COUNTS);
+    folder.write("run.jsonl", "");
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let launch = json!({ "program": path("usrapp/main"), "replay": path("run.jsonl") });
+    assert!(session.refused("launch", launch).contains("the file has no events"));
 }
 
 #[test]

@@ -73,6 +73,7 @@ mod redirection;
 mod refusal;
 #[cfg(target_os = "linux")]
 mod replacing;
+mod replays;
 mod ros;
 mod run;
 mod run_arms;
