@@ -16,6 +16,7 @@ mod identifiers;
 mod init;
 mod json;
 mod json_lines;
+mod judged;
 mod junit;
 mod mutate;
 mod new_test;
@@ -57,7 +58,7 @@ use crate::signals::Signals;
 use crate::sockets::{ClosedSockets, note_grants};
 use crate::user_error::{EXIT_USAGE, UserError};
 use crate::watch::FolderWatch;
-pub(crate) use debugging::{open_test, report};
+pub(crate) use debugging::{DebuggedTest, open_test, report};
 use discovery::{Listed, Suite, Suites, TestFile, chosen, suites};
 use human::Listing;
 use mutate::MutationRun;
@@ -162,13 +163,22 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     if args.format == TestFormat::Human {
         to_stderr(|out| writeln!(out, "finished in {:.2} s", results.wall.as_secs_f64()));
     }
-    for ReportOutput { format, path } in &args.output {
-        to_file(path, format.file_kind(), |out| {
-            filtered(format.content(), Destination::FILE, out, |out| write(*format, &results, &paths, out))
-        })?;
-    }
+    let written = write_reports(args, &results, &paths);
     let is_covered = coverage::report(args, counted, &paths, color)?;
-    Ok(exit_code(&results, is_covered))
+    written.map(|()| exit_code(&results, is_covered))
+}
+
+/// Writes the report files.
+///
+/// # Errors
+/// A file cannot be written. All other files are written in this case.
+fn write_reports(args: &TestArgs, results: &Results, paths: &Paths) -> Result<(), UserError> {
+    let written = args.output.iter().map(|ReportOutput { format, path }| {
+        to_file(path, format.file_kind(), |out| {
+            filtered(format.content(), Destination::FILE, out, |out| write(*format, results, paths, out))
+        })
+    });
+    written.collect::<Vec<_>>().into_iter().collect()
 }
 
 /// Exit code of a run. A signal has precedence over results.

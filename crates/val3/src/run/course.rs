@@ -30,7 +30,7 @@ use crate::args::RunArgs;
 use crate::modbus::ModbusRun;
 use crate::signals::Signals;
 use crate::sockets::Announcements;
-use crate::test::report;
+use crate::test::{DebuggedTest, report};
 use crate::user_error::UserError;
 
 /// Polling interval for viewers while a debugger is also polled.
@@ -393,8 +393,8 @@ impl<'a> Course<'a> {
         let test = self.test.take().filter(|_| matches!(end, End::Controller(_)));
         let (Some(test), Some(session)) = (test, guide.session()) else { return Ok(()) };
         let (case, result) = (test.case.clone(), test.result(&self.debugger.controller));
-        self.has_failed_test = Some(!result.has_passed());
-        let (text, object) = report(case, result)?;
+        let DebuggedTest { has_passed, text, object } = report(&case, result)?;
+        self.has_failed_test = Some(!has_passed);
         session.say(&text);
         session.tell("val3/testResult", object);
         Ok(())

@@ -8,11 +8,10 @@ use val3_machine::sio::SocketGuard;
 use val3_suite::{Stages, TestCase, TestResult};
 
 use super::discovery::{Opening, Suite, open};
-use super::golden;
-use super::golden_texts;
 use super::json;
+use super::judged::judged;
 use super::script_file::ScriptFile;
-use super::tested::{FinishedTest, described};
+use super::tested::described;
 use super::workers::Bench;
 use crate::args::{EVENTS, RunArgs};
 use crate::paths::{Paths, current_folder};
@@ -66,19 +65,27 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
     })
 }
 
-/// Result of a debugged test, as text for the user and as JSON for the client.
-pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
+/// Result of a debugged test.
+pub(crate) struct DebuggedTest {
+    pub(crate) has_passed: bool,
+    /// Text for the user.
+    pub(crate) text: String,
+    /// JSON object for the client.
+    pub(crate) object: Value,
+}
+
+/// Returns the result of a debugged test.
+///
+/// # Errors
+/// The current folder is unknown.
+pub(crate) fn report(case: &TestCase, result: TestResult) -> Result<DebuggedTest, UserError> {
     let paths = Paths::new(&[], &current_folder()?);
-    golden_texts::judge(&case, &mut result, false)?;
-    golden::judge(&case, &mut result, false)?;
-    result.judge_known_failure();
-    result.keep_last_events(EVENTS as usize);
-    let tested = FinishedTest::of(&case, result);
+    let tested = judged(case, result, false, EVENTS);
     let name = tested.case.name();
     let text = match described(&tested.result, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),
         lines if tested.result.has_passed() => format!("{name}: {lines}\n"),
         lines => format!("{name} has failed\n{lines}\n"),
     };
-    Ok((text, json::described(&tested, &paths)))
+    Ok(DebuggedTest { has_passed: tested.result.has_passed(), text, object: json::described(&tested, &paths) })
 }

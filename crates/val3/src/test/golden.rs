@@ -25,7 +25,7 @@ const KEY: &str = "expect.trace";
 /// to the failures of the test. Only tests without failures are recorded.
 ///
 /// # Errors
-/// A file cannot be written.
+/// The file is outside of the permitted folders, or a file cannot be written.
 pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> Result<Option<RecordedFile>, UserError> {
     let Some(motion) = result.motion.take() else { return Ok(None) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));

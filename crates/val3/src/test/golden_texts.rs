@@ -10,12 +10,16 @@ use super::recorded_file::{RecordedContents, RecordedFile, record};
 use crate::user_error::UserError;
 
 /// Compares the texts of a test with the files that its expectations name, or records them there. A difference is added
-/// to the failures of the test. Only tests without failures are recorded.
+/// to the failures of the test. Only tests without failures are recorded. Adds the recorded files to `recorded`.
 ///
 /// # Errors
-/// A file cannot be written.
-pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> Result<Vec<RecordedFile>, UserError> {
-    let mut recorded = Vec::new();
+/// A file is outside of the permitted folders, or cannot be written.
+pub(super) fn judge(
+    case: &TestCase,
+    result: &mut TestResult,
+    update: bool,
+    recorded: &mut Vec<RecordedFile>,
+) -> Result<(), UserError> {
     for golden in std::mem::take(&mut result.golden_texts) {
         let path = path(case, &golden)?;
         if let Some(failure) = golden.empty() {
@@ -38,7 +42,7 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
             recorded.push(RecordedFile { path, action });
         }
     }
-    Ok(recorded)
+    Ok(())
 }
 
 /// Compares the texts of a test with the files that its expectations name, and writes nothing.

@@ -10,6 +10,7 @@ use val3_lines::LineIndex;
 use val3_session::Application;
 use val3_suite::{Failure, FailureLocation, TestCase, TestKind, TestResult};
 
+use super::judged;
 use super::tested::FinishedTest;
 use crate::user_error::UserError;
 
@@ -120,9 +121,7 @@ impl RefusedTests {
 impl FinishedTest {
     /// Creates a failed test for an invalid script.
     pub(super) fn unusable(case: &TestCase, error: &UserError) -> Self {
-        let place = FailureLocation { program: case.program_name(), file: case.file.clone(), line: case.line };
-        let failure = Failure { message: error.lines(), places: vec![place] };
-        let result = TestResult { failures: vec![failure], ..TestResult::default() };
+        let result = TestResult { failures: vec![judged::failure(case, error)], ..TestResult::default() };
         Self { is_executed: false, ..Self::of(case, result) }
     }
 }

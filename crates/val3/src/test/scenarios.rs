@@ -15,13 +15,13 @@ use super::refused::RefusedTests;
 use super::script_file::program_beside;
 use crate::args::TestArgs;
 use crate::paths::{from_here, has_extension};
-use crate::run::read_script;
+use crate::run::unusable_script;
 use crate::user_error::UserError;
 
 /// Returns the requested scenario files: files in the paths, and files that the arguments name.
 ///
 /// # Errors
-/// A `val3.toml` is invalid, or a possible scenario file cannot be read.
+/// A `val3.toml` is invalid.
 pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
     let mut found = Vec::new();
     for path in asked {
@@ -86,7 +86,13 @@ pub(super) fn case(manifest: &Utf8Path, path: &Utf8Path) -> TestCase {
 pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let shown = from_here(path)?;
     let unusable = |reason: String| UserError::new(format!("the scenario `{shown}` cannot be executed: {reason}"));
-    let scenario = read_script(&shown)?;
+    let scenario = match val3_files::read_text(path, FileClass::Settings) {
+        Err(reason) => {
+            let error = UserError::new(format!("cannot read `{shown}`, which may be a test: {reason}"));
+            return Err(error.with_help("allow reading it, or move it away from the tests"));
+        }
+        Ok(text) => Scenario::parse(shown.as_str(), &text).map_err(|error| unusable_script(&shown, &error))?,
+    };
     let beside = path.with_extension("pgx");
     let help = format!(
         "write `application = \"FOLDER\"` before the first table, or name it as the test program that it belongs to, which \
@@ -109,10 +115,10 @@ fn is_named(path: &Utf8Path) -> bool {
 
 /// Whether a file in the paths is a scenario: it is in a folder `tests` and names an application. A file with
 /// expectations, or a script in such a folder, is also a scenario if it belongs to no test program, because otherwise
-/// it would never be executed.
+/// it would never be executed. A file that cannot be read counts as a scenario, which is reported as a failed test.
 ///
 /// # Errors
-/// The file cannot be read, so that it may be a test that is not executed.
+/// A `val3.toml` is invalid.
 fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
     let folder = path.parent().unwrap_or(path);
     let configuration = configuration(folder)?;
@@ -129,10 +135,10 @@ fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
             TestFileRole::Other => false,
         }),
         Err(Unreadable::Missing) => Ok(false),
-        // Reported as a failed test, because every scenario is UTF-8.
+        // Every scenario is UTF-8.
         Err(Unreadable::NotUtf8) => Ok(is_below),
-        Err(reason) => Err(UserError::new(format!("cannot read `{path}`, which may be a test: {reason}"))
-            .with_help("allow reading it, or move it away from the tests")),
+        // It may be a test that would not be executed.
+        Err(_) => Ok(true),
     }
 }
 

@@ -19,9 +19,8 @@ use val3_session::{Application, ControllerSettings, FrameEvaluator, Tape};
 use val3_suite::{ControllerKeys, Supervision, TestCase, TestResult, TestSettings, counted, execute};
 
 use super::discovery::{Opening, Suite, TestFile, open};
-use super::golden;
-use super::golden_texts;
 use super::identifiers;
+use super::judged::judged;
 use super::order::shuffled;
 use super::results::{EarlyEnd, Results};
 use super::script_file::ScriptFile;
@@ -54,10 +53,10 @@ pub(super) struct Surroundings<'s> {
 }
 
 /// Executes tests, and returns the results in order. With `--fail-fast`, the execution ends at the first failure. The
-/// coverage covers all tests.
+/// coverage covers all tests. A test whose application or files cannot be used fails, and all other tests are executed.
 ///
 /// # Errors
-/// An application or a script cannot be used, or the observer has failed.
+/// A thread or the observer has failed.
 pub(super) fn executed(
     args: &TestArgs,
     tests: &[TestFile<'_>],
@@ -78,9 +77,7 @@ pub(super) fn executed(
         }
         drop(sender);
         let observed = observed(messages, queue, &mut done, observer);
-        workers
-            .into_iter()
-            .try_for_each(|worker| worker.join().map_err(|_| UserError::new("a thread has failed"))?)?;
+        workers.into_iter().try_for_each(|worker| worker.join().map_err(|_| UserError::new("a thread has failed")))?;
         observed
     })?;
     done.end();
@@ -321,12 +318,12 @@ impl<'a> Worker<'a> {
     }
 
     /// Executes tests of the queue until it is empty, or the messages have no receiver.
-    fn work(mut self, queue: &Queue<'_>, messages: &Sender<WorkerMessage>) -> Result<(), UserError> {
+    fn work(mut self, queue: &Queue<'_>, messages: &Sender<WorkerMessage>) {
         while let Some((place, test)) = queue.take() {
             if messages.send(WorkerMessage::Started(place)).is_err() {
                 break;
             }
-            let Some(tested) = self.attempts(test, queue).inspect_err(|_| queue.end())? else { break };
+            let Some(tested) = self.attempts(test, queue) else { break };
             if self.args.fail_fast && !tested.result.has_passed() {
                 queue.end();
             }
@@ -336,39 +333,38 @@ impl<'a> Worker<'a> {
         }
         // Fails without a receiver, if the output was closed.
         let _ = messages.send(WorkerMessage::Counted(self.coverage));
-        Ok(())
     }
 
     /// Executes a test, and repeats it after a failure within the retry limit. `None` if the run was interrupted.
-    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<FinishedTest>, UserError> {
+    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Option<FinishedTest> {
         let mut earlier = Vec::new();
         loop {
-            let Some(tested) = self.execute(test, queue)? else { return Ok(None) };
+            let tested = self.execute(test, queue)?;
             let is_last = earlier.len() >= self.args.retries as usize;
             if tested.result.has_passed() || !tested.is_executed || is_last {
-                return Ok(Some(FinishedTest { earlier, ..tested }));
+                return Some(FinishedTest { earlier, ..tested });
             }
             earlier.push(tested.result);
         }
     }
 
     /// Executes a test. `None` if the run was interrupted.
-    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<FinishedTest>, UserError> {
+    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Option<FinishedTest> {
         let start = Instant::now();
         let file = match ScriptFile::of(test.case) {
             Ok(file) => file,
-            Err(error) => return Ok(Some(FinishedTest::unusable(test.case, &error))),
+            Err(error) => return Some(FinishedTest::unusable(test.case, &error)),
         };
         if let Some(reason) = file.scenario.skip() {
-            return Ok(Some(FinishedTest::of(test.case, TestResult::skipped(reason))));
+            return Some(FinishedTest::of(test.case, TestResult::skipped(reason)));
         }
         let mut bench = match self.bench(test.manifest, &file.keys) {
             Ok(bench) => bench,
-            Err(error) => return Ok(Some(FinishedTest::unusable(test.case, &error))),
+            Err(error) => return Some(FinishedTest::unusable(test.case, &error)),
         };
         if let Err(error) = bench.prepare(&file) {
             self.bench = Some(bench);
-            return Ok(Some(FinishedTest::unusable(test.case, &error)));
+            return Some(FinishedTest::unusable(test.case, &error));
         }
         let evaluator = &mut self.evaluator;
         let limit = file.scenario.limit().filter(|_| self.args.limit.is_none());
@@ -379,17 +375,13 @@ impl<'a> Worker<'a> {
                 evaluator_of(test.manifest, evaluator).map_or_else(Vec::new, |found| found.conditions(controller, task))
             },
         };
-        let Some(mut result) = execute(&mut bench.controller, test.case, &file.scenario, supervision) else {
-            return Ok(None);
+        let Some(result) = execute(&mut bench.controller, test.case, &file.scenario, supervision) else {
+            return None;
         };
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
-        // Texts first: a motion is only recorded if the texts are correct.
-        let mut recorded = golden_texts::judge(test.case, &mut result, self.args.update)?;
-        recorded.extend(golden::judge(test.case, &mut result, self.args.update)?);
-        result.judge_known_failure();
-        result.keep_last_events(self.args.events as usize);
-        Ok(Some(FinishedTest { recorded, wall: start.elapsed(), ..FinishedTest::of(test.case, result) }))
+        let tested = judged(test.case, result, self.args.update, self.args.events);
+        Some(FinishedTest { wall: start.elapsed(), ..tested })
     }
 
     /// Application on a controller; reused from the previous test if the properties are equal.

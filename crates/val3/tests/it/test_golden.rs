@@ -80,12 +80,40 @@ fn nothing_else_is_recorded() {
     let folder = cell(CODE);
     folder.write("tests/golden/end.txt", "mine\n");
     let run = tested(&folder, &["--update"]);
-    assert!(run.code == 2 && run.stderr.contains("it exists and is no recorded text"), "{run:?}");
+    assert!(run.code == 2 && run.stdout.contains("it exists and is no recorded text"), "{run:?}");
     assert_eq!(folder.read("tests/golden/end.txt"), "mine\n");
     // A file outside of the cell is not written.
     let folder = cell(CODE);
     let outside = FILES.replace("golden/end.txt", "../../../end.txt");
     folder.write("tests/cell.toml", &format!("application = \"../usrapp/main\"\n{outside}"));
     let run = tested(&folder, &["--update"]);
-    assert!(run.code == 2 && run.stderr.contains("outside of the cell"), "{run:?}");
+    assert!(run.code == 2 && run.stdout.contains("outside of the cell"), "{run:?}");
+}
+
+/// Scenarios that cannot be executed or judged.
+const UNUSABLE: [&str; 7] = [
+    "application = \"../usrapp/main\"\nprint_fil = 1\n[expect]\n",
+    "application = \"../usrapp/none\"\n[expect]\n",
+    "application = \"../../../none\"\n[expect]\n",
+    "application = \"../usrapp/main\"\ncell = \"none.toml\"\n[expect]\n",
+    "application = \"../usrapp/main\"\n[replace]\nio = \"../../../none\"\n",
+    "application = \"../usrapp/main\"\nknown_failure = \"x\"\n[expect]\nprint_file = \"../../../outside.txt\"\n",
+    "application = \"../usrapp/main\"\n[expect]\ntrace = \"../../../outside.csv\"\n",
+];
+
+#[test]
+fn an_unusable_scenario_fails_alone_and_all_reports_are_written() {
+    for scenario in UNUSABLE {
+        let folder = cell(CODE);
+        tested(&folder, &["--update"]);
+        folder.write("tests/bad.toml", scenario);
+        let run = tested(&folder, &["--jobs", "1", "--output", "junit=none/j.xml", "--output", "json=r.json"]);
+        assert!(run.code == 2 && run.stderr.contains("none/j.xml"), "a report cannot be written: {run:?}");
+        assert!(run.stdout.ends_with("1 passed, 1 failed\n"), "{scenario}: {run:?}");
+        let report: serde_json::Value = serde_json::from_str(&folder.read("r.json")).unwrap();
+        assert_eq!((&report["passed"], &report["failed"]), (&1.into(), &1.into()), "{scenario}: {report}");
+        let run = tested(&folder, &["--output", "junit=j.xml"]);
+        assert_eq!(run.code, 2, "{scenario}: {run:?}");
+        assert!(folder.read("j.xml").contains("</testsuites>"), "{scenario}");
+    }
 }

@@ -442,7 +442,7 @@ fn a_recording_replaces_only_recordings_of_its_cell() {
         folder.write("tests/notes.txt", "mine");
         let run = tested(&folder, &["--update"]);
         assert_eq!(run.code, 2, "{run:?}");
-        assert!(run.stderr.contains(message), "{run:?}");
+        assert!(run.stdout.contains(message), "{run:?}");
         assert_eq!(folder.read("tests/notes.txt"), "mine");
     }
 }
