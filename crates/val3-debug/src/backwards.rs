@@ -6,9 +6,9 @@ use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::RunStatus;
 use val3_vm::CycleWatch;
 
-use crate::contacts::Contact;
 use crate::debugger::{Debugger, Stop};
 use crate::history::{History, HistoryExtent, Moment, PastLimits, SnapshotReason};
+use crate::replay::Replayed;
 use crate::step::{Step, StepKind};
 
 /// Destination of a search in the history.
@@ -18,16 +18,6 @@ pub enum Goal {
     Line(TaskNumber, StepKind),
     /// The previous stop at a breakpoint or change of watched data.
     Breakpoint,
-}
-
-/// Result of [`Debugger::replay`] for the replayed part, at most a cycle.
-#[derive(Debug, Clone)]
-pub(crate) struct Replayed {
-    pub(crate) status: RunStatus,
-    /// Contacts that have begun and stop the run.
-    contacts: Vec<Contact>,
-    /// Whether the arm came to rest before a path that it cannot follow, which stops the run.
-    is_path_fault: bool,
 }
 
 /// Callback of a reverse search, called for each replayed cycle with the searched part of the history, from 0 to 1.
@@ -73,6 +63,7 @@ impl Debugger {
     }
 
     pub(crate) fn change_future(&mut self, cause: SnapshotReason) {
+        self.discard_future_of_data();
         self.settle_data();
         if let Some(history) = &mut self.history {
             history.begin_new_future(&mut self.controller, &self.breakpoints.hits, self.last, cause);
@@ -95,20 +86,39 @@ impl Debugger {
     /// cancels the search; the run then stays at its present moment.
     pub fn search_back(&mut self, goal: Goal, watcher: Watcher<'_>) -> Option<Stop> {
         let Goal::Line(task, kind) = goal else {
-            return self.back_to_last(self.watch_of_data(), watcher, |debugger, replayed| match replayed.status {
-                RunStatus::AtStop(task) => debugger.stop_before(task),
+            return self.back_to_last(Self::watch_of_data, watcher, |debugger, replayed| match replayed.status {
+                RunStatus::AtStop(task) => debugger.stop_at_mark(task),
                 RunStatus::Seen(task) => debugger.follow_data(Some(task), true),
                 _ => debugger.follow_data(None, true).or_else(|| debugger.stop_of_arm(replayed)),
             });
         };
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
-        self.back_to_last(CycleWatch::Lines, watcher, |debugger, replayed| match replayed.status {
-            RunStatus::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm, &[]) => {
+        self.back_to_last(|_| CycleWatch::Lines, watcher, |debugger, replayed| match replayed.status {
+            // A failed line was not executed: the line before its failure is the same one.
+            RunStatus::Seen(seen)
+                if seen == task && debugger.failure(task).is_none() && step.is_done(&debugger.controller.vm, &[]) =>
+            {
                 Some(Stop::Step { task })
             }
             _ => debugger.stop_of_arm(replayed),
         })
+    }
+
+    /// Returns the stop of a task that has arrived at a stop mark. A change by the line before a closing keyword and a
+    /// breakpoint on the keyword have the same moment, so they are one stop backwards.
+    fn stop_at_mark(&mut self, task: TaskNumber) -> Option<Stop> {
+        if self.controller.vm.is_after_line(task)
+            && let Some(data) = self.follow_data(Some(task), true)
+        {
+            return Some(data);
+        }
+        if self.has_no_breakpoint(task) { None } else { self.stop_before(task) }
+    }
+
+    /// Whether the task has stopped for another reason than a stop mark.
+    pub(crate) fn has_no_breakpoint(&self, task: TaskNumber) -> bool {
+        self.controller.vm.is_at_end(task) || self.controller.vm.is_at_return(task)
     }
 
     /// Returns the stop for contacts, or for a path that the arm cannot follow, if the arm has just come to it.
@@ -120,11 +130,11 @@ impl Debugger {
         Some(Stop::PathFault(Box::new(fault)))
     }
 
-    /// Goes back to the last earlier moment for which `is_wanted` returns a stop. Returns `None` if the watcher cancels
-    /// the search.
+    /// Goes back to the last earlier moment for which `is_wanted` returns a stop. `watch` returns how finely the next cycle
+    /// has to stop. Returns `None` if the watcher cancels the search.
     pub(crate) fn back_to_last(
         &mut self,
-        watch: CycleWatch,
+        watch: fn(&Self) -> CycleWatch,
         watcher: Watcher<'_>,
         is_wanted: impl Fn(&mut Self, Replayed) -> Option<Stop>,
     ) -> Option<Stop> {
@@ -134,7 +144,7 @@ impl Debugger {
         while let Some(start) = self.restore_earlier(end) {
             let mut last = None;
             for outcomes in 1.. {
-                let Some(replayed) = self.replay(watch, end) else { break };
+                let Some(replayed) = self.replay(watch(self), end) else { break };
                 let now = Moment::of(&self.controller);
                 let searched = (present.time - end.time) + (now.time - start.time);
                 if watcher(fraction(searched, past)).is_break() {
@@ -151,18 +161,23 @@ impl Debugger {
             if let Some((outcomes, over, stop)) = last {
                 // A wait ends without time passing, so the moment does not determine whether the run was before or
                 // after the end of the wait.
-                self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch, end));
+                self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch(debugger), end));
                 // The replay has already counted the hits if it reports the arrival.
                 let mut is_counted = matches!(stop, Stop::Breakpoints { .. });
                 if over > Moment::of(&self.controller) {
                     self.go_to(over);
                     is_counted = false;
                 }
-                if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
-                    if !is_counted {
-                        self.hit_again(task);
+                match &stop {
+                    Stop::Breakpoints { task, .. } | Stop::Step { task } => {
+                        if !is_counted {
+                            self.hit_again(*task);
+                        }
+                        self.controller.vm.pass_stop(*task);
                     }
-                    self.controller.vm.pass_stop(task);
+                    // A breakpoint on the closing keyword after the line stops the run next.
+                    Stop::Data(data) => data.task.into_iter().for_each(|task| self.controller.vm.meet_stop_again(task)),
+                    _ => {}
                 }
                 return Some(stop);
             }
@@ -201,86 +216,6 @@ impl Debugger {
     #[must_use]
     pub fn is_in_past(&self) -> bool {
         self.history.as_ref().is_some_and(|history| history.is_past(Moment::of(&self.controller)))
-    }
-
-    /// Records the present moment in the history before the run goes back.
-    fn leave_present(&mut self) {
-        let present = Moment::of(&self.controller);
-        self.contacts.clear();
-        if let Some(history) = &mut self.history {
-            history.leave(present);
-        }
-    }
-
-    /// Goes to a recorded moment, in the past or in the recorded future.
-    pub fn go_to(&mut self, moment: Moment) {
-        let watch = self.watch_of_data();
-        self.replay_outcomes(moment, u64::MAX, |debugger| debugger.replay(watch, moment));
-    }
-
-    /// Restores the last snapshot at or before `from`, and replays `count` outcomes.
-    fn replay_outcomes(&mut self, from: Moment, count: u64, mut next: impl FnMut(&mut Self) -> Option<Replayed>) {
-        self.leave_present();
-        let Some(point) = self.history.as_ref().and_then(|history| history.before(from)) else { return };
-        self.controller.restore(&point.snapshot);
-        self.breakpoints.hits.clone_from(&point.hits);
-        self.restore_marks();
-        self.settle_data();
-        for _ in 0..count {
-            match next(self).map(|replayed| replayed.status) {
-                Some(RunStatus::AtStop(task)) => self.hit_again(task),
-                Some(RunStatus::Seen(task)) => drop(self.follow_data(Some(task), false)),
-                Some(_) => drop(self.follow_data(None, false)),
-                None => break,
-            }
-        }
-        self.settle_data();
-        self.settle_motion();
-    }
-
-    /// Restores the last snapshot before a moment, and returns the snapshot's moment.
-    pub(crate) fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
-        self.leave_present();
-        let point = self.history.as_ref()?.earlier(moment)?;
-        let start = point.moment;
-        self.controller.restore(&point.snapshot);
-        self.restore_marks();
-        self.settle_data();
-        Some(start)
-    }
-
-    /// Replays the run towards `end`, by at most one cycle, and discards the events, which were already reported.
-    /// Returns `None` at `end`.
-    pub(crate) fn replay(&mut self, watch: CycleWatch, end: Moment) -> Option<Replayed> {
-        if Moment::of(&self.controller) >= end {
-            return None;
-        }
-        let has_fault =
-            |debugger: &Self| debugger.errors.contain_path_faults() && debugger.controller.motion_fault().is_some();
-        let had_fault = has_fault(self);
-        self.controller.watch(watch);
-        self.controller.set_limit(Some(end.time));
-        let status = self.controller.step();
-        self.controller.set_limit(None);
-        let events = self.controller.devices.take_events();
-        let contacts = if self.errors.contacts { Contact::all(&events) } else { Vec::new() };
-        let is_path_fault = !had_fault && has_fault(self);
-        if let RunStatus::Waiting(wake) = status
-            && !is_path_fault
-            && contacts.is_empty()
-        {
-            self.pass_idle_time(wake, end.time);
-        }
-        Some(Replayed { status, contacts, is_path_fault })
-    }
-
-    /// Skips the time without any activity. If a waiting line may receive external input, no time is skipped, so that
-    /// the cycles are the recorded ones.
-    fn pass_idle_time(&mut self, wake: Option<Time>, end: Time) {
-        let next = wake.into_iter().chain(self.controller.next_due()).fold(end, Time::min);
-        if !self.controller.devices.lines.are_in_use() {
-            self.controller.jump(next);
-        }
     }
 }
 

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Program, SourceLine};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, GuardedOp, InstanceId, Space, StopGuard};
+use val3_vm::{FragmentContext, GuardedOp, InstanceId, Space, StopGuard, StopReason};
 
 use crate::conditions::{CompiledExpression, LogMessage};
 use crate::program_breakpoints::{ProgramBreakpoint, ProgramBreakpoints, file_of};
@@ -234,7 +234,7 @@ impl Breakpoints {
         arrival
     }
 
-    /// Returns guards for the stop marks whose breakpoints all have a condition that the virtual machine can evaluate.
+    /// Returns guards for the stop marks whose breakpoints all have a task or a condition that the virtual machine can evaluate.
     pub(crate) fn guards(&self, space: &Space) -> Vec<StopGuard> {
         let mut guards = Vec::new();
         for (instance, owner) in space.loaded() {
@@ -255,8 +255,11 @@ impl Breakpoints {
         let next =
             NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
         let rules = self.rules(space, &next);
-        let conditions: Option<Vec<_>> = rules.iter().map(|rule| Some(&rule.condition?.fragment)).collect();
-        StopGuard::new(space, place, conditions?)
+        let reasons = rules.iter().map(|rule| StopReason {
+            task: rule.task,
+            condition: rule.condition.map(|condition| &condition.fragment),
+        });
+        StopGuard::new(space, place, reasons)
     }
 
     /// Returns the breakpoints on a line: the file's breakpoints, and the program's breakpoints if the task has just

@@ -9,14 +9,15 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::RunStatus;
-use val3_vm::{BegunLine, CycleWatch};
+use val3_machine::controller::{Controller, RunStatus};
+use val3_vm::{BegunLine, CycleWatch, DataWatch};
 
 use crate::breakpoints::{BreakpointId, HitCondition};
 use crate::conditions::{CompiledExpression, application_context};
 use crate::debugger::{Debugger, Stop};
 use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
+use crate::lifetimes::Lifetime;
 use crate::watched::{Digest, WatchedData};
 
 /// Accesses at which a data breakpoint stops the run.
@@ -75,22 +76,58 @@ pub struct DataStop {
 #[derive(Debug, Default)]
 pub(crate) struct DataBreakpoints {
     all: Vec<WatchedBreakpoint>,
+    /// Whether the interpreter compares all values.
+    is_compared: bool,
 }
 
 #[derive(Debug)]
 struct WatchedBreakpoint {
     breakpoint: DataBreakpoint,
+    /// Lifetime of a local variable; `None` for other data. Before and after it, the same place may contain a variable
+    /// of another call.
+    life: Option<Lifetime>,
     /// Last compared value; `None` if it was not in memory.
     seen: Option<Digest>,
     text: String,
-    /// Moment at which the program of a local variable ended. From then on, the same place may contain a variable of a
-    /// later call.
-    over: Option<Moment>,
+    /// Whether the data existed at the last comparison. Other data than local variables always exist, if not in memory.
+    exists: bool,
+}
+
+impl WatchedBreakpoint {
+    fn is_over(&self) -> bool {
+        self.life.is_some_and(|life| life.is_over())
+    }
+
+    /// Stores the present value for later comparisons.
+    fn settle(&mut self, controller: &mut Controller) {
+        self.seen = None;
+        if self.exists {
+            self.seen = self.breakpoint.data.digest(controller);
+            self.text = self.breakpoint.data.text(controller);
+        }
+    }
+
+    /// Follows the lifetime of a local variable. Returns whether its program has just begun or ended.
+    fn follow_life(&mut self, controller: &mut Controller, now: Moment) -> bool {
+        let has_frame = self.breakpoint.data.has_frame(controller);
+        let exists = self.life.as_mut().is_none_or(|life| life.follow(has_frame, now));
+        if self.exists == exists {
+            return false;
+        }
+        self.exists = exists;
+        self.settle(controller);
+        true
+    }
 }
 
 impl DataBreakpoints {
     pub(crate) fn is_empty(&self) -> bool {
         self.all.is_empty()
+    }
+
+    /// Returns the watched local variables with their lifetimes.
+    pub(crate) fn lifetimes(&mut self) -> impl Iterator<Item = (&WatchedData, &mut Lifetime)> {
+        self.all.iter_mut().filter_map(|watch| Some((&watch.breakpoint.data, watch.life.as_mut()?)))
     }
 }
 
@@ -102,11 +139,13 @@ impl Debugger {
                 self.breakpoints.hits.remove(&before.breakpoint.id);
             }
         }
+        let now = Moment::of(&self.controller);
         let before = std::mem::take(&mut self.data.all);
         for breakpoint in breakpoints {
             let same = before.iter().find(|watch| watch.breakpoint.data == breakpoint.data);
-            let over = same.and_then(|watch| watch.over);
-            self.data.all.push(WatchedBreakpoint { over, breakpoint, seen: None, text: String::new() });
+            let new = || breakpoint.data.is_local().then(|| Lifetime::of_existing(now));
+            let life = same.map_or_else(new, |watch| watch.life);
+            self.data.all.push(WatchedBreakpoint { life, breakpoint, seen: None, text: String::new(), exists: false });
         }
         self.settle_data();
     }
@@ -116,30 +155,45 @@ impl Debugger {
     pub(crate) fn settle_data(&mut self) {
         let now = Moment::of(&self.controller);
         for watch in &mut self.data.all {
-            watch.over = watch.over.filter(|over| *over <= now);
-            watch.seen = watch.breakpoint.data.digest(&mut self.controller);
-            watch.text = watch.breakpoint.data.text(&mut self.controller);
+            let has_frame = watch.breakpoint.data.has_frame(&self.controller);
+            watch.exists = watch.life.as_mut().is_none_or(|life| life.go_to(has_frame, now));
+            watch.settle(&mut self.controller);
         }
         let with_reads = self.data.all.iter().filter(|watch| watch.breakpoint.access != DataAccess::Write);
         let signals = with_reads.filter_map(|watch| watch.breakpoint.data.as_signal()).collect();
         self.controller.devices.watch_signal_reads(signals);
-        self.watch_plain_data();
+        self.watch_data();
     }
 
-    /// Lets the interpreter compare the watched values if it can compare all of them.
-    fn watch_plain_data(&mut self) {
-        let open = self.data.all.iter().filter(|watch| watch.over.is_none());
-        let plain = open.map(|watch| match watch.breakpoint.access {
-            DataAccess::Write => watch.breakpoint.data.plain(&mut self.controller),
-            DataAccess::Read | DataAccess::ReadWrite => None,
-        });
-        let watch = plain.collect::<Option<_>>().filter(|_| !self.data.is_empty()).map(Arc::new);
-        self.controller.vm.watch_data(watch);
+    /// Lets the interpreter compare the watched values if it can compare all of them, and stop before the returns of
+    /// programs with watched variables.
+    fn watch_data(&mut self) {
+        let mut found = DataWatch::default();
+        self.data.is_compared = true;
+        for watch in self.data.all.iter().filter(|watch| !watch.is_over()) {
+            let DataBreakpoint { data, access, .. } = &watch.breakpoint;
+            let owner = data.owner();
+            let is_compared = if watch.exists {
+                found.frames.extend(owner);
+                let value = data.plain(&mut self.controller).filter(|_| *access == DataAccess::Write);
+                let is_plain = value.is_some();
+                found.values.extend(value);
+                is_plain
+            } else {
+                found.awaited.extend(owner);
+                owner.is_some_and(|owner| owner.index > 0)
+            };
+            self.data.is_compared &= is_compared;
+        }
+        if !self.data.is_compared {
+            (found.values, found.awaited) = (Vec::new(), Vec::new());
+        }
+        self.controller.vm.watch_data((!self.data.is_empty()).then(|| Arc::new(found)));
     }
 
     /// Returns how finely a cycle has to stop so that no access to watched data is missed.
     pub(crate) fn watch_of_data(&self) -> CycleWatch {
-        match self.controller.vm.watches_data() {
+        match self.data.is_compared {
             _ if self.data.is_empty() => CycleWatch::Nothing,
             true => CycleWatch::Changes,
             false => CycleWatch::Lines,
@@ -156,7 +210,14 @@ impl Debugger {
         let signal_reads = self.controller.devices.take_signal_reads();
         let (mut changes, mut has_any_changed) = (Vec::new(), false);
         let moment = Moment::of(&self.controller);
-        for watch in self.data.all.iter_mut().filter(|watch| watch.over.is_none()) {
+        for watch in self.data.all.iter_mut().filter(|watch| !watch.is_over()) {
+            if watch.follow_life(&mut self.controller, moment) {
+                has_any_changed = true;
+                continue;
+            }
+            if !watch.exists {
+                continue;
+            }
             let DataBreakpoint { data, access, .. } = &watch.breakpoint;
             let now = data.digest(&mut self.controller);
             let is_read = match (task.zip(line), data.as_signal()) {
@@ -166,17 +227,12 @@ impl Debugger {
                 (Some((task, BegunLine { frame, op })), None) => data.is_read(&mut self.controller, task, frame, op),
             };
             let has_changed = now != watch.seen;
-            let is_over = now.is_none() && data.is_local();
-            has_any_changed |= has_changed || is_over;
+            has_any_changed |= has_changed;
             let mut old = watch.text.clone();
             if has_changed {
                 let text = data.text(&mut self.controller);
                 old = std::mem::replace(&mut watch.text, text);
                 watch.seen = now;
-            }
-            if is_over {
-                watch.over = Some(moment);
-                continue;
             }
             let is_write = has_changed && *access != DataAccess::Read;
             if !is_write && !is_read {
@@ -198,7 +254,7 @@ impl Debugger {
             }
         }
         if has_any_changed {
-            self.watch_plain_data();
+            self.watch_data();
         }
         if changes.is_empty() {
             return None;
@@ -207,10 +263,16 @@ impl Debugger {
         Some(Stop::Data(Box::new(DataStop { task, line, changes })))
     }
 
+    /// Discards the recorded future of the watched data, because the caller has changed the run.
+    pub(crate) fn discard_future_of_data(&mut self) {
+        let now = Moment::of(&self.controller);
+        self.data.lifetimes().for_each(|(_, life)| life.discard_future(now));
+    }
+
     /// Returns the breakpoints on local variables whose program has ended, so that they no longer stop the run.
     #[must_use]
     pub fn ended_data(&self) -> BTreeSet<BreakpointId> {
-        self.data.all.iter().filter(|watch| watch.over.is_some()).map(|watch| watch.breakpoint.id).collect()
+        self.data.all.iter().filter(|watch| watch.is_over()).map(|watch| watch.breakpoint.id).collect()
     }
 
     /// Begins the next cycle without executing a line, and returns the stop for changes from outside.

@@ -218,6 +218,14 @@ impl Debugger {
         self.skipped = code;
     }
 
+    /// Returns the [skipped](Self::skip) patterns that no program in memory matches.
+    #[must_use]
+    pub fn unused_skips(&self) -> Vec<String> {
+        let space = &self.controller.vm.space;
+        let unused = self.skipped.iter().filter(|code| !code.has_code(space));
+        unused.map(|code| code.text().to_owned()).collect()
+    }
+
     /// Returns the task of the current step while it waits within a line.
     #[must_use]
     pub fn waiting_step(&self) -> Option<TaskNumber> {
@@ -310,6 +318,9 @@ impl Debugger {
         if status == RunStatus::Busy {
             self.pass_cycle();
         }
+        // The run continues after the end of the stepped task.
+        let tasks = self.controller.vm.tasks();
+        self.step = self.step.filter(|step| tasks.iter().any(|task| task.id == step.task));
         if let RunStatus::AtStop(task) | RunStatus::Seen(task) = status {
             self.last = Some(task);
         }
@@ -334,6 +345,9 @@ impl Debugger {
         }
         if self.controller.vm.is_at_end(task) {
             return self.exit(task);
+        }
+        if self.controller.vm.is_at_return(task) {
+            return None;
         }
         let stop = self.hit(task)?;
         // A breakpoint on the last `end` has already stopped the run before its end.
@@ -363,10 +377,6 @@ impl Debugger {
             return data;
         }
         let vm = &self.controller.vm;
-        if !vm.tasks().iter().any(|known| known.id == task) {
-            // The task of the step no longer exists: the run continues.
-            self.step = self.step.filter(|step| step.task != task);
-        }
         let step = self.step.filter(|step| step.task == task && step.is_done(vm, &self.skipped))?;
         let task = match step.kind {
             // The line has created the newest task.
@@ -390,7 +400,8 @@ impl Debugger {
         std::mem::take(&mut self.logged)
     }
 
-    fn failure(&self, task: TaskNumber) -> Option<Fault> {
+    /// Returns the run-time error that has stopped a task.
+    pub(crate) fn failure(&self, task: TaskNumber) -> Option<Fault> {
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task)?;
         match found.state {
             TaskState::Failed(fault) => Some(fault),

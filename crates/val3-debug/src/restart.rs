@@ -50,7 +50,7 @@ impl Debugger {
         if self.has_just_entered(task, entered) {
             return Ok(Stop::Step { task });
         }
-        let stop = self.back_to_last(CycleWatch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
+        let stop = self.back_to_last(|_| CycleWatch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
             match replayed.status {
                 // A program is called by the task itself. Its first program is entered when another task creates the
                 // task.

@@ -66,6 +66,19 @@ impl SkipPattern {
         self.matches(&image.name, &program.name)
     }
 
+    /// Whether a program in memory matches the pattern.
+    pub(crate) fn has_code(&self, space: &Space) -> bool {
+        space.loaded().any(|(_, instance)| {
+            let image = &instance.image;
+            image.programs.iter().any(|program| self.matches(&image.name, &program.name))
+        })
+    }
+
+    /// Returns the pattern as it was written.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
     fn matches(&self, application: &str, program: &str) -> bool {
         let is_program = |pattern: &GlobMatcher| pattern.is_match(program);
         self.application.is_match(application) && self.program.as_ref().is_none_or(is_program)

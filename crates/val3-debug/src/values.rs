@@ -265,22 +265,31 @@ pub(crate) fn names(vm: &Vm, context: FragmentContext) -> AccessNames {
     AccessNames::of(vm, context.task(), context)
 }
 
+/// Format in which the texts of different numbers differ.
+pub(crate) const EXACT: DisplayFormat = DisplayFormat { hex: false, radians: false, exact: true, bare: false };
+
 /// Formats a value.
-pub(crate) fn text_of(memory: &Memory, devices: &Devices, kind: &ValueType, place: Place) -> String {
-    text::shown(memory, devices, kind, place, DisplayFormat::default()).unwrap_or_else(|_| "not in memory".to_owned())
+pub(crate) fn text_of(
+    memory: &Memory,
+    devices: &Devices,
+    kind: &ValueType,
+    place: Place,
+    format: DisplayFormat,
+) -> String {
+    text::shown(memory, devices, kind, place, format).unwrap_or_else(|_| "not in memory".to_owned())
 }
 
 /// Number of elements that the text for an array or collection shows.
 const SHOWN_VALUES: u32 = 8;
 
-/// Formats the first elements of a container.
+/// Formats the first elements of a container in the format [`EXACT`].
 pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> String {
     let (Ok(store), Ok(count)) = (memory.store(view.store), memory.len(view)) else { return String::new() };
     let numbers: Vec<u32> = match &store.shape {
         ContainerShape::Collection(keys) => keys.values().copied().take(SHOWN_VALUES as usize).collect(),
         ContainerShape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
     };
-    let text = |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number));
+    let text = |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number), EXACT);
     listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
 }
 
@@ -304,7 +313,8 @@ pub fn row_of_data(controller: &Controller, instance: InstanceId, name: &str, ro
     let ContainerShape::Array { sizes: [rows, second, third], .. } = store.shape else { return None };
     let width = second.saturating_mul(third);
     let first = row.checked_mul(width).filter(|_| row < rows)?;
-    let text = |number| text_of(&space.memory, &controller.devices, &store.kind, store.place(id, number));
+    let format = DisplayFormat::default();
+    let text = |number| text_of(&space.memory, &controller.devices, &store.kind, store.place(id, number), format);
     let texts: Vec<String> = (first..first + width.min(SHOWN_VALUES)).map(text).collect();
     Some(listed(&texts, width))
 }

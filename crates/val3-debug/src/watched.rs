@@ -169,8 +169,16 @@ impl WatchedData {
         })
     }
 
+    /// Whether the stack frame of a local variable exists; `true` for other data. The frame of another call of the program
+    /// by the same line is equal.
+    pub(crate) fn has_frame(&self, controller: &Controller) -> bool {
+        let Some(FrameOwner { task, index, frame }) = self.owner() else { return true };
+        let found = controller.vm.tasks().iter().find(|known| known.id == task);
+        found.is_some_and(|task| task.thread.frames.get(index) == Some(&frame))
+    }
+
     /// Returns the stack frame of a local variable.
-    const fn owner(&self) -> Option<FrameOwner> {
+    pub(crate) const fn owner(&self) -> Option<FrameOwner> {
         match self.root {
             WatchedRoot::Local { task, index, frame, .. } => Some(FrameOwner { task, index, frame }),
             WatchedRoot::Global { .. } | WatchedRoot::Signal(_) => None,
@@ -184,7 +192,7 @@ impl WatchedData {
         }
         let text = self.look(controller, |memory, devices, found| {
             Some(match found {
-                ValueLocation::One(kind, place) => values::text_of(memory, devices, &kind, place),
+                ValueLocation::One(kind, place) => values::text_of(memory, devices, &kind, place, values::EXACT),
                 ValueLocation::All(view) => values::text_of_all(memory, devices, view),
             })
         });
@@ -210,12 +218,19 @@ impl WatchedData {
         })
     }
 
-    /// Returns the links of the data, by element, if they are inputs, outputs or serial lines; otherwise an empty list.
+    /// Returns the links of the data, by element, if they are inputs, outputs, serial lines or tools with a gripper
+    /// output; otherwise an empty list.
     pub(crate) fn ports(&self, controller: &mut Controller) -> Vec<(BaseType, LinkPlace)> {
         let ports = self.look(controller, |memory, _, found| {
             let link = |kind: &ValueType, place: Place| match kind.base {
                 KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
                     Some((base, memory.link(place, 0).ok()?))
+                }
+                KindBase::Builtin(base @ BaseType::Tool, arm) => {
+                    // The output of the gripper.
+                    let field = types::fields(base, arm).iter().find(|field| field.ty == BaseType::Dio)?;
+                    let link = memory.link(place.after(field_offset(base, arm, field.name)?), 0).ok()?;
+                    Some((BaseType::Dio, link))
                 }
                 _ => None,
             };
@@ -239,6 +254,10 @@ impl WatchedData {
         let Some(instance) = vm.space.instance(frame.instance).cloned() else { return false };
         let Some(program) = instance.image.programs.get(usize::from(frame.program)) else { return false };
         let line = program.line_of(op).and_then(|line| program.lines.get(line)).map_or(op, |line| line.op);
+        // The line before a closing keyword has already ended: its reads were found at the stop before the keyword.
+        if program.closings.iter().any(|closing| closing.op == op) {
+            return false;
+        }
         // The next iteration in a `for` is a separate operation.
         let op = if program.code.get(op as usize).is_some_and(|step| step.mark.begins_line()) { op } else { line };
         let reads =

@@ -4,10 +4,11 @@
 //! line. A line that writes the present value is no write here, as for data breakpoints.
 
 use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
 
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::RunStatus;
-use val3_vm::{CycleWatch, Vm};
+use val3_vm::{CycleWatch, DataWatch, Vm};
 
 use crate::backwards::{Watcher, fraction};
 use crate::debugger::Debugger;
@@ -38,6 +39,16 @@ pub struct DataWrites {
     pub initial: Option<String>,
 }
 
+/// Value of watched data at a moment.
+#[derive(Clone)]
+struct MomentValue {
+    /// The value; `None` if it is not in memory.
+    digest: Option<Digest>,
+    text: String,
+    /// Whether the stack frame of a local variable exists; `true` for other data.
+    exists: bool,
+}
+
 /// Writes within a part of the history, in chronological order.
 struct PartWrites {
     /// The last writes, at most as many as requested and one more.
@@ -47,6 +58,8 @@ struct PartWrites {
     initial: String,
     /// Present value; `None` if it is not in memory.
     seen: Option<Digest>,
+    /// Whether the stack frame of a local variable exists.
+    exists: bool,
     /// Whether a local variable's program has begun within this part.
     has_begun: bool,
     /// Task names, also of tasks that end within this part.
@@ -69,18 +82,25 @@ impl Debugger {
         found
     }
 
+    /// Returns the present value.
+    fn present(&mut self, data: &WatchedData) -> MomentValue {
+        let exists = data.has_frame(&self.controller);
+        MomentValue { digest: data.digest(&mut self.controller), text: data.text(&mut self.controller), exists }
+    }
+
     fn search_writes(&mut self, data: &WatchedData, count: usize, watcher: Watcher<'_>) -> Option<DataWrites> {
         let present = Moment::of(&self.controller);
         let past = present.time - self.first_moment().map_or(0, |first| first.time);
-        let mut later = (data.digest(&mut self.controller), data.text(&mut self.controller));
-        let mut all = DataWrites { initial: Some(later.1.clone()), ..DataWrites::default() };
+        let mut later = self.present(data);
+        let mut all = DataWrites { initial: Some(later.text.clone()), ..DataWrites::default() };
         let mut end = present;
         while all.writes.len() <= count
             && let Some(start) = self.restore_earlier(end)
         {
-            let first = (data.digest(&mut self.controller), data.text(&mut self.controller));
-            let mut part = PartWrites::new(first.0.clone(), first.1.clone(), count + 1);
+            let first = self.present(data);
+            let mut part = PartWrites::new(first.clone(), count + 1);
             part.keep_names(&self.controller.vm);
+            self.watch_return(data);
             while let Some(task) = self.replay_line(end) {
                 part.follow(self, data, task);
                 let searched = (present.time - end.time) + (self.controller.now() - start.time);
@@ -89,8 +109,9 @@ impl Debugger {
                 }
             }
             // A change by the debugger at the end of the part is not repeated by a replay.
-            if part.seen != later.0 {
-                part.add(DataWrite { time: end.time, task: None, line: None, value: later.1 }, later.0, data);
+            if (&part.seen, part.exists) != (&later.digest, later.exists) {
+                let write = DataWrite { time: end.time, task: None, line: None, value: later.text };
+                part.add(write, later.digest, later.exists);
             }
             all.writes.extend(part.writes.into_iter().rev());
             all.initial = Some(part.initial);
@@ -104,6 +125,12 @@ impl Debugger {
             all.initial = None;
         }
         Some(all)
+    }
+
+    /// Lets tasks stop before the return of the program of a local variable.
+    fn watch_return(&mut self, data: &WatchedData) {
+        let watch = DataWatch { frames: data.owner().into_iter().collect(), ..DataWatch::default() };
+        self.controller.vm.watch_data(Some(Arc::new(watch)));
     }
 
     /// Replays a line of a task, or the time until something happens, towards `end`. Returns the task; `None` at `end`.
@@ -128,8 +155,9 @@ impl Debugger {
 }
 
 impl PartWrites {
-    fn new(seen: Option<Digest>, initial: String, limit: usize) -> Self {
-        Self { writes: VecDeque::new(), limit, initial, seen, has_begun: false, names: BTreeMap::new() }
+    fn new(MomentValue { digest, text, exists }: MomentValue, limit: usize) -> Self {
+        let names = BTreeMap::new();
+        Self { writes: VecDeque::new(), limit, initial: text, seen: digest, exists, has_begun: false, names }
     }
 
     /// Stores the name of each task.
@@ -145,19 +173,19 @@ impl PartWrites {
         self.keep_names(&debugger.controller.vm);
         let controller = &mut debugger.controller;
         let now = data.digest(controller);
-        if now == self.seen {
+        let exists = data.has_frame(controller);
+        if now == self.seen && exists == self.exists {
             return;
         }
         let value = data.text(controller);
         let line = line.and_then(|line| task_frame(&controller.vm, &line.frame, line.op));
         let task = task.and_then(|task| self.names.get(&task).cloned());
-        self.add(DataWrite { time: controller.now(), task, line, value }, now, data);
+        self.add(DataWrite { time: controller.now(), task, line, value }, now, exists);
     }
 
-    fn add(&mut self, write: DataWrite, now: Option<Digest>, data: &WatchedData) {
-        let was_there = self.seen.is_some();
+    fn add(&mut self, write: DataWrite, now: Option<Digest>, exists: bool) {
         self.seen = now;
-        if !was_there && data.is_local() {
+        if !std::mem::replace(&mut self.exists, exists) && exists {
             // The local variable begins to exist here. The earlier writes were to another call's variable in its place.
             self.writes.clear();
             self.has_begun = true;

@@ -6,9 +6,18 @@ use val3_lang::values::Text;
 
 use crate::Frame;
 
-/// Values whose changes a cycle [reports](crate::CycleWatch::Changes).
+/// Values whose changes a cycle [reports](crate::CycleWatch::Changes), and the stack frames of watched local variables.
 #[derive(Debug, Clone, Default)]
-pub struct DataWatch(Vec<WatchedValue>);
+pub struct DataWatch {
+    /// Values that the interpreter compares.
+    pub values: Vec<WatchedValue>,
+    /// Frames before whose return the task stops with [`TurnEnd::AtStop`](crate::TurnEnd::AtStop), because the last line
+    /// of a program and its return have no line between them.
+    pub frames: Vec<FrameOwner>,
+    /// Frames that do not exist yet. Their creation is a change. A task's first frame is not supported, because another
+    /// task creates it.
+    pub awaited: Vec<FrameOwner>,
+}
 
 /// Numbers, strings and links at one place in memory, with the values of the last comparison.
 #[derive(Debug, Clone)]
@@ -47,20 +56,35 @@ pub struct BegunLine {
     pub op: u32,
 }
 
-impl FromIterator<WatchedValue> for DataWatch {
-    fn from_iter<T: IntoIterator<Item = WatchedValue>>(values: T) -> Self {
-        Self(values.into_iter().collect())
+impl DataWatch {
+    /// Whether a value has changed or no longer exists, or an awaited frame exists. The memory contains the stack of
+    /// `task`.
+    pub(crate) fn has_changed(&self, memory: &Memory, task: TaskNumber, frames: &[Frame]) -> bool {
+        self.values.iter().any(|value| value.has_changed(memory, task, frames))
+            || self.awaited.iter().any(|owner| owner.is_on(task, frames))
+    }
+
+    /// Whether the innermost frame of the task belongs to a watched local variable.
+    pub(crate) fn stops_before_return(&self, task: TaskNumber, frames: &[Frame]) -> bool {
+        self.frames.iter().any(|owner| owner.index + 1 == frames.len() && owner.is_on(task, frames))
     }
 }
 
-impl DataWatch {
-    /// Whether a value has changed or no longer exists. The memory contains the stack of `task`.
-    pub(crate) fn has_changed(&self, memory: &Memory, task: TaskNumber, frames: &[Frame]) -> bool {
-        self.0.iter().any(|value| value.has_changed(memory, task, frames))
+impl FrameOwner {
+    /// Whether the frame is on the stack of `task`, which has these frames.
+    fn is_on(&self, task: TaskNumber, frames: &[Frame]) -> bool {
+        self.task == task && frames.get(self.index) == Some(&self.frame)
     }
 }
 
 impl WatchedValue {
+    /// Returns a value without numbers, strings and links: it changes when the frame is removed.
+    #[must_use]
+    pub fn frame(owner: FrameOwner) -> Self {
+        let (bits, texts, links) = (Vec::new(), Vec::new(), Vec::new());
+        Self { owner: Some(owner), container: None, place: Place::first(StoreId::STACK), bits, texts, links }
+    }
+
     fn has_changed(&self, memory: &Memory, task: TaskNumber, frames: &[Frame]) -> bool {
         match &self.owner {
             Some(owner) if owner.task == task && frames.get(owner.index) != Some(&owner.frame) => true,

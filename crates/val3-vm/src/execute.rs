@@ -81,7 +81,9 @@ impl TurnContext<'_> {
     /// guard excludes a stop.
     #[cold]
     fn meets_stop(&self, thread: &mut Thread, instance: &Instance, frame: &Frame, op: usize) -> bool {
-        (thread.is_at_stop || !self.space.passes_stop(instance, frame, op)) && thread.meets_stop()
+        let task = self.roster.position(self.task).and_then(|at| self.roster.tasks.get(at));
+        let name = task.map_or("", |task| task.name.as_str());
+        (thread.is_at_stop || !self.space.passes_stop(instance, frame, op, name)) && thread.meets_stop()
     }
 
     /// Executes programs in one application or library until the task exits it.
@@ -434,6 +436,10 @@ impl TurnContext<'_> {
                     change!(inner);
                 }
                 Op::Return => {
+                    if self.watch.is_some() && self.stops_before_return(thread, step.mark) {
+                        at.next -= 1;
+                        return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
+                    }
                     if self.space.stops_at_ends && thread.meets_end() {
                         at.next -= 1;
                         return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));

@@ -24,13 +24,29 @@ const REGISTERS: usize = 16;
 /// Largest number of places, and of views, that a condition looks up.
 const LOOKUPS: usize = 8;
 
-/// Guard of a stop mark. All conditions are false at most arrivals.
+/// Guard of a stop mark, at which most arrivals are no stop.
 #[derive(Debug, Clone)]
 pub struct StopGuard {
     place: GuardedOp,
     /// Image in memory when the guard was created. The guard has no effect in other images.
     image: Arc<Image>,
-    conditions: Vec<PureCondition>,
+    reasons: Vec<GuardedReason>,
+}
+
+/// Reason for a stop, for [`StopGuard::new`].
+#[derive(Debug, Clone, Copy)]
+pub struct StopReason<'a> {
+    /// Name of the only task that stops; `None` for all tasks.
+    pub task: Option<&'a str>,
+    /// Condition of the stop.
+    pub condition: Option<&'a Fragment>,
+}
+
+/// Reason for a stop that the interpreter can exclude.
+#[derive(Debug, Clone)]
+struct GuardedReason {
+    task: Option<String>,
+    condition: Option<PureCondition>,
 }
 
 /// Operation with a stop mark.
@@ -78,35 +94,51 @@ struct Registers<'a> {
 }
 
 impl StopGuard {
-    /// Creates the guard of a stop mark at which tasks stop only if one of the conditions is true. Returns `None` if
-    /// the operation does not exist or a condition requires more.
+    /// Creates the guard of a stop mark at which tasks stop only for one of the reasons. Returns `None` if the operation
+    /// does not exist, if a condition requires more, or if a reason holds for every task.
     pub fn new<'f>(
         space: &Space,
         place: GuardedOp,
-        conditions: impl IntoIterator<Item = &'f Fragment>,
+        reasons: impl IntoIterator<Item = StopReason<'f>>,
     ) -> Option<Self> {
         let image = Arc::clone(&space.instance(place.instance)?.image);
         let program = image.programs.get(usize::from(place.program))?;
-        let conditions = conditions.into_iter().map(|condition| PureCondition::new(program, condition));
-        let conditions = conditions.collect::<Option<_>>()?;
-        Some(Self { place, image, conditions })
+        let reasons = reasons.into_iter().map(|reason| GuardedReason::new(program, reason));
+        let reasons = reasons.collect::<Option<_>>()?;
+        Some(Self { place, image, reasons })
     }
 
-    /// Whether no condition is true.
-    fn excludes(&self, memory: &Memory, instance: &Instance, frame: &Frame) -> bool {
-        self.conditions.iter().all(|condition| condition.value(memory, instance, frame) == Some(0.0))
+    /// Whether the task with this name does not stop for any reason.
+    fn excludes(&self, memory: &Memory, instance: &Instance, frame: &Frame, task: &str) -> bool {
+        self.reasons.iter().all(|reason| {
+            let is_of_other_task = reason.task.as_ref().is_some_and(|name| name != task);
+            let condition = reason.condition.as_ref();
+            is_of_other_task
+                || condition.is_some_and(|condition| condition.value(memory, instance, frame) == Some(0.0))
+        })
+    }
+}
+
+impl GuardedReason {
+    /// Returns the reason for the variables of `program`; `None` if the interpreter cannot exclude it.
+    fn new(program: &Program, StopReason { task, condition }: StopReason<'_>) -> Option<Self> {
+        let condition = condition.map(|condition| PureCondition::new(program, condition));
+        match (task, condition) {
+            (None, None) | (_, Some(None)) => None,
+            (task, condition) => Some(Self { task: task.map(str::to_owned), condition: condition.flatten() }),
+        }
     }
 }
 
 impl Space {
-    /// Whether a task passes a stop mark because the mark's guard excludes a stop.
-    pub(crate) fn passes_stop(&self, instance: &Instance, frame: &Frame, op: usize) -> bool {
+    /// Whether the task with this name passes a stop mark because the mark's guard excludes a stop.
+    pub(crate) fn passes_stop(&self, instance: &Instance, frame: &Frame, op: usize, task: &str) -> bool {
         let here = |guard: &&StopGuard| {
             let GuardedOp { instance, program, op: guarded } = guard.place;
             guarded as usize == op && program == frame.program && instance == frame.instance
         };
         self.guards.iter().find(here).is_some_and(|guard| {
-            Arc::ptr_eq(&guard.image, &instance.image) && guard.excludes(&self.memory, instance, frame)
+            Arc::ptr_eq(&guard.image, &instance.image) && guard.excludes(&self.memory, instance, frame, task)
         })
     }
 }

@@ -36,7 +36,7 @@ pub use counts::LineCounts;
 pub use data_watch::{BegunLine, DataWatch, FrameOwner, WatchedValue};
 pub use ends::{CycleEnd, TurnEnd};
 pub use evaluate::{FragmentContext, FragmentEnd};
-pub use guards::{GuardedOp, StopGuard};
+pub use guards::{GuardedOp, StopGuard, StopReason};
 pub use host::{Host, LibraryOp, LibraryRequest, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId, ProgramId};
 pub use schedule::{CYCLE, CycleWatch, Schedule};

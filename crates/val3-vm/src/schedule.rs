@@ -136,7 +136,7 @@ impl Schedule {
     /// Returns the number of lines that a turn may begin before the cycle stops.
     fn lines_until_stop(&self, task: TaskNumber, vm: &Vm) -> u32 {
         let most = match self.watch {
-            CycleWatch::Lines => u32::from(!vm.is_within_line(task)),
+            CycleWatch::Lines => u32::from(!vm.is_within_line(task) && !vm.is_at_return(task)),
             CycleWatch::Nothing | CycleWatch::Failures | CycleWatch::Changes => u32::MAX,
         };
         self.limit.map_or(most, |limit| self.lines_until(limit).min(most))

@@ -53,6 +53,8 @@ pub struct Thread {
     pub is_at_stop: bool,
     /// Whether the task has stopped before its end.
     pub is_at_end: bool,
+    /// Whether the task has stopped before the return of a program with [watched](crate::DataWatch::frames) variables.
+    pub is_at_return: bool,
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.
@@ -131,11 +133,20 @@ impl Thread {
         meets
     }
 
+    /// Whether the task stops before the return of a program with watched variables: at the first attempt only.
+    /// `has_passed_stop` is `true` if the task has passed a stop mark of this operation.
+    #[cold]
+    pub(crate) fn meets_return(&mut self, has_passed_stop: bool) -> bool {
+        self.is_at_return = !self.is_at_return;
+        self.is_at_stop |= self.is_at_return && has_passed_stop;
+        self.is_at_return
+    }
+
     /// Moves to the beginning of a line and discards the waits within the previous one.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);
         (self.waiting, self.watched, self.wait) = (None, None, None);
-        (self.is_at_stop, self.is_at_end) = (false, false);
+        (self.is_at_stop, self.is_at_end, self.is_at_return) = (false, false, false);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use val3_bytecode::LineMark;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{CodePlace, Origin, TaskNumber, Time};
 
@@ -49,6 +50,18 @@ impl TurnContext<'_> {
     pub(crate) fn has_changed_data(&self, thread: &Thread) -> bool {
         let watch = self.watch.as_ref();
         watch.is_some_and(|watch| watch.has_changed(&self.space.memory, self.task, &thread.frames))
+    }
+
+    /// Whether the task stops before it executes the return of a program with watched variables. A `return` that
+    /// begins a line is compared before the line.
+    #[cold]
+    pub(crate) fn stops_before_return(&self, thread: &mut Thread, mark: LineMark) -> bool {
+        let watch = self.watch.as_ref().filter(|_| !mark.begins_line());
+        if watch.is_some_and(|watch| watch.stops_before_return(self.task, &thread.frames)) {
+            return thread.meets_return(mark.is_stop());
+        }
+        thread.is_at_return = false;
+        false
     }
 
     /// Begins a line while values are watched. Returns `false` instead if the turn has changed one before.

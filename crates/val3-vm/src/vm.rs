@@ -224,13 +224,10 @@ impl Vm {
 
     /// Sets the values whose change ends a turn. Evaluations do not watch them.
     pub fn watch_data(&mut self, watch: Option<Arc<DataWatch>>) {
+        if watch.is_none() {
+            self.roster.tasks.iter_mut().for_each(|task| task.thread.is_at_return = false);
+        }
         self.watch = watch;
-    }
-
-    /// Whether values are watched.
-    #[must_use]
-    pub fn watches_data(&self) -> bool {
-        self.watch.is_some()
     }
 
     /// Returns the line of the last turn: the line that the turn began last while values are watched or if it executed
@@ -267,14 +264,27 @@ impl Vm {
     #[must_use]
     pub fn is_after_line(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
-        task.is_some_and(|task| task.thread.is_at_end || self.mark(&task.thread) == Some(LineMark::StopWithin))
+        task.is_some_and(|task| {
+            let Thread { is_at_end, is_at_return, .. } = *task.thread;
+            is_at_end || is_at_return || self.mark(&task.thread) == Some(LineMark::StopWithin)
+        })
+    }
+
+    /// Whether a task has stopped before the return of a program with watched variables.
+    #[must_use]
+    pub fn is_at_return(&self, id: TaskNumber) -> bool {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
+        task.is_some_and(|task| task.thread.is_at_return)
     }
 
     /// Whether a task has begun a line and not ended it.
     #[must_use]
     pub fn is_within_line(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
-        task.is_some_and(|task| !task.thread.is_at_end && self.mark(&task.thread).is_some_and(LineMark::is_within_line))
+        task.is_some_and(|task| {
+            let Thread { is_at_end, is_at_return, .. } = *task.thread;
+            !is_at_end && !is_at_return && self.mark(&task.thread).is_some_and(LineMark::is_within_line)
+        })
     }
 
     /// Sets whether tasks stop before their end, after the last line of their first program.

@@ -1,10 +1,12 @@
 //! Values as text.
 
 use val3_lang::fault::Result;
-use val3_lang::memory::{ContainerShape, KindBase, LinkPlace, Memory, Place, ValueType, View};
-use val3_lang::types::BaseType;
+use val3_lang::memory::{ContainerShape, KindBase, LinkPlace, Memory, Place, ValueType, View, field_offset};
+use val3_lang::types::{self, Arm, BaseType, Field};
 use val3_lang::values::printed;
 use val3_machine::devices::Devices;
+
+use super::EXACT;
 
 /// Number of fields in the text for a user-type value.
 const SHOWN_FIELDS: usize = 4;
@@ -41,8 +43,32 @@ pub(super) fn shown(
         KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
             Ok(port(devices, *base, memory.link(place, 0)?, format))
         }
-        KindBase::Builtin(..) => memory.shown(kind, place),
+        KindBase::Builtin(..) if !format.exact => memory.shown(kind, place),
+        KindBase::Builtin(base, arm) => match types::fields(*base, *arm) {
+            [] => memory.shown(kind, place),
+            fields => structure(memory, devices, fields, (*base, *arm), place),
+        },
     }
+}
+
+/// Formats a structure by its fields, with all digits of its numbers.
+fn structure(
+    memory: &Memory,
+    devices: &Devices,
+    fields: &[Field],
+    (base, arm): (BaseType, Option<Arm>),
+    place: Place,
+) -> Result<String> {
+    let texts = fields.iter().map(|field| {
+        let offset = field_offset(base, arm, field.name).unwrap_or_default();
+        let kind = ValueType::builtin(field.ty, arm);
+        match field.ty {
+            // The link of a tool's gripper is no part of the text.
+            BaseType::Dio => memory.shown(&kind, place.after(offset)),
+            _ => shown(memory, devices, &kind, place.after(offset), EXACT),
+        }
+    });
+    Ok(printed::structure(&texts.collect::<Result<Vec<_>>>()?))
 }
 
 fn number(value: f64, format: DisplayFormat) -> String {

@@ -3,9 +3,10 @@
 use expect_test::{Expect, expect};
 use val3_debug::{
     AdvanceResult, BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, StepKind, Stop,
-    WatchedData,
+    WatchedData, frames,
 };
 use val3_lang::memory::LinkPlace;
+use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_machine::io::{Direction, Signal};
 use val3_tests::running::Running;
@@ -19,8 +20,17 @@ pub(crate) fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
     watch_access(debugger, paths, DataAccess::Write);
 }
 
+/// Sets a data breakpoint on a path in the innermost frame of a task.
+pub(crate) fn watch_in(debugger: &mut Debugger, task: TaskNumber, path: &str) {
+    watch_of(debugger, task, &[(path, None)], DataAccess::Write);
+}
+
 fn watch_access(debugger: &mut Debugger, paths: &[(&str, Option<&str>)], access: DataAccess) {
     let task = debugger.controller.vm.tasks()[0].id;
+    watch_of(debugger, task, paths, access);
+}
+
+fn watch_of(debugger: &mut Debugger, task: TaskNumber, paths: &[(&str, Option<&str>)], access: DataAccess) {
     let breakpoints = (20..).zip(paths).map(|(id, (path, hits))| DataBreakpoint {
         id: BreakpointId(id),
         data: WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path).unwrap(),
@@ -450,4 +460,38 @@ fn lines_that_read_data_stop_the_run() {
 fn reads_and_changes_are_told_apart() {
     expect!["start:1 start:2! start:5 start:7 show:1! show:2 start:12 start:18!"]
         .assert_eq(&readers("nCount", DataAccess::ReadWrite));
+}
+
+/// A change by the last line of a program is reported before the program returns, also if nothing follows in the task.
+#[test]
+fn a_change_by_the_last_line_is_not_lost() {
+    let listing = "num nCount\nprogram start()\nnum l_nLast\nbegin\n  call work()\n  l_nLast=7\nend\nprogram work()\n\
+                   num l_n\nbegin\n  l_n=1\n  l_n=2\nend\n";
+    check(
+        listing,
+        &[("l_nLast", None)],
+        expect![[r#"
+            main~ start:2: [20] 0 -> 7
+            end
+        "#]],
+    );
+    let mut debugger = debugger(listing);
+    debugger.record(PastLimits::default());
+    set(&mut debugger, "work", &[(1, None)]);
+    let task = task_of(&run(&mut debugger).unwrap()).unwrap();
+    set(&mut debugger, "work", &[]);
+    watch_in(&mut debugger, task, "l_n");
+    expect![[r#"
+        main~ work:1: [20] 0 -> 1
+        main~ work:2: [20] 1 -> 2
+        end
+    "#]]
+    .assert_eq(&all(&mut debugger));
+    let stop = debugger.run_back();
+    assert_eq!(change(&debugger, &stop), "main~ work:2: [20] 1 -> 2");
+    let row = frames(&debugger.controller.vm, task)[0].row;
+    assert_eq!(row - first_row(&debugger, "work"), 2, "before its `end`");
+    debugger.step(task, StepKind::Over);
+    assert_eq!(run(&mut debugger), Some(Stop::Step { task }));
+    assert_eq!(frames(&debugger.controller.vm, task)[0].program, "start");
 }

@@ -6,6 +6,7 @@ mod data;
 mod data_laws;
 mod debugger;
 mod errors;
+mod local_laws;
 mod motion;
 mod past;
 mod programs;
