@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { type TaskState, TaskSegments, visible, waitTotals } from "../../src/panels/tasks/chart";
-import { GROUPS, groupOf, shownEvents, textOf } from "../../src/panels/tasks/eventText";
+import { GROUPS, groupOf, rowClass, shownEvents, textOf } from "../../src/panels/tasks/eventText";
 import { cutBlends, cutText, Moves, type MoveTimes, waitsInMoves } from "../../src/panels/tasks/moves";
 import { ArmTimes, share, taskTimes, type TimedPhase, type TimedPhases } from "../../src/panels/tasks/times";
 
@@ -132,4 +132,9 @@ test("the arm waits within a move while it has no samples", () => {
   const waits = waitsInMoves(rests, [move(1, 1, 4), move(2, 4.5, 7), move(3, 7.5, undefined)], 10);
   assert.deepEqual(waits, [{ start: 5, end: 6 }, { start: 8, end: Infinity }]);
   assert.deepEqual(waitsInMoves(rests, [], 10), []);
+});
+
+test("rows of the event log show the level of messages", () => {
+  const log = (level: string): string => rowClass({ t: 1, kind: "log", level, text: "USR done" });
+  assert.deepEqual([log("info"), log("warning"), log("error"), rowClass({ t: 1, kind: "print", text: "x" })], ["messages log info", "messages log warning", "errors log error", "messages"]);
 });

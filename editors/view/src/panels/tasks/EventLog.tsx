@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
-import { type Group, groupOf, GROUPS, isWarning, type RunEvent, shownEvents, textOf } from "./eventText";
+import { type Group, GROUPS, rowClass, type RunEvent, shownEvents, textOf } from "./eventText";
 import { faultOf } from "./faults";
 import { countUpTo } from "./upTo";
 import "./events.css";
@@ -36,7 +36,7 @@ export function EventLog({ cell }: { cell: Cell }): JSX.Element {
       </div>
       <LongTable<RunEvent>
         label="Event log" className="events" columns={["Time", "Task", "Event"]} rows={events} followsEnd empty="No event up to the shown time."
-        keyOf={(_, index) => index} rowClass={(event) => `${groupOf(event)}${isWarning(event) ? " warning" : ""}`}
+        keyOf={(_, index) => index} rowClass={rowClass}
         isSelected={(event) => event === chosen} onRowClick={(event) => setChosen(event === chosen ? undefined : event)}
         cells={(event) => (
           <>

@@ -28,9 +28,10 @@ export function groupOf(event: RunEvent): Group {
   return isFault ? "errors" : (GROUP_OF[event.kind] ?? "messages");
 }
 
-/** Whether the event is a warning in the controller's log. */
-export function isWarning(event: RunEvent): boolean {
-  return event.kind === "log" && event["level"] === "warning";
+/** Returns the classes of an event's row: its group, and the level of a message in the controller's log. */
+export function rowClass(event: RunEvent): string {
+  const level = event.kind === "log" ? ` log ${text(event["level"])}` : "";
+  return `${groupOf(event)}${level}`;
 }
 
 /** Formats an event without its time. Events of unknown kinds show their fields. */
