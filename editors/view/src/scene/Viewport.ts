@@ -17,7 +17,7 @@ import { type CarrierFrames, CellObjects } from "./CellObjects";
 import { type Label, Labels } from "./Labels";
 import { DropLines } from "./DropLines";
 import { failedMoves, FailedTargets } from "./FailedTargets";
-import { areaBetween } from "./fitting";
+import { type Area, areaBetween, contains, WHOLE } from "./fitting";
 import { FrameMarks } from "./FrameMarks";
 import { hiddenLayers } from "./layers";
 import { Lines } from "./lines";
@@ -72,6 +72,8 @@ export class Viewport {
   private isFirst = false;
   /** Growth count of the path when everything was last shown. */
   private fitted = -1;
+  /** Area of the picture in which everything was last shown. */
+  private area: Area = WHOLE;
   private length = 1000;
   private floor = 0;
 
@@ -234,7 +236,8 @@ export class Viewport {
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
     this.store.panels.cell.frames.value.forEach(({ pose }) => add(pose));
     this.failed.labels.forEach(({ at }) => add(at, FAR_FAILED));
-    this.camera.show(positions, areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas)), view);
+    this.area = this.free();
+    this.camera.show(positions, this.area, view);
     this.isFirst = false;
   }
 
@@ -279,6 +282,14 @@ export class Viewport {
     this.renderer.render(this.scene, this.camera.lens);
     this.frames += 1;
     this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas);
+    if (this.isFirst && !contains(this.free(), this.area)) {
+      this.fitAgain();
+    }
+  }
+
+  /** Returns the area between the bars over the picture. */
+  private free(): Area {
+    return areaBetween(this.canvas.clientHeight, this.labels.bars(this.canvas));
   }
 
   private placeRuler(): void {

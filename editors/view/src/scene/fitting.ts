@@ -61,6 +61,13 @@ export function fitted(positions: readonly Position[], axes: Axes, { slope, aspe
   return { target: [target[0] ?? 0, target[1] ?? 0, target[2] ?? 0], distance };
 }
 
+export const WHOLE: Area = { left: -1, right: 1, bottom: -1, top: 1 };
+
+/** Whether an area contains another area. */
+export function contains(outer: Area, inner: Area): boolean {
+  return outer.left <= inner.left && outer.right >= inner.right && outer.bottom <= inner.bottom && outer.top >= inner.top;
+}
+
 /** Returns the area between the bars over the picture. Bars that cover more than a third are ignored. */
 export function areaBetween(height: number, bars: readonly { top: number; bottom: number }[]): Area {
   const third = height / 3;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { areaBetween, type Axes, fitted, type Lens } from "../../src/scene/fitting";
+import { areaBetween, type Axes, contains, fitted, WHOLE, type Lens } from "../../src/scene/fitting";
 
 const AXES: Axes = { across: [0, 1, 0], up: [0, 0, 1], back: [1, 0, 0] };
 const AREA = { left: -0.9, right: 0.9, bottom: -0.5, top: 0.8 };
@@ -37,4 +37,9 @@ test("a single position is shown from a distance", () => {
 test("the free area is between the bars at the top and at the bottom", () => {
   const { top, bottom } = areaBetween(400, [{ top: 8, bottom: 40 }, { top: 350, bottom: 392 }, { top: 100, bottom: 380 }]);
   assert.deepEqual([top, bottom], [0.8, -0.75]);
+});
+
+test("a bar that grows covers a part of the area before", () => {
+  const [low, high] = [areaBetween(400, [{ top: 360, bottom: 392 }]), areaBetween(400, [{ top: 290, bottom: 392 }])];
+  assert.deepEqual([contains(low, high), contains(high, low), contains(WHOLE, low), contains(low, low)], [true, false, true, true]);
 });

@@ -37,7 +37,7 @@ export function SaveBar({ cell, notice, changed }: Props): JSX.Element {
     <div class="save">
       <Button reason={undoReason} title={undoTitle} onPress={() => void notice.send(cell, "undo", {})} onRefused={(text) => (notice.text.value = text)}>Undo{undo === undefined ? "" : ` ${pointText(undo)}`}</Button>
       <Button reason={reason} onPress={() => void save(false)} onRefused={(text) => (notice.text.value = text)}>Save to .dtx{changed > 0 ? ` (${changed})` : ""}</Button>
-      <span role="status">{result}</span>
+      <span role="status">{changed === 0 ? result : ""}</span>
       {conflict.length > 0 ? <Question files={conflict} onAnswer={(overwrite) => (overwrite ? void save(true) : setConflict([]))} /> : null}
     </div>
   );

@@ -2,6 +2,7 @@
 
 import type { JSX, TargetedPointerEvent, TargetedWheelEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { isDark } from "../../look";
 import type { Cell } from "../shared/cell";
 import { awaitsArm } from "./chart";
 import { type Chart, chartHeight, draw, LABELS, LANE } from "./drawChart";
@@ -20,6 +21,8 @@ export function TaskChart({ cell }: { cell: Cell }): JSX.Element {
   const time = cell.slowTime.value;
   const range = cell.range.value;
   const { segments, moves } = cell.history;
+  // The colours of the canvas are those of the look in which it was painted.
+  isDark.valueOf();
   const names = segments.names();
   const all = moves.all();
   const chart: Chart = { segments, moves: all, cut: new Set(cutBlends(all, time).map(({ move }) => move.id)), rests: waitsInMoves(cell.history.rests(), all, time), range, time };
