@@ -19,9 +19,9 @@ use val3_analysis::system::{Disk, OverlayFs};
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
 use val3_ide::{Completion, FilePosition, completions};
-use val3_lang::types::BaseType;
+use val3_lang::types::{Arm, BaseType};
 
-pub use answer::{CodeFault, EvaluationOutput, missing_instruction};
+pub use answer::{CodeFault, EvaluationOutput};
 pub use execution::Listener;
 pub use sources::{has_open_block, next_text, texts};
 
@@ -56,6 +56,8 @@ pub struct Evaluator {
     types: BTreeSet<String>,
     data: BTreeSet<String>,
     arm: Option<String>,
+    /// Kind of arm of declared positions.
+    arm_kind: Arm,
 }
 
 /// Kind of the evaluated code.
@@ -91,7 +93,7 @@ impl Evaluator {
             None => sources::empty(&current.join(NAME)),
         };
         let mut files = OverlayFs::new(Disk);
-        files.store(manifest.with_file_name(DATA), sources::data(&variables).into());
+        files.store(manifest.with_file_name(DATA), sources::data(&[], Arm::SixAxis).into());
         files.store(manifest.with_file_name(format!("{NAME}.pgx")), sources::program("").into());
         files.store(manifest.clone(), text.into());
         let arm = settings.arm.clone();
@@ -99,17 +101,20 @@ impl Evaluator {
         if let Some(arm) = &arm {
             application.set_arm(arm)?;
         }
-        if let Some(fault) = refusal(&application, &manifest.with_file_name(DATA)) {
-            let help = "`val3 check` shows where".to_owned();
-            return Err(SessionError::Variables { message: fault.message, help });
-        }
         let controller = application.controller(settings, Tape::default(), application.compile()?)?;
         keep(application.db(), &mut files);
         let items = items(application.db(), application.project());
         let types = items.types.keys().map(ToString::to_string).collect();
         let data = items.data.keys().map(ToString::to_string).collect();
+        let arm_kind = items.arm.unwrap_or(Arm::SixAxis);
         let execution = Execution::new(controller);
-        Ok(Self { application, files, manifest, execution, variables, types, data, arm })
+        let mut evaluator =
+            Self { application, files, manifest, execution, variables: Vec::new(), types, data, arm, arm_kind };
+        if !variables.is_empty() {
+            let exchanged = evaluator.exchange(variables);
+            exchanged.map_err(|fault| SessionError::Variables { message: fault.message, help: String::new() })?;
+        }
+        Ok(evaluator)
     }
 
     /// Sentences about the folders outside the cell, the lines and the network to which the application has access. The
@@ -172,7 +177,7 @@ impl Evaluator {
     /// Replaces the declared variables. Unchanged variables keep their values.
     fn exchange(&mut self, variables: Vec<ScratchVariable>) -> Result<(), CodeFault> {
         let path = self.manifest.with_file_name(DATA);
-        self.set_text(&path, sources::data(&variables));
+        self.set_text(&path, sources::data(&variables, self.arm_kind));
         self.set_code("");
         if let Some(fault) = refusal(&self.application, &path) {
             return Err(fault.message.into());

@@ -8,6 +8,7 @@ use val3_lang::runtime_errors;
 use val3_lang::values::printed;
 use val3_lines::{ColumnCounting, ColumnUnit, LineIndex};
 use val3_machine::event::{Event, EventKind};
+use val3_machine::missing_instruction;
 use val3_syntax::{TextSize, TextSlice};
 
 use super::sources::offset_in_code;
@@ -26,7 +27,7 @@ pub enum EvaluationOutput {
 /// Reason why code cannot be evaluated, with its location in the code.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CodeFault {
-    message: String,
+    pub(super) message: String,
     /// Line from 0, characters before the fault, characters of the fault.
     place: Option<(usize, usize, usize)>,
 }
@@ -100,11 +101,6 @@ impl EvaluationOutput {
             _ => None,
         }
     }
-}
-
-/// Message about an instruction that cannot be executed.
-pub fn missing_instruction(name: &str) -> String {
-    format!("this controller does not have `{name}`")
 }
 
 impl Display for EvaluationOutput {

@@ -6,6 +6,7 @@ use std::ops::Range;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::declarations::listing;
+use val3_lang::types::Arm;
 use val3_syntax::error::SyntaxErrorKind;
 use val3_syntax::xml::escaped;
 use val3_syntax::{TextRange, decode_entities};
@@ -81,9 +82,9 @@ pub fn next_text(open: &mut String, line: &str) -> Option<String> {
     (!text.trim().is_empty()).then_some(text)
 }
 
-/// Data file with the variables.
-pub(crate) fn data(variables: &[ScratchVariable]) -> String {
-    let lines: Vec<String> = variables.iter().map(ScratchVariable::data).collect();
+/// Data file with the variables, whose positions are for this kind of arm.
+pub(crate) fn data(variables: &[ScratchVariable], arm: Arm) -> String {
+    let lines: Vec<String> = variables.iter().map(|variable| variable.data(arm)).collect();
     format!(
         "{HEAD}<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
          xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n{}\n  </Datas>\n</Database>\n",

@@ -5,15 +5,12 @@ use val3_lang::types::{Arm, BaseType, DefaultValue, attributes, field};
 /// A declared variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct ScratchVariable {
-    /// Type name as spelled in files, or the name of a user type.
+    /// Type name as in programs.
     ty: String,
     name: String,
     /// Sizes; `None` for a collection.
     sizes: Option<Vec<u32>>,
 }
-
-/// Arm kind of positions if the application does not determine it.
-const ARM: Arm = Arm::SixAxis;
 
 impl ScratchVariable {
     /// Parses `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
@@ -37,8 +34,7 @@ impl ScratchVariable {
         if !is_name {
             return None;
         }
-        let ty = BaseType::from_name(ty).map_or_else(|| ty.to_owned(), |ty| ty.file_name(ARM));
-        Some(Self { ty, name: name.to_owned(), sizes })
+        Some(Self { ty: ty.to_owned(), name: name.to_owned(), sizes })
     }
 
     /// Name.
@@ -51,10 +47,11 @@ impl ScratchVariable {
         self.sizes.as_deref() != Some(&[1])
     }
 
-    /// Declaration of the variable in a data file.
-    pub(crate) fn data(&self) -> String {
+    /// Declaration of the variable in a data file with positions for this kind of arm.
+    pub(crate) fn data(&self, arm: Arm) -> String {
         let Self { ty, name, sizes } = self;
-        let values = self.values();
+        let ty = BaseType::from_name(ty).map_or_else(|| ty.clone(), |ty| ty.file_name(arm));
+        let values = self.values(&ty);
         let shape = match sizes {
             None => r#"xsi:type="collection""#.to_owned(),
             Some(sizes) => {
@@ -65,9 +62,10 @@ impl ScratchVariable {
         format!(r#"    <Data name="{name}" access="private" {shape} type="{ty}">{values}</Data>"#)
     }
 
-    /// Initial values of a local variable, where they differ from the defaults of files (`mdesc`).
-    fn values(&self) -> String {
-        let begun = BaseType::from_file_name(&self.ty).map(|(ty, arm)| begun(ty, arm)).unwrap_or_default();
+    /// Initial values of a local variable, where they differ from the defaults of files (`mdesc`). `ty` is the type as
+    /// spelled in files.
+    fn values(&self, ty: &str) -> String {
+        let begun = BaseType::from_file_name(ty).map(|(ty, arm)| begun(ty, arm)).unwrap_or_default();
         let keys = self.sizes.iter().filter(|_| !begun.is_empty()).flat_map(|sizes| keys(sizes));
         keys.map(|key| format!(r#"<Value key="{key}"{begun} />"#)).collect()
     }
@@ -105,10 +103,16 @@ fn sizes(text: &str) -> Option<Option<Vec<u32>>> {
 
 #[cfg(test)]
 mod tests {
-    use super::ScratchVariable;
+    use super::{Arm, ScratchVariable};
 
     fn data(text: &str) -> String {
-        ScratchVariable::parse(text).map_or_else(|error| error, |local| local.data().trim().to_owned())
+        ScratchVariable::parse(text).map_or_else(|error| error, |local| local.data(Arm::SixAxis).trim().to_owned())
+    }
+
+    #[test]
+    fn positions_are_for_the_arm() {
+        let data = ScratchVariable::parse("point pA").unwrap().data(Arm::Scara);
+        assert!(data.contains("type=\"pointRs\""), "{data}");
     }
 
     #[test]
