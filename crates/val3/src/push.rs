@@ -66,16 +66,16 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
         return Ok(ExitCode::SUCCESS);
     }
     let faults = contents::faults(&session.project, &plan)?;
-    faults.iter().for_each(report_error);
+    if !faults.is_empty() {
+        faults.iter().for_each(report_error);
+        note("nothing was pushed");
+        return Ok(ExitCode::FAILURE);
+    }
     if check_new_tree(&session.project, &status, &plan, &args.ignore, color)? == CheckOutcome::Errors {
         return Ok(refused(
             &UserError::new("the check has found errors, so nothing was pushed")
                 .with_help("repair them, or name rules whose errors do not matter with --ignore"),
         ));
-    }
-    if !faults.is_empty() {
-        note("nothing was pushed");
-        return Ok(ExitCode::FAILURE);
     }
     print(&plan, args.format, color)?;
     if args.dry_run {

@@ -75,7 +75,8 @@ fn errors_and_running_applications_stop_a_push() {
     assert_eq!(run.code, 1);
     assert!(run.stderr.contains("nCuont") && run.stderr.contains("nothing was pushed"), "{}", run.stderr);
     folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=3"));
-    folder.write("robot/log/user.log", "{\"entry\":{\"id\":\"0x5402\",\"val\":\"Application 'demo' started.\"}}\n");
+    let entry = "{\"entry\":{\"type\":\"msg\",\"id\":\"0x5402\",\"val\":\"Application 'demo' started.\"}}\n";
+    folder.write("robot/log/user.log", entry);
     let run = in_cell(&folder, &["push"]);
     assert_eq!(run.code, 1);
     assert!(run.stderr.contains("`demo` runs on the controller"), "{}", run.stderr);
@@ -105,10 +106,10 @@ fn conflicts_and_broken_settings_stop_a_push() {
     let (code, text) = push(&[setting, "demo"]);
     assert_eq!(code, 1);
     expect![[r#"
-        error: `usr/configs/sio.cfx`: line 1: an element is not closed; the file is cut off or damaged
-          help: repair it, or restore it: `.val3/base` contains the version of the last pull
         error: `usr/usrapp/demo/recipes.csv`, line 2: a merge conflict is not resolved
           help: keep one of the versions, and remove the marks
+        error: `usr/configs/sio.cfx`: line 1: an element is not closed; the file is cut off or damaged
+          help: repair it, or restore it: `.val3/base` contains the version of the last pull
         nothing was pushed"#]]
     .assert_eq(&text);
     folder.write("cell/usr/usrapp/demo/recipes.csv", "part;count\n1;3\n");
@@ -184,9 +185,11 @@ fn a_push_needs_logs_that_prove_that_nothing_runs() {
         (1, format!("{what}\n{why}{help}"))
     };
     let run = "{\"entry\":{\"type\":\"run\",\"version\":\"3.0.0\"}}\n";
-    let line = "this line names no application that can be read: [01/05/21 08:00:30]: <0x5402> started";
-    assert_eq!(pushed("", "", "[01/05/21 08:00:30]: <0x5402> started\n").0, 1);
-    assert_eq!(pushed("", run, "[01/05/21 08:00:30: <0x5402> started\n"), unknown(&line.replace("30]", "30")));
+    let line = "[01/05/21 08:00:30]: <0x5402> started\n";
+    assert_eq!(pushed("", "", line), unknown("this line names no application that can be read: started"));
+    let broken = line.replace(']', "");
+    let cause = format!("this line names no application that can be read: {}", broken.trim_end());
+    assert_eq!(pushed("", run, &broken), unknown(&cause));
     assert_eq!(pushed("", &stop("tool"), ""), unknown("the logs do not reach back to the start of the controller"));
     let (code, text) = pushed(&[run, &start("demo")].concat(), &stop("demo"), "");
     assert!(code == 0 && text.contains("pushed and verified: 1 file"), "{text}");
