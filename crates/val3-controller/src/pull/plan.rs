@@ -1,11 +1,11 @@
 //! Plan of a pull: what happens to each local file.
 
-use super::{ConflictVersions, INCOMING, MergeConflict, PullDecisions};
+use super::request::{ConflictVersions, MergeConflict, PullDecisions};
 use crate::compare::{FileDifference, SideChange};
 use crate::digest::FileDigest;
 use crate::error::ControllerError;
 use crate::path::ControllerPath;
-use crate::project::{self, ControllerProject};
+use crate::project::{self, ControllerProject, INCOMING};
 use crate::status::ProjectStatus;
 
 /// Changes of the local files.

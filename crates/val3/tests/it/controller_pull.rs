@@ -4,7 +4,7 @@ use std::fs;
 
 use expect_test::expect;
 
-use crate::controller::{IDENTITY, in_cell, program, pulled};
+use crate::controller::{in_cell, program, pulled};
 use crate::support::{CommandOutput, Folder};
 
 const START: &str = "usr/usrapp/demo/start.pgx";
