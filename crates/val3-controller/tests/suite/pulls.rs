@@ -214,6 +214,9 @@ fn a_conflict_that_cannot_be_merged_remains_until_it_is_decided() {
         assert_eq!((bench.text(START).as_str(), bench.text("usr/usrapp/demo/demo.dtx").as_str()), ("mine", "theirs"));
         assert!(conflicts(&bench) && bench.pull().is_err());
         let side = vec![path("usr/usrapp/demo")];
+        let both = PullDecisions { local: vec![path(START)], controller: side.clone() };
+        let twice = pull_with(&bench, &mut SilentObserver, |request| PullRequest { decisions: both, ..request });
+        assert_eq!((twice, bench.text(START).as_str()), (Err(ControllerError::DecidedTwice(path(START))), "mine"));
         let decisions = match is_local {
             true => PullDecisions { local: side, ..PullDecisions::default() },
             false => PullDecisions { controller: side, ..PullDecisions::default() },
