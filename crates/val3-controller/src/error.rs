@@ -52,6 +52,8 @@ pub enum ControllerError {
     },
     /// A conflict was decided where no file has one.
     NoConflict(ControllerPath),
+    /// A conflict was decided for both sides.
+    DecidedTwice(ControllerPath),
     /// A path is not allowed.
     Name(NameFault),
     /// A file has an unexpected form.
@@ -152,6 +154,7 @@ impl ControllerError {
             }
             Self::Obstacle { .. } => "move it to another place, or remove it, then pull again",
             Self::NoConflict(_) => "`val3 status` lists the files that have changed on both sides",
+            Self::DecidedTwice(_) => "name it, or a folder above it, for one side only",
             Self::OtherAddress { .. } => {
                 "if this project belongs to the controller at the new address, add --new-controller; else pull into a new folder"
             }
@@ -199,6 +202,9 @@ impl Display for ControllerError {
             }
             Self::Obstacle { path, obstacle } => {
                 write!(f, "`{path}` cannot be written here, because `{obstacle}` exists")
+            }
+            Self::DecidedTwice(path) => {
+                write!(f, "`{path}` is decided both for the local version and for the controller's")
             }
             Self::NoConflict(path) => write!(f, "no file has changed on both sides at `{path}`"),
             Self::Name(fault) => write!(f, "{fault}"),

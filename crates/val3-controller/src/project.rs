@@ -18,6 +18,12 @@ use crate::rules::is_ignored;
 /// Folder of the remembered data.
 const DATA: &str = ".val3";
 
+/// Area of the files at the last pull or push, for merges.
+pub(crate) const BASE: &str = "base";
+
+/// Area of downloaded files until all are complete.
+pub(crate) const INCOMING: &str = "incoming";
+
 /// File with the address and the digests.
 const STATE: &str = ".val3/controller.toml";
 
@@ -128,7 +134,7 @@ impl ControllerProject {
 
     /// Content of a file at the last pull or push; `None` if it is not stored.
     pub(crate) fn base_content(&self, path: &ControllerPath) -> Option<Vec<u8>> {
-        let bytes = read(&self.stored("base", path)).ok()?;
+        let bytes = read(&self.stored(BASE, path)).ok()?;
         let digest = self.state.as_ref()?.files.get(path)?;
         (FileDigest::of(&bytes) == *digest).then_some(bytes)
     }

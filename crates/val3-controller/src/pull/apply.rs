@@ -5,11 +5,10 @@ use std::collections::BTreeSet;
 use camino::Utf8Path;
 
 use super::plan::PullPlan;
-use super::{BASE, INCOMING};
 use crate::digest::FileDigest;
 use crate::error::ControllerError;
 use crate::path::ControllerPath;
-use crate::project::{self, ControllerProject, local};
+use crate::project::{self, BASE, ControllerProject, INCOMING, local};
 use crate::status::ProjectStatus;
 
 /// Executes a plan: removals first, because a folder may replace a file and a file a folder. Returns the files that
@@ -63,9 +62,22 @@ fn update(project: &ControllerProject, status: &ProjectStatus, path: &Controller
         return project::write(&project.local(path), &bytes);
     }
     remove_empty_folders(&project.local(path))?;
+    free_base_name(project, path)?;
     // A new file is moved, which does not wait for the disk and is complete.
     project::write_copy(&project.stored(BASE, path), &bytes)?;
     project::move_file(&incoming, &project.local(path))
+}
+
+/// Removes what is in the way of the stored copy of a file, for example after a pull that was killed.
+pub(super) fn free_base_name(project: &ControllerProject, path: &ControllerPath) -> Result<(), ControllerError> {
+    for folder in std::iter::successors(path.parent(), ControllerPath::parent) {
+        let at = project.stored(BASE, &folder);
+        if at.is_file() {
+            project::remove(&at)?;
+        }
+    }
+    let at = project.stored(BASE, path);
+    if at.is_dir() { project::remove_tree(&at) } else { Ok(()) }
 }
 
 /// Removes a folder that contains only folders, if it exists. A folder with a file is an error.

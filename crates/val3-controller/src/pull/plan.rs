@@ -1,11 +1,11 @@
 //! Plan of a pull: what happens to each local file.
 
-use super::{ConflictVersions, INCOMING, MergeConflict, PullDecisions};
+use super::request::{ConflictVersions, MergeConflict, PullDecisions};
 use crate::compare::{FileDifference, SideChange};
 use crate::digest::FileDigest;
 use crate::error::ControllerError;
 use crate::path::ControllerPath;
-use crate::project::{self, ControllerProject};
+use crate::project::{self, ControllerProject, INCOMING};
 use crate::status::ProjectStatus;
 
 /// Changes of the local files.
@@ -91,7 +91,8 @@ impl PullPlan {
     }
 }
 
-/// Checks that each decision applies to a file, so that a wrong path is not a decision without effect.
+/// Checks that each decision applies to a file, so that a wrong path is not a decision without effect, and that no file is
+/// decided for both sides.
 fn check_decisions(status: &ProjectStatus, decisions: &PullDecisions) -> Result<(), ControllerError> {
     let applies = |folder: &ControllerPath, restores: bool| {
         status.differences.iter().any(|(path, difference)| {
@@ -103,6 +104,11 @@ fn check_decisions(status: &ProjectStatus, decisions: &PullDecisions) -> Result<
                 }
         })
     };
+    let is_decided_twice =
+        |path: &&ControllerPath| path.is_in_any(&decisions.local) && path.is_in_any(&decisions.controller);
+    if let Some(path) = status.differences.keys().find(is_decided_twice) {
+        return Err(ControllerError::DecidedTwice(path.clone()));
+    }
     let local = decisions.local.iter().find(|folder| !applies(folder, false));
     let controller = decisions.controller.iter().find(|folder| !applies(folder, true));
     match local.or(controller) {

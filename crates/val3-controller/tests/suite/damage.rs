@@ -4,14 +4,8 @@ use std::fs;
 
 use val3_controller::{ControllerError, ControllerFiles as _, ControllerProject, FolderFiles};
 
-use crate::bench::{Bench, path, tree};
-use crate::memory::MemoryFiles;
-
-fn bench() -> Bench<MemoryFiles> {
-    let bench = Bench::with(MemoryFiles::new(tree(), false));
-    bench.pull().unwrap();
-    bench
-}
+use crate::bench::path;
+use crate::pulls::bench;
 
 #[test]
 fn a_damaged_state_is_named_with_its_line() {

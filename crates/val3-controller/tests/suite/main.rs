@@ -17,5 +17,6 @@ mod failures;
 mod flow;
 mod listings;
 mod memory;
+mod obstacles;
 mod pulls;
 mod server;

@@ -4,17 +4,17 @@ use std::cell::Cell;
 use std::fs;
 
 use val3_controller::{
-    ControllerAddress, ControllerError, ControllerFiles as _, ControllerPath, ControllerProject, FileDifference,
-    FolderFiles, PullDecisions, PullRequest, PullResult, SideChange, SilentObserver, TransferObserver, TransferStep,
-    check_identity, pull,
+    ControllerAddress, ControllerError, ControllerPath, FileDifference, PullDecisions, PullRequest, PullResult,
+    SideChange, SilentObserver, TransferObserver, TransferStep, check_identity, pull,
 };
 
 use crate::bench::{Bench, FILES, address, path, request, tree};
 use crate::memory::MemoryFiles;
 
-const START: &str = "usr/usrapp/demo/start.pgx";
+pub(crate) const START: &str = "usr/usrapp/demo/start.pgx";
 
-fn bench() -> Bench<MemoryFiles> {
+/// A project that was pulled from a controller in memory.
+pub(crate) fn bench() -> Bench<MemoryFiles> {
     let bench = Bench::with(MemoryFiles::new(tree(), false));
     bench.pull().unwrap();
     bench
@@ -32,7 +32,7 @@ fn pull_with<'a>(
 }
 
 /// Changes a file of the controller; `None` removes it.
-fn teach(bench: &Bench<MemoryFiles>, path: &str, text: Option<&str>) {
+pub(crate) fn teach(bench: &Bench<MemoryFiles>, path: &str, text: Option<&str>) {
     let tree = &mut bench.server.state().tree;
     let key = format!("/{path}");
     match text {
@@ -214,6 +214,9 @@ fn a_conflict_that_cannot_be_merged_remains_until_it_is_decided() {
         assert_eq!((bench.text(START).as_str(), bench.text("usr/usrapp/demo/demo.dtx").as_str()), ("mine", "theirs"));
         assert!(conflicts(&bench) && bench.pull().is_err());
         let side = vec![path("usr/usrapp/demo")];
+        let both = PullDecisions { local: vec![path(START)], controller: side.clone() };
+        let twice = pull_with(&bench, &mut SilentObserver, |request| PullRequest { decisions: both, ..request });
+        assert_eq!((twice, bench.text(START).as_str()), (Err(ControllerError::DecidedTwice(path(START))), "mine"));
         let decisions = match is_local {
             true => PullDecisions { local: side, ..PullDecisions::default() },
             false => PullDecisions { controller: side, ..PullDecisions::default() },
@@ -236,45 +239,4 @@ fn a_decision_restores_files_that_were_removed_here() {
     assert_eq!(decide("usr/usrapp").unwrap().updated.len(), 5);
     assert!(bench.status().unwrap().differences.is_empty());
     assert_eq!(decide("usr/usrapp/demo"), Err(ControllerError::NoConflict(path("usr/usrapp/demo"))));
-}
-
-/// Files and folders that have changed places, on the controller and here.
-#[test]
-fn a_file_becomes_a_folder_and_a_folder_a_file() {
-    let inner = "usr/usrapp/demo/start.pgx/inner.pgx";
-    let bench = bench();
-    let old = |bench: &Bench<MemoryFiles>| bench.server.state().tree.folders.remove("/usr/usrapp/demo/start.pgx");
-    for _ in 0..2 {
-        teach(&bench, START, None);
-        teach(&bench, inner, Some("inner"));
-        bench.pull().unwrap();
-        assert_eq!(bench.text(inner), "inner");
-        teach(&bench, inner, None);
-        old(&bench);
-        teach(&bench, START, Some("start"));
-        bench.pull().unwrap();
-        assert_eq!(bench.text(START), "start");
-        assert!(bench.status().unwrap().differences.is_empty());
-    }
-}
-
-#[test]
-fn a_local_file_in_the_way_is_named_before_anything_is_written() {
-    let inner = "usr/usrapp/demo/more/inner.pgx";
-    for (theirs, mine) in [
-        (inner, "usr/usrapp/demo/more"),
-        ("usr/usrapp/demo/more", inner),
-        ("usr/usrapp/demo/more", "usr/usrapp/demo/more/x.bak"),
-    ] {
-        let bench = bench();
-        teach(&bench, theirs, Some("theirs"));
-        teach(&bench, START, Some("theirs"));
-        bench.write(mine, "mine");
-        let obstacle = ControllerError::Obstacle { path: path(theirs), obstacle: path(mine) };
-        assert_eq!(bench.pull(), Err(obstacle));
-        assert_eq!((bench.text(mine).as_str(), bench.text(START).as_str()), ("mine", "start"));
-        fs::remove_file(bench.folder.join(mine)).unwrap();
-        bench.pull().unwrap();
-        assert_eq!(bench.text(theirs), "theirs");
-    }
 }

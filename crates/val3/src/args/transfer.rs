@@ -49,8 +49,8 @@ pub(crate) struct PullArgs {
     /// Merge files that have changed on both sides, as `val3 merge` does
     #[arg(long)]
     pub(crate) merge: bool,
-    /// Keep the local version of files that have changed on both sides: a file, by its path as in `val3 status`, or a
-    /// folder; may be repeated. The next push uploads it
+    /// Keep the local version of files that have changed on both sides, which the next push uploads: a file, by its path as
+    /// in `val3 status`, or a folder; may be repeated
     #[arg(long, value_name = "PATH")]
     pub(crate) keep_local: Vec<String>,
     /// Replace the local version of files that have changed on both sides, or that were removed here, by the controller's;

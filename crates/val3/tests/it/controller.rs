@@ -17,7 +17,7 @@ const DATA: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database xmlns=
     xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\">\n  <Datas>\n    <Data name=\"nCount\" access=\"private\" xsi:type=\"array\" \
     type=\"num\" size=\"1\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n  </Datas>\n</Database>\n";
 
-pub(crate) const IDENTITY: &str = "<controller><String name=\"serialNumber\" value=\"F10-1\" /></controller>";
+const IDENTITY: &str = "<controller><String name=\"serialNumber\" value=\"F10-1\" /></controller>";
 
 pub(crate) fn program(name: &str, code: &str) -> String {
     format!(

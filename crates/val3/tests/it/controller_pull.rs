@@ -4,7 +4,7 @@ use std::fs;
 
 use expect_test::expect;
 
-use crate::controller::{IDENTITY, in_cell, program, pulled};
+use crate::controller::{in_cell, program, pulled};
 use crate::support::{CommandOutput, Folder};
 
 const START: &str = "usr/usrapp/demo/start.pgx";
@@ -118,7 +118,7 @@ fn a_file_that_is_no_text_keeps_both_versions() {
         …/robot: controller F10-1
         usr/usrapp/demo/lib.zip: not merged, both versions are kept: only data, programs, projects and settings are merged
         help: `val3 pull --print PATH` prints the controller's version; decide with `val3 pull --keep-local PATH`, or with `val3 pull --keep-controller PATH`
-        .: 5 files of the controller (1646 bytes), 1 updated, 1 with a conflict left
+        .: 5 files of the controller (1111 bytes), 1 updated, 1 with a conflict left
     "#]]
     .assert_eq(&run.stderr);
     let local = || fs::read(folder.path().join("cell").join(ARCHIVE)).unwrap();
