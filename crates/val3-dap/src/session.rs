@@ -36,6 +36,7 @@ use crate::stop_event;
 
 use step_wait::StepWait;
 
+pub use at_end::TimeEnd;
 pub(crate) use named_data::NamedData;
 
 /// Next action of the run's loop.
@@ -89,8 +90,10 @@ pub struct DebugSession {
     is_configured: bool,
     /// Whether the run goes to its end without stops (`startAtEnd`).
     runs_to_end: bool,
-    /// Whether the run has stopped at the end of its recording and is still at this moment.
+    /// Whether the run has stopped at the end of its recording or at its time limit, and is still at this moment.
     is_at_recorded_end: bool,
+    /// Whether the run has stopped after the failure of all its tasks, and is still at this moment.
+    is_at_failed_end: bool,
     /// Number of the present request.
     pub(crate) request: i64,
     /// Next action that the last request requires.
@@ -125,6 +128,7 @@ impl DebugSession {
             is_configured: false,
             runs_to_end: false,
             is_at_recorded_end: false,
+            is_at_failed_end: false,
             request: 0,
             action: None,
             breakpoints: match start.is_plain_run {
@@ -261,7 +265,7 @@ impl DebugSession {
             return;
         }
         self.phase = SessionState::Running;
-        self.is_at_recorded_end = false;
+        (self.is_at_recorded_end, self.is_at_failed_end) = (false, false);
         self.runs_to_end = self.start.settings.starts_at_end && self.run == RunState::Fresh;
         let task = controller.vm.tasks().first().map(|task| task.id);
         match self.run {

@@ -64,6 +64,7 @@ impl DebugSession {
             run.debugger.controller.devices.state.io.show_inputs();
         }
         run.debugger.begin_new_future();
+        self.is_at_failed_end = false;
         let events = run.debugger.controller.devices.take_events();
         let notices = self.notices.of(&events, &run.debugger.controller, &self.conventions);
         self.following.extend(notices);
@@ -155,7 +156,7 @@ impl DebugSession {
     /// Reports that the run is at another moment or line without having run there. Sends no `invalidated`, because
     /// clients request all values after a stop, and VS Code would also request values of the previous stop.
     pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
-        self.is_at_recorded_end = false;
+        (self.is_at_recorded_end, self.is_at_failed_end) = (false, false);
         self.handles.clear();
         self.following.push(StandardEvent::Stopped(event));
     }
