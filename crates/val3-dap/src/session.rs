@@ -171,7 +171,8 @@ impl DebugSession {
 
     /// Sends the events of the run to the client.
     pub fn report(&mut self, events: &[MachineEvent], run: &mut DebuggedRun<'_>) {
-        let notices = self.notices.of(events, &run.debugger.controller, &self.conventions);
+        let notices = self.notices.of(events, &mut run.debugger.controller, &self.conventions);
+        self.notices.repeat(run.debugger.is_in_past());
         let has_new_files = notices.iter().any(|notice| matches!(notice, StandardEvent::LoadedSource(_)));
         notices.iter().for_each(|notice| self.client.event(notice));
         if has_new_files {
@@ -190,6 +191,11 @@ impl DebugSession {
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);
         }
+    }
+
+    /// Notes whether the next cycle repeats a part of the run that was already reported.
+    pub(crate) fn note_repetition(&mut self, run: &DebuggedRun<'_>) {
+        self.notices.repeat(run.debugger.is_in_past());
     }
 
     /// Sends samples and messages at the end of a cycle that began at `start`.
@@ -261,6 +267,7 @@ impl DebugSession {
         notices.extend(self.notices.task_changes(controller));
         self.following.push(StandardEvent::Process(stop_event::process(controller, self.start.is_attach)));
         self.following.extend(notices);
+        self.note_unused_skips(run);
         if self.phase != SessionState::Configuring {
             return;
         }

@@ -66,7 +66,8 @@ impl DebugSession {
         run.debugger.begin_new_future();
         self.is_at_failed_end = false;
         let events = run.debugger.controller.devices.take_events();
-        let notices = self.notices.of(&events, &run.debugger.controller, &self.conventions);
+        self.notices.repeat(false);
+        let notices = self.notices.of(&events, &mut run.debugger.controller, &self.conventions);
         self.following.extend(notices);
         if self.phase == SessionState::Stopped {
             self.invalidate();
@@ -136,6 +137,16 @@ impl DebugSession {
     pub(crate) fn report_new_future(&mut self, run: &DebuggedRun<'_>) {
         if run.debugger.is_in_past() {
             self.note("the run continues from here with a change: a new future begins");
+        }
+    }
+
+    /// Reports patterns of `skip` that match no program, for example because of a typing error.
+    pub(super) fn note_unused_skips(&mut self, run: &DebuggedRun<'_>) {
+        for pattern in run.debugger.unused_skips() {
+            self.note(&format!(
+                "`skip`: `{pattern}` is no library and no program of this application; write `library` or \
+                 `library:program`, or keep it for a library that the program loads later"
+            ));
         }
     }
 
