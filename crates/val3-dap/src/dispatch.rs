@@ -25,6 +25,7 @@ impl DebugSession {
                 return action;
             }
         }
+        self.note_repetition(run);
         match () {
             () if !self.client.is_connected() => self.action_after_disconnect(false),
             () if self.is_running() => NextAction::Run,

@@ -42,6 +42,9 @@ pub(crate) enum InspectedItem {
     Properties(Vec<Property>),
 }
 
+/// Largest number of global variables that clients read at each stop without a request of the user.
+const CHEAP_GLOBALS: usize = 300;
+
 impl Handles {
     /// Invalidates all handles, because the run continues.
     pub(crate) fn clear(&mut self) {
@@ -121,7 +124,11 @@ impl Handles {
             };
             shown.push(Scope {
                 name,
-                expensive: matches!(scope.kind, ScopeKind::Globals | ScopeKind::Library(_)),
+                expensive: match scope.kind {
+                    ScopeKind::Parameters | ScopeKind::Locals => false,
+                    ScopeKind::Globals => named > CHEAP_GLOBALS,
+                    ScopeKind::Library(_) => true,
+                },
                 variables_reference: self.add(InspectedItem::Values(scope.inside)),
                 named_variables: i32::try_from(named).ok(),
                 presentation_hint: hint,

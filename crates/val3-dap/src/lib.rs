@@ -52,6 +52,6 @@ pub use self::message::{MessageContent, ProtocolMessage};
 pub use self::protocol::{Response, StandardEvent, StandardRequest};
 pub use self::requests::debug_requests_schema;
 pub use self::secret::{SECRET, Secret};
-pub use self::session::{DebugSession, NextAction, RunState};
+pub use self::session::{DebugSession, NextAction, RunState, TimeEnd};
 pub use self::session_start::SessionStart;
 pub use self::settings::SessionSettings;

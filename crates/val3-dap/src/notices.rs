@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
+use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
@@ -15,6 +16,7 @@ use crate::protocol::{
     OutputEventCategory, Source, StandardEvent, ThreadEvent, ThreadEventReason,
 };
 use crate::screen_text::ScreenText;
+use crate::stop_event::unlinked_data;
 
 /// Tasks and libraries that were reported to the client.
 #[derive(Debug, Default)]
@@ -31,7 +33,7 @@ impl Notices {
     pub(crate) fn of(
         &mut self,
         events: &[MachineEvent],
-        controller: &Controller,
+        controller: &mut Controller,
         conventions: &Conventions,
     ) -> Vec<StandardEvent> {
         let output = events.iter().filter_map(|event| self.output(event, controller, conventions));
@@ -50,17 +52,29 @@ impl Notices {
         self.screen.is_hidden = !is_shown;
     }
 
+    /// Sets whether the run repeats a part that was already reported. Text on user pages is not output again.
+    pub(crate) fn repeat(&mut self, is_repeated: bool) {
+        self.screen.is_repeated = is_repeated;
+    }
+
     /// Converts an event to output for the debug console, with the line that caused it. `None` for events without a
     /// text.
     fn output(
         &mut self,
         event: &MachineEvent,
-        controller: &Controller,
+        controller: &mut Controller,
         conventions: &Conventions,
     ) -> Option<OutputEvent> {
         let (output, category) = match &event.kind {
             EventKind::Put { screen, x, y, text, ends_line } => {
-                (self.screen.put(screen, *x, *y, text, *ends_line)?, OutputEventCategory::Stdout)
+                (self.screen.put(screen, (*x, *y), text, *ends_line, event.t)?, OutputEventCategory::Stdout)
+            }
+            EventKind::Cls { screen } => {
+                self.screen.clear(screen, event.t);
+                return None;
+            }
+            EventKind::Error { code, .. } => {
+                (error_text(*code, event.task.as_deref(), controller) + "\n", OutputEventCategory::Stderr)
             }
             _ => message(event).map(|(text, category)| (text + "\n", category))?,
         };
@@ -145,14 +159,13 @@ pub(crate) fn task(thread: i32) -> Option<TaskNumber> {
     u64::try_from(thread).ok()?.checked_sub(1).map(TaskNumber)
 }
 
-/// Returns the console text and category for an event, except for text on user pages.
+/// Returns the console text and category for an event, except for text on user pages and run-time errors.
 fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
     Some(match &event.kind {
         EventKind::Print { text } => (text.clone(), OutputEventCategory::Stdout),
         EventKind::Log { level, text } => (format!("{level}: {text}"), OutputEventCategory::Console),
         EventKind::Popup { text } => (format!("pop-up: {text}"), OutputEventCategory::Console),
         EventKind::Notice { text } => (format!("note: {text}"), OutputEventCategory::Console),
-        EventKind::Error { code, .. } => (error_text(*code, event.task.as_deref()), OutputEventCategory::Stderr),
         EventKind::Fault { instruction, text, .. } => {
             (format!("the arm cannot follow the path of this {instruction}: {text}"), OutputEventCategory::Stderr)
         }
@@ -184,10 +197,13 @@ fn place(event: &MachineEvent, controller: &Controller) -> Option<(u32, String)>
     }
 }
 
-fn error_text(code: u16, task: Option<&str>) -> String {
+/// Formats a run-time error with its task, and with the unlinked data of the task's line.
+fn error_text(code: u16, name: Option<&str>, controller: &mut Controller) -> String {
     let short = runtime_errors::find(code).map_or("unknown run-time error", |error| error.short);
-    let task = task.map(|task| format!(" (task `{task}`)")).unwrap_or_default();
-    format!("error {code}: {short}{task}")
+    let failed = controller.vm.tasks().iter().find(|task| Some(task.name.as_str()) == name).map(|task| task.id);
+    let data = failed.map(|task| unlinked_data(Fault(code), task, controller)).unwrap_or_default();
+    let task = name.map(|name| format!(" (task `{name}`)")).unwrap_or_default();
+    format!("error {code}: {short}{data}{task}")
 }
 
 fn module_event(reason: ModuleEventReason, name: &str, path: &str) -> StandardEvent {
@@ -207,7 +223,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
-    use crate::test_client::{FIRST_LINE, TestClient, source};
+    use crate::test_client::{FIRST_LINE, MAIN_THREAD, TestClient, source};
 
     const PRINTING: &str = "program start()\nbegin\n  put(\"a\")\n  putln(\"b\")\n  logMsg(\"c\")\n  delay(1)\nend\n";
 
@@ -244,6 +260,50 @@ mod tests {
         let expected = [(ModuleEventReason::Removed, "part".to_owned()), (ModuleEventReason::New, "main".to_owned())];
         assert_eq!(changes(), expected);
         assert_eq!(changes(), []);
+    }
+
+    /// Text of a part that the run passes once more was already output.
+    #[test]
+    fn redrawn_pages_and_repeated_parts_are_output_once() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  for nCount=1 to 4\n    gotoxy(0,0)\n    put(\"State \")\n    \
+                       put(toString(\"\",roundDown(nCount/3)))\n  endFor\n  ? \"end\"\nend\n";
+        let shown = |client: &mut TestClient| {
+            let events = client.run().into_iter().filter(|(event, _)| event == "output");
+            events.map(|(_, body)| body["output"].as_str().unwrap().to_owned()).collect::<String>()
+        };
+        let mut client = TestClient::launched(listing, json!({ "stopOnExit": true }));
+        assert_eq!(shown(&mut client), "State 0\nState 1end\n");
+        client.stop_after("reverseContinue", json!({ "threadId": MAIN_THREAD }));
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(shown(&mut client), "end\n");
+    }
+
+    #[test]
+    fn patterns_of_skipped_code_that_match_nothing_are_reported() {
+        let notes = |patterns: Value| {
+            let mut client = TestClient::launching(PRINTING, json!({ "skip": patterns, "stopOnEntry": true }));
+            let events = client.events("configurationDone", json!({})).into_iter();
+            events.filter(|(event, _)| event == "output").map(|(_, body)| body["output"].clone()).collect::<Vec<_>>()
+        };
+        assert_eq!(notes(json!(["main", "main:st*"])), Vec::<Value>::new());
+        let found = notes(json!(["zz", "main:none"]));
+        assert_eq!(found.len(), 2);
+        assert!(found[0].as_str().unwrap().starts_with("note: `skip`: `zz` is no library"), "{found:?}");
+    }
+
+    /// The output event names the variable, as the stop does.
+    #[test]
+    fn an_error_of_an_unlinked_tool_is_output_with_the_tool() {
+        let listing = "tool tGripper\n\nprogram start()\nbegin\n  close(tGripper)\nend\n";
+        let mut client = TestClient::launched(listing, json!({}));
+        let events = client.run();
+        let find = |name: &str, key: &str| {
+            let found = events.iter().find(|(event, _)| event == name).map(|(_, body)| body[key].clone());
+            found.unwrap().as_str().unwrap().to_owned()
+        };
+        let error = "error 123: input or output not linked: `tGripper` has no link";
+        assert_eq!(find("stopped", "text"), error);
+        assert_eq!(find("output", "output"), format!("{error} (task `main~`)\n"));
     }
 
     #[test]

@@ -36,6 +36,7 @@ use crate::stop_event;
 
 use step_wait::StepWait;
 
+pub use at_end::TimeEnd;
 pub(crate) use named_data::NamedData;
 
 /// Next action of the run's loop.
@@ -89,8 +90,10 @@ pub struct DebugSession {
     is_configured: bool,
     /// Whether the run goes to its end without stops (`startAtEnd`).
     runs_to_end: bool,
-    /// Whether the run has stopped at the end of its recording and is still at this moment.
+    /// Whether the run has stopped at the end of its recording or at its time limit, and is still at this moment.
     is_at_recorded_end: bool,
+    /// Whether the run has stopped after the failure of all its tasks, and is still at this moment.
+    is_at_failed_end: bool,
     /// Number of the present request.
     pub(crate) request: i64,
     /// Next action that the last request requires.
@@ -125,6 +128,7 @@ impl DebugSession {
             is_configured: false,
             runs_to_end: false,
             is_at_recorded_end: false,
+            is_at_failed_end: false,
             request: 0,
             action: None,
             breakpoints: match start.is_plain_run {
@@ -168,7 +172,8 @@ impl DebugSession {
 
     /// Sends the events of the run to the client.
     pub fn report(&mut self, events: &[MachineEvent], run: &mut DebuggedRun<'_>) {
-        let notices = self.notices.of(events, &run.debugger.controller, &self.conventions);
+        let notices = self.notices.of(events, &mut run.debugger.controller, &self.conventions);
+        self.notices.repeat(run.debugger.is_in_past());
         let has_new_files = notices.iter().any(|notice| matches!(notice, StandardEvent::LoadedSource(_)));
         notices.iter().for_each(|notice| self.client.event(notice));
         if has_new_files {
@@ -187,6 +192,11 @@ impl DebugSession {
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);
         }
+    }
+
+    /// Notes whether the next cycle repeats a part of the run that was already reported.
+    pub(crate) fn note_repetition(&mut self, run: &DebuggedRun<'_>) {
+        self.notices.repeat(run.debugger.is_in_past());
     }
 
     /// Sends samples and messages at the end of a cycle that began at `start`.
@@ -258,11 +268,12 @@ impl DebugSession {
         notices.extend(self.notices.task_changes(controller));
         self.following.push(StandardEvent::Process(stop_event::process(controller, self.start.is_attach)));
         self.following.extend(notices);
+        self.note_unused_skips(run);
         if self.phase != SessionState::Configuring {
             return;
         }
         self.phase = SessionState::Running;
-        self.is_at_recorded_end = false;
+        (self.is_at_recorded_end, self.is_at_failed_end) = (false, false);
         self.runs_to_end = self.start.settings.starts_at_end && self.run == RunState::Fresh;
         let task = controller.vm.tasks().first().map(|task| task.id);
         match self.run {

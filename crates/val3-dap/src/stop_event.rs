@@ -93,6 +93,15 @@ pub(crate) fn recorded_end(controller: &Controller) -> StoppedEvent {
     }
 }
 
+/// Returns the event for a run at its time limit.
+pub(crate) fn time_limit(controller: &Controller) -> StoppedEvent {
+    StoppedEvent {
+        description: Some("Paused at the time limit of the run".to_owned()),
+        text: Some("the run has reached the time `until`: go back, or continue to end the session".to_owned()),
+        ..event(StoppedEventReason::Pause, first_task(controller))
+    }
+}
+
 /// Returns the event for a run that is at its previous moment, because the client has cancelled a search.
 pub(crate) fn cancelled(controller: &Controller) -> StoppedEvent {
     StoppedEvent {

@@ -17,7 +17,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::frame::MessageReader;
 use crate::message::{MessageContent, ProtocolMessage};
 use crate::protocol::{InitializePathFormat, InitializeRequestArguments};
-use crate::session::{DebugSession, NextAction, RunState};
+use crate::session::{DebugSession, NextAction, RunState, TimeEnd};
 use crate::session_start::SessionStart;
 use crate::validate::SchemaValidator;
 
@@ -124,6 +124,14 @@ impl TestClient {
     pub(crate) fn launched(listing: &str, arguments: Value) -> Self {
         let mut this = Self::launching(listing, arguments);
         this.body("configurationDone", json!({}));
+        this
+    }
+
+    /// Starts the program `start` of a listing with `stopOnExit`, at a time at which the run ends.
+    pub(crate) fn stopped_at_time(listing: &str, end: TimeEnd) -> Self {
+        let mut this = Self::launched(listing, json!({ "stopOnExit": true }));
+        let mut run = DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator };
+        assert!(this.session.stop_at_time(end, &mut run));
         this
     }
 

@@ -94,15 +94,20 @@ impl Debugger {
         };
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
-        self.back_to_last(|_| CycleWatch::Lines, watcher, |debugger, replayed| match replayed.status {
-            // A failed line was not executed: the line before its failure is the same one.
-            RunStatus::Seen(seen)
-                if seen == task && debugger.failure(task).is_none() && step.is_done(&debugger.controller.vm, &[]) =>
-            {
-                Some(Stop::Step { task })
-            }
-            _ => debugger.stop_of_arm(replayed),
-        })
+        self.back_to_last(
+            |_| CycleWatch::Lines,
+            watcher,
+            |debugger, replayed| match replayed.status {
+                RunStatus::Seen(seen) if debugger.ends_step_back(step, seen) => Some(Stop::Step { task }),
+                _ => debugger.stop_of_arm(replayed),
+            },
+        )
+    }
+
+    /// Whether a step backwards ends where `seen` has executed a line. A failed line was not executed, so the line before
+    /// the failure is this line.
+    fn ends_step_back(&self, step: Step, seen: TaskNumber) -> bool {
+        seen == step.task && self.failure(seen).is_none() && step.is_done(&self.controller.vm, &[])
     }
 
     /// Returns the stop of a task that has arrived at a stop mark. A change by the line before a closing keyword and a

@@ -255,10 +255,9 @@ impl Breakpoints {
         let next =
             NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
         let rules = self.rules(space, &next);
-        let reasons = rules.iter().map(|rule| StopReason {
-            task: rule.task,
-            condition: rule.condition.map(|condition| &condition.fragment),
-        });
+        let reasons = rules
+            .iter()
+            .map(|rule| StopReason { task: rule.task, condition: rule.condition.map(|condition| &condition.fragment) });
         StopGuard::new(space, place, reasons)
     }
 

@@ -34,7 +34,12 @@ impl Debugger {
     }
 
     /// Restores the last snapshot at or before `from`, and replays `count` outcomes.
-    pub(crate) fn replay_outcomes(&mut self, from: Moment, count: u64, mut next: impl FnMut(&mut Self) -> Option<Replayed>) {
+    pub(crate) fn replay_outcomes(
+        &mut self,
+        from: Moment,
+        count: u64,
+        mut next: impl FnMut(&mut Self) -> Option<Replayed>,
+    ) {
         self.leave_present();
         let start = self.history.as_ref().and_then(|history| history.before(from)).map(|point| point.moment);
         start.into_iter().for_each(|start| self.trace_lifetimes(start));
@@ -113,4 +118,3 @@ impl Debugger {
         }
     }
 }
-

@@ -50,16 +50,22 @@ impl Debugger {
         if self.has_just_entered(task, entered) {
             return Ok(Stop::Step { task });
         }
-        let stop = self.back_to_last(|_| CycleWatch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
-            match replayed.status {
-                // A program is called by the task itself. Its first program is entered when another task creates the
-                // task.
-                RunStatus::Seen(seen) if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) => {
-                    Some(Stop::Step { task })
+        let stop = self.back_to_last(
+            |_| CycleWatch::Lines,
+            &mut |_| ControlFlow::Continue(()),
+            |debugger, replayed| {
+                match replayed.status {
+                    // A program is called by the task itself. Its first program is entered when another task creates the
+                    // task.
+                    RunStatus::Seen(seen)
+                        if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) =>
+                    {
+                        Some(Stop::Step { task })
+                    }
+                    _ => None,
                 }
-                _ => None,
-            }
-        });
+            },
+        );
         let stop = stop.unwrap_or(Stop::Beginning);
         if stop != Stop::Beginning || (first.time == 0 && self.has_just_entered(task, entered)) {
             return Ok(if stop == Stop::Beginning { Stop::Step { task } } else { stop });

@@ -12,7 +12,7 @@ mod target;
 
 use std::iter;
 
-use val3_analysis::body::{StmtKind, body};
+use val3_analysis::body::{Stmt, StmtKind, body};
 use val3_analysis::db::Database;
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
@@ -21,6 +21,7 @@ use val3_debug::{
     CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, NamedFragment, application_context, evaluate,
     expression_grant,
 };
+use val3_lang::instructions::AIO_SET;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
@@ -101,6 +102,11 @@ impl FrameEvaluator {
         may_go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Evaluation, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
+        if purpose == Purpose::Execute
+            && let Some((variable, value)) = self.analog_assignment(&target, text)
+        {
+            return self.assign(controller, context, variable, value, format).map(Evaluation::of_assignment);
+        }
         let is_expression = purpose == Purpose::Watch || self.is_expression(&target, text);
         let (fragment, has_effects) = if is_expression {
             let (fragment, effect) = self.expression(&target, text)?;
@@ -295,13 +301,38 @@ impl FrameEvaluator {
         }
     }
 
-    /// Compiled assignment.
+    /// Returns the parts of a single assignment to an `aio` variable; `None` for other code.
+    fn analog_assignment<'t>(&mut self, target: &EvaluationContext, text: &'t str) -> Option<(&'t str, &'t str)> {
+        let scratch = Scratch::new(&mut self.targets, target, "", text);
+        let found = body(scratch.db(), scratch.file());
+        let [Stmt { kind: StmtKind::Assign { target: variable, .. }, .. }] = found.block.as_slice() else {
+            return None;
+        };
+        let end = scratch.offset(found.range(*variable).end().into());
+        let (variable, rest) = text.split_at_checked(end)?;
+        let value = rest.trim_start().strip_prefix('=')?;
+        self.is_analog(target, variable).then_some((variable, value))
+    }
+
+    /// Whether the code is a variable of the type `aio`.
+    fn is_analog(&mut self, target: &EvaluationContext, variable: &str) -> bool {
+        self.pure_expression(target, variable).is_ok_and(|(_, base)| base == Some(BaseType::Aio))
+    }
+
+    /// Compiled assignment. A number that is assigned to an `aio` variable is written to its signal.
     fn assignment(
         &mut self,
         target: &EvaluationContext,
         variable: &str,
         value: &str,
     ) -> Result<Fragment, EvaluationError> {
+        if self.is_analog(target, variable) {
+            // The value is an expression of its own, not a list of arguments.
+            if self.pure_expression(target, value)?.1 != Some(BaseType::Num) {
+                return Err(EvaluationError::from("the value of an `aio` is a `num`, such as `12.5`"));
+            }
+            return self.statements(target, &format!("{AIO_SET}({variable},{value})"));
+        }
         let before = format!("{variable}=");
         let scratch = Scratch::new(&mut self.targets, target, &before, value);
         if let Some(fault) = scratch.fault() {

@@ -96,11 +96,7 @@ struct Registers<'a> {
 impl StopGuard {
     /// Creates the guard of a stop mark at which tasks stop only for one of the reasons. Returns `None` if the operation
     /// does not exist, if a condition requires more, or if a reason holds for every task.
-    pub fn new<'f>(
-        space: &Space,
-        place: GuardedOp,
-        reasons: impl IntoIterator<Item = StopReason<'f>>,
-    ) -> Option<Self> {
+    pub fn new<'f>(space: &Space, place: GuardedOp, reasons: impl IntoIterator<Item = StopReason<'f>>) -> Option<Self> {
         let image = Arc::clone(&space.instance(place.instance)?.image);
         let program = image.programs.get(usize::from(place.program))?;
         let reasons = reasons.into_iter().map(|reason| GuardedReason::new(program, reason));
@@ -113,8 +109,7 @@ impl StopGuard {
         self.reasons.iter().all(|reason| {
             let is_of_other_task = reason.task.as_ref().is_some_and(|name| name != task);
             let condition = reason.condition.as_ref();
-            is_of_other_task
-                || condition.is_some_and(|condition| condition.value(memory, instance, frame) == Some(0.0))
+            is_of_other_task || condition.is_some_and(|condition| condition.value(memory, instance, frame) == Some(0.0))
         })
     }
 }

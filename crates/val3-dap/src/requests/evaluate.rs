@@ -58,8 +58,10 @@ impl DebugRequest for Evaluate {
 
 /// Formats the note that breakpoints have no effect in the debug console.
 fn passed(stops: u32) -> String {
-    let times = if stops == 1 { "a breakpoint".to_owned() } else { format!("breakpoints {stops} times") };
-    format!("the code has passed {times} in called programs, which do not stop in the debug console")
+    let times = if stops == 1 { "time" } else { "times" };
+    format!(
+        "the code has passed breakpoints {stops} {times} in called programs, which do not stop in the debug console"
+    )
 }
 
 /// Whether an expression is the variable, or an element or a field of it.
@@ -94,7 +96,8 @@ mod tests {
             let outputs = events.filter(|(event, _)| event == "output").map(|(_, body)| body["output"].clone());
             outputs.collect::<Vec<_>>()
         };
-        let passed = "the code has passed a breakpoint in called programs, which do not stop in the debug console";
+        let passed =
+            "the code has passed breakpoints 1 time in called programs, which do not stop in the debug console";
         assert_eq!(notes(&mut client, "call work()"), [format!("note: {passed}\n")]);
         assert_eq!(notes(&mut client, "delay(0)"), Vec::<String>::new());
     }

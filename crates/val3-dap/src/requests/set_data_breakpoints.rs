@@ -131,10 +131,9 @@ mod tests {
             events.extend(client.events("next", json!({ "threadId": MAIN_THREAD })));
             events.extend(client.run());
         }
-        let changed =
-            events.iter().find(|(event, _)| event == "breakpoint").map(|(_, body)| body["breakpoint"].clone());
-        let changed = changed.expect("the breakpoint has changed");
-        assert_eq!(changed["verified"], false);
+        let mut changes = events.iter().filter(|(event, _)| event == "breakpoint").map(|(_, body)| &body["breakpoint"]);
+        assert_eq!(changes.next().expect("the first step has changed the variable")["message"], "hit once");
+        let changed = changes.find(|changed| changed["verified"] == false).expect("the program has ended");
         assert_eq!(changed["message"], "the program of this variable has ended: a later call has a new variable");
         let again = set(&mut client, json!({ "dataId": data }));
         assert_eq!(again["breakpoints"][0]["verified"], false, "{again}");

@@ -7,6 +7,15 @@ use super::{DebugSession, SessionState};
 use crate::debugged_run::DebuggedRun;
 use crate::stop_event;
 
+/// Time at which a run ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TimeEnd {
+    /// End of the recording that the run repeats.
+    Recording,
+    /// The limit `until`.
+    Limit,
+}
+
 impl DebugSession {
     /// Stops a run that would end with this status. Returns `false` if the run ends.
     ///
@@ -18,7 +27,11 @@ impl DebugSession {
         }
         let controller = &run.debugger.controller;
         let has_waiting_tasks = status == RunStatus::Stuck && !controller.has_only_failed_tasks();
-        if self.is_running_to_end() && !has_waiting_tasks {
+        let is_failed = status == RunStatus::Stuck && !has_waiting_tasks;
+        let stops_at_failure = is_failed && self.start.settings.stops_on_exit && !self.is_at_failed_end;
+        if self.is_running_to_end() && !has_waiting_tasks || stops_at_failure {
+            self.is_at_failed_end = is_failed;
+            run.debugger.abandon_step();
             self.end_run_to_end(run);
             self.report_stop(stop_event::ended(&run.debugger.controller), run);
             return true;
@@ -37,9 +50,9 @@ impl DebugSession {
         true
     }
 
-    /// Stops a run that has reached the end of the recording that it repeats. Returns `false` if the run ends, because
+    /// Stops a run that has reached a time at which it ends. Returns `false` if the run ends, because
     /// the client has continued it from there, or has requested no stop at the end.
-    pub fn stop_at_recorded_end(&mut self, run: &mut DebuggedRun<'_>) -> bool {
+    pub fn stop_at_time(&mut self, end: TimeEnd, run: &mut DebuggedRun<'_>) -> bool {
         let settings = &self.start.settings;
         let is_wanted = settings.stops_on_exit || settings.starts_at_end;
         if self.start.is_plain_run || !self.client.is_connected() || !is_wanted || self.is_at_recorded_end {
@@ -47,7 +60,12 @@ impl DebugSession {
         }
         run.debugger.abandon_step();
         self.end_run_to_end(run);
-        self.report_stop(stop_event::recorded_end(&run.debugger.controller), run);
+        let controller = &run.debugger.controller;
+        let event = match end {
+            TimeEnd::Recording => stop_event::recorded_end(controller),
+            TimeEnd::Limit => stop_event::time_limit(controller),
+        };
+        self.report_stop(event, run);
         self.is_at_recorded_end = true;
         true
     }
@@ -77,6 +95,7 @@ impl DebugSession {
 mod tests {
     use serde_json::{Value, json};
 
+    use super::TimeEnd;
     use crate::test_client::{EMPTY, MAIN_THREAD, TestClient};
 
     const WAITING: &str = "bool bGo\nnum nDone\n\nprogram start()\nbegin\n  wait(bGo)\n  nDone=1\n  delay(1)\nend\n";
@@ -217,6 +236,46 @@ mod tests {
         assert_eq!(client.value("nCount"), "1");
         client.stop_after("stepBack", json!({ "threadId": MAIN_THREAD }));
         assert_eq!(client.place().1, 6);
+    }
+
+    /// The failed tasks remain, so that the user can go back from the error.
+    #[test]
+    fn a_run_whose_tasks_have_failed_stops_before_its_end() {
+        let failing = "num nCount\n\nprogram start()\nbegin\n  nCount=1\n  nCount=1/(nCount-1)\nend\n";
+        for filters in [json!([]), json!(["unhandled"])] {
+            let mut client = TestClient::launching(failing, json!({ "stopOnExit": true }));
+            client.body("setExceptionBreakpoints", json!({ "filters": filters }));
+            client.body("configurationDone", json!({}));
+            let mut stop = bodies(&client.run(), "stopped").remove(0);
+            if filters != json!([]) {
+                assert_eq!(stop["reason"], "exception");
+                stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+            }
+            assert_eq!(stop["description"], "Paused at the end of the run");
+            client.stop_after("stepBack", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!((client.place().1, client.value("nCount")), (6, json!("1")));
+            client.body("evaluate", json!({ "expression": "nCount=3", "context": "repl" }));
+            let exit = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!(exit["description"], "Paused before the end of the application");
+            assert_eq!(client.value("nCount"), "0.5");
+        }
+        let mut client = TestClient::launched(failing, json!({ "stopOnExit": true }));
+        client.run();
+        client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(bodies(&client.run(), "stopped"), Vec::<Value>::new(), "continue at the end ends the run");
+    }
+
+    #[test]
+    fn the_stop_at_a_time_names_its_reason() {
+        for (end, description) in [
+            (TimeEnd::Recording, "Paused at the end of the recording"),
+            (TimeEnd::Limit, "Paused at the time limit of the run"),
+        ] {
+            let mut client = TestClient::stopped_at_time(ROUNDS, end);
+            let stops = bodies(&client.run(), "stopped");
+            assert_eq!((stops.len(), &stops[0]["description"]), (1, &json!(description)));
+        }
     }
 
     #[test]

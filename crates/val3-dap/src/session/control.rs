@@ -64,8 +64,10 @@ impl DebugSession {
             run.debugger.controller.devices.state.io.show_inputs();
         }
         run.debugger.begin_new_future();
+        self.is_at_failed_end = false;
         let events = run.debugger.controller.devices.take_events();
-        let notices = self.notices.of(&events, &run.debugger.controller, &self.conventions);
+        self.notices.repeat(false);
+        let notices = self.notices.of(&events, &mut run.debugger.controller, &self.conventions);
         self.following.extend(notices);
         if self.phase == SessionState::Stopped {
             self.invalidate();
@@ -138,6 +140,16 @@ impl DebugSession {
         }
     }
 
+    /// Reports patterns of `skip` that match no program, for example because of a typing error.
+    pub(super) fn note_unused_skips(&mut self, run: &DebuggedRun<'_>) {
+        for pattern in run.debugger.unused_skips() {
+            self.note(&format!(
+                "`skip`: `{pattern}` is no library and no program of this application; write `library` or \
+                 `library:program`, or keep it for a library that the program loads later"
+            ));
+        }
+    }
+
     /// Shows a note in the debug console, after the response to the present request.
     pub(crate) fn note(&mut self, text: &str) {
         let category = Some(OutputEventCategory::Console);
@@ -155,7 +167,7 @@ impl DebugSession {
     /// Reports that the run is at another moment or line without having run there. Sends no `invalidated`, because
     /// clients request all values after a stop, and VS Code would also request values of the previous stop.
     pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
-        self.is_at_recorded_end = false;
+        (self.is_at_recorded_end, self.is_at_failed_end) = (false, false);
         self.handles.clear();
         self.following.push(StandardEvent::Stopped(event));
     }

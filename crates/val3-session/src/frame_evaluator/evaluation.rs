@@ -26,6 +26,11 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
+    /// An assignment, which shows the new value.
+    pub(super) fn of_assignment(value: DebugValue) -> Self {
+        Self { value: Some(value), ..Self::new(Vec::new(), true) }
+    }
+
     /// An evaluation with these events.
     pub(super) fn new(events: Vec<Event>, changes_run: bool) -> Self {
         Self { value: None, output: output(&events), events, changes_run, passed_stops: 0 }

@@ -100,7 +100,7 @@ fn each_number_that_is_shown_can_be_assigned_to() {
 fn inputs_and_outputs_show_their_state_and_link() {
     let mut devices = Running::devices();
     devices.state.io.declare_device("Io", ["%Q0", "%I0"].map(|name| (name, BaseType::Dio)));
-    devices.state.io.declare_device("Io", [("%QW1", BaseType::Aio)]);
+    devices.state.io.declare_device("Io", [("%QW1", BaseType::Aio), ("%IW1", BaseType::Aio)]);
     let mut stopped = Stopped::on(
         devices,
         r#"
@@ -120,6 +120,7 @@ end
     <Data name="diIn" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\%I0" /></Data>
     <Data name="diNone" access="private" xsi:type="array" type="dio" size="1" />
     <Data name="aoOut" access="private" xsi:type="array" type="aio" size="1"><Value key="0" link="Io\%QW1" /></Data>
+    <Data name="aiIn" access="private" xsi:type="array" type="aio" size="2"><Value key="1" link="Io\%IW1" /></Data>
     <Data name="siNone" access="private" xsi:type="array" type="sio" size="1" />
   </Datas>
 </Database>
@@ -135,6 +136,11 @@ end
     assert_eq!(stopped.watch("diIn"), "dio false (Io\\%I0)", "the console forces inputs too");
     stopped.execute("diIn=true");
     assert_eq!(stopped.execute("aioSet(aoOut,3)"), "num 3");
+    assert_eq!(stopped.assign("aiIn[1]", "2*6"), "12 (Io\\%IW1)");
+    assert_eq!(stopped.assign("aiIn[1]", "12 (Io\\%IW1)"), "12 (Io\\%IW1)", "a client confirms its edit box");
+    assert_eq!(stopped.execute("aiIn[1] = 13"), "aio 13 (Io\\%IW1)");
+    assert_eq!(stopped.assign("aoOut", "true"), "the value of an `aio` is a `num`, such as `12.5`");
+    assert_eq!(stopped.assign("aiIn[0]", "1"), "error 123: input or output not linked");
     let shown = ["diIn", "diNone", "aoOut", "siNone"].map(|name| stopped.watch(name));
     assert_eq!(shown, ["dio true (Io\\%I0)", "dio not linked", "aio 3 (Io\\%QW1)", "sio not linked"]);
 }

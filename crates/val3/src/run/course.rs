@@ -3,7 +3,7 @@
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use val3_dap::{DebuggedRun, NextAction};
+use val3_dap::{DebuggedRun, NextAction, TimeEnd};
 use val3_debug::{AdvanceResult, Debugger};
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::RunStatus;
@@ -171,7 +171,8 @@ impl<'a> Course<'a> {
             let time = self.tempo.wait_time(delay);
             self.wait(time, guide);
             if let Some(end) = self.end_of_time() {
-                if guide.session().is_some_and(|session| session.stop_at_recorded_end(&mut self.target())) {
+                let time = if matches!(end, End::Recorded(_)) { TimeEnd::Recording } else { TimeEnd::Limit };
+                if guide.session().is_some_and(|session| session.stop_at_time(time, &mut self.target())) {
                     continue;
                 }
                 break Ok(end);
