@@ -157,8 +157,8 @@ fn a_push_removes_no_settings() {
     let folders = [path("usr/configs"), path("usr/usrapp")];
     let mut project = bench.project();
     let mut files = bench.server.connect();
-    let identity = check_identity(&project, &mut files, true).unwrap();
-    let request = PullRequest { address: "a".into(), identity, folders: folders.to_vec(), merge: None };
+    let identity = check_identity(&project, &address(), &mut files, true).unwrap();
+    let request = PullRequest { folders: folders.to_vec(), ..request(identity) };
     pull(&mut project, &mut files, request, &mut SilentObserver).unwrap();
     fs::remove_dir_all(bench.folder.join("usr/configs")).unwrap();
     let status = ProjectStatus::read(&project, &mut files, &folders, &mut SilentObserver).unwrap();
