@@ -53,7 +53,7 @@ test("a program that waits for the power says so", () => served([], async (run) 
   await status(page).getByText(/^palletiser~ waits for time/).waitFor();
 }, (folder) => setProgram(folder, "\n  wait(isPowered())\n  delay(1000)")));
 
-test("a late page reads the past before it operates", () => served(["--time", "virtual", "--until", "600"], async (run) => {
+test("a late page reads the past before it operates", () => served(["--time", "virtual", "--until", "60"], async (run) => {
   const early = await run.open();
   await early.waitForFunction(() => window.val3View.store.end.value !== undefined);
   const counts = await early.evaluate(() => new Promise((resolve) => {
