@@ -40,13 +40,15 @@ function Page({ store }: { store: Store }): JSX.Element {
           <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
           <button type="button" aria-pressed={isShown} title="Show or hide the pendant, signals, tasks and points" onClick={() => showPanels(isRecording, !isShown)}>Panels</button>
         </span>
-        <FaultBar store={store} />
       </header>
       <main
         class={isShown ? undefined : "without-panels"}
         style={{ "--panel-width": width === undefined ? undefined : `${width}%`, "--panel-height": height === undefined ? undefined : `${height}%` }}
       >
-        <SceneView store={store} />
+        <div class="picture-column">
+          <FaultBar store={store} />
+          <SceneView store={store} />
+        </div>
         {isShown ? <Border /> : null}
         {isShown ? <Panels store={store} /> : null}
       </main>

@@ -150,6 +150,7 @@ await post(live, [{ kind: "unsaved", points: [{ name: "pPick", key: "1" }] }]);
 await live.click("text=Save to .dtx");
 await live.click(".question button:text-is('Overwrite')");
 assert.deepEqual(await sent(live), [{ command: "solve", name: "pPick", key: "1" }, { command: "teach", name: "pPick", key: "1" }, { command: "save", overwrite: false }, { command: "save", overwrite: true }]);
+await post(live, [{ kind: "unsaved", points: [] }]);
 await live.waitForSelector("text=Saved palletiser.dtx");
 await check(live, "live-light-1280");
 await live.click("[aria-label='Previous error']");

@@ -74,7 +74,8 @@ export class Labels {
   /** Returns the areas of elements over the drawing, in its coordinates. */
   private covered(canvas: HTMLElement): Box[] {
     const { left, top } = canvas.getBoundingClientRect();
-    const others = [...(this.parent.parentElement?.children ?? [])].filter((element) => element !== this.parent && element !== canvas);
+    const others = [...(this.parent.parentElement?.children ?? [])].filter((element) => element !== this.parent && element !== canvas)
+      .flatMap((element) => (element.classList.contains("foot") ? [...element.children] : element));
     return others.map((element) => element.getBoundingClientRect()).filter(({ width }) => width > 0)
       .map((box) => [box.left - left, box.top - top, box.right - left, box.bottom - top]);
   }

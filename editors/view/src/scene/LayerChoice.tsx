@@ -2,17 +2,15 @@
 
 import type { JSX } from "preact";
 import { hiddenLayers, type Layer, LAYERS, showLayer } from "./layers";
+import { Menu } from "./Menu";
 
 export function LayerChoice(): JSX.Element {
   const hidden = hiddenLayers.value;
   return (
-    <details class="layers">
-      <summary>Layers</summary>
-      <div role="group" aria-label="Layers">
-        {(Object.keys(LAYERS) as Layer[]).map((layer) => (
-          <label key={layer}><input type="checkbox" checked={!hidden.has(layer)} onChange={({ currentTarget }) => showLayer(layer, currentTarget.checked)} /> {LAYERS[layer]}</label>
-        ))}
-      </div>
-    </details>
+    <Menu label="Layers" className="layers">
+      {(Object.keys(LAYERS) as Layer[]).map((layer) => (
+        <label key={layer}><input type="checkbox" checked={!hidden.has(layer)} onChange={({ currentTarget }) => showLayer(layer, currentTarget.checked)} /> {LAYERS[layer]}</label>
+      ))}
+    </Menu>
   );
 }

@@ -7,6 +7,9 @@ import type { Store } from "../store";
 import type { Viewport } from "./Viewport";
 import { fixed } from "../panels/shared/fixed";
 
+/** Speed in mm/s below which the arm counts as resting: the readout shows 0. */
+const AT_REST = 0.5;
+
 export function Readout({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element {
   const sample = store.shown.value;
   // Without a run, the drawing shows the arm at zero.
@@ -19,7 +22,7 @@ export function Readout({ store, view }: { store: Store; view: Viewport | undefi
       {joints.map((value, axis) => <div key={axis} class="joint"><dt>J{axis + 1}</dt><dd>{figure(value, 2)}</dd></div>)}
       {sample === undefined && tool.isOfLastMove ? null : <div class="wide"><dt>Tool</dt><dd>{tool.name ?? "of the last move"}</dd></div>}
       {sample === undefined ? null : <div class="wide"><dt>Speed</dt><dd>{sample.speed.toFixed(0)} mm/s</dd></div>}
-      {sample === undefined ? null : <div class="wide"><dt>Limited by</dt><dd>{limitName(store, sample.limit) ?? "–"}</dd></div>}
+      {sample === undefined ? null : <div class="wide"><dt>{sample.speed < AT_REST ? "At rest" : "Limited by"}</dt><dd>{limitName(store, sample.limit) ?? "–"}</dd></div>}
     </dl>
   );
 }

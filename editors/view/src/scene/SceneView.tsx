@@ -8,13 +8,13 @@ import { isDark } from "../look";
 import { composed, frameOf, poseOf } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { Store } from "../store";
-import { type ViewName, VIEWS } from "./Camera";
 import { LayerChoice } from "./LayerChoice";
 import { hiddenLayers } from "./layers";
 import { Legend } from "./Legend";
 import { pick, type Picked } from "./picking";
 import { hasReach } from "./reach";
 import { limitName, Readout } from "./Readout";
+import { ViewChoice } from "./ViewChoice";
 import { Viewport } from "./Viewport";
 import "./scene.css";
 
@@ -82,15 +82,17 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
       {failure === undefined ? null : <p class="failure" role="alert">{failure}</p>}
       {view === undefined || view.faults.value.length === 0 ? null : <ul class="faults" role="status">{view.faults.value.map((fault) => <li key={fault}>{fault}</li>)}</ul>}
       <div class="picture-tools" role="toolbar" aria-label="Picture">
-        {(Object.keys(VIEWS) as ViewName[]).map((name) => <button key={name} type="button" title={name === "Iso" ? "Perspective from the front" : "Parallel projection along an axis"} onClick={() => view?.fit(name)}>{name}</button>)}
+        <ViewChoice onChoose={(name) => view?.fit(name)} />
         <button type="button" title="Show everything" onClick={() => view?.fit()}>Fit</button>
         <button type="button" aria-pressed={isFollowing} title="Keep the tool centre point at its place" onClick={follow}>Follow</button>
         <button type="button" aria-pressed={measured !== undefined} title="Distance between two clicked positions" onClick={measure}>Measure</button>
         {cell && hasReach(cell.arm) ? <button type="button" aria-pressed={isReach} title="The space that the flange reaches" onClick={showReach}>Reach</button> : null}
         <LayerChoice />
       </div>
-      <Readout store={store} view={view} />
-      <Legend store={store} view={view} />
+      <div class="foot">
+        <Legend store={store} view={view} />
+        <Readout store={store} view={view} />
+      </div>
       <div class="picked" role="status">
         {measured === undefined ? <PickedText store={store} picked={picked} /> : <MeasureText ends={measured} />}
       </div>

@@ -1,7 +1,7 @@
 // Drawing of the cell. It is updated only after changes.
 
 import { signal } from "@preact/signals";
-import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
+import { Color, Group, type Mesh, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
@@ -15,6 +15,7 @@ import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type CarrierFrames, CellObjects } from "./CellObjects";
 import { type Label, Labels } from "./Labels";
+import { corners } from "./corners";
 import { DropLines } from "./DropLines";
 import { failedMoves, FailedTargets } from "./FailedTargets";
 import { type Area, areaBetween, contains, WHOLE } from "./fitting";
@@ -230,7 +231,7 @@ export class Viewport {
         positions.push([x, y, z]);
       }
     };
-    this.corners().forEach((at) => add(at));
+    corners([this.arm?.group, this.objects?.group]).forEach((at) => add(at));
     positions.push(...this.trail.positions());
     add(this.tcp.position);
     this.store.panels.cell.points.value.forEach(({ pose }) => add(pose));
@@ -239,14 +240,6 @@ export class Viewport {
     this.area = this.free();
     this.camera.show(positions, this.area, view);
     this.isFirst = false;
-  }
-
-  /** Returns the corners of the boxes around the parts of the arm and the things around it. */
-  private corners(): [number, number, number][] {
-    const parts = [this.arm?.group, this.objects?.group].flatMap((group) => group?.children ?? []);
-    parts.forEach((part) => part.updateMatrixWorld(true));
-    const boxes = parts.map((part) => new Box3().setFromObject(part)).filter((box) => !box.isEmpty());
-    return boxes.flatMap(({ min, max }) => [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z): [number, number, number] => [x, y, z]))));
   }
 
   /** Returns the position on the arm, a thing or the floor at a location of the canvas. */

@@ -34,7 +34,7 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
   const controls = { cell, notice, scene, holder, step, reason };
   return (
     <fieldset class="jog">
-      <legend>Jog</legend>
+      <legend title={reason}>Jog{reason === undefined ? null : <span class="reason"> – {reason}</span>}</legend>
       <div class="row">
         <label>Along{" "}
           <select value={way} onChange={({ currentTarget }) => setWay(currentTarget.value)}>
@@ -51,7 +51,6 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
           </select>
         </label>
       </div>
-      {reason === undefined ? null : <p class="reason">{reason}</p>}
       <Axes {...controls} hasButtons={way === "joint"} />
       {way === "joint" ? <JointEntry {...controls} axes={scene.arm.axes} /> : <Directions {...controls} way={way} />}
     </fieldset>

@@ -4,21 +4,20 @@ import type { JSX } from "preact";
 import { useMemo } from "preact/hooks";
 import { Fold } from "../../layout/Fold";
 import { type Cell, Notice } from "../shared/cell";
-import { NoticeLine } from "../shared/NoticeLine";
+import { MessageLine } from "../shared/NoticeLine";
 import { JogControls } from "./JogControls";
 import { Keypad } from "./Keypad";
 import { RobotControls } from "./RobotControls";
+import { stopText } from "./robotState";
 import { UserPage } from "./UserPage";
 
 export function PendantPanel({ cell }: { cell: Cell }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
-  const { blocked } = cell;
   const isManual = cell.state.value?.mode === "manual";
   const userPage = <Fold key="screen" name="userPage" label="User page" className="screen-part" isOpenAtFirst={isUsed(cell)}><UserPage cell={cell} notice={notice} /></Fold>;
   return (
     <section class="panel pendant" aria-label="Pendant">
-      {blocked.value === undefined ? null : <p class="blocked">{blocked.value}</p>}
-      <NoticeLine notice={notice} />
+      <MessageLine cell={cell} notice={notice} state={stopText(cell.state.value)} />
       <div class="mcp">
         {/* In manual mode, jogging comes before the user page, so that small windows show it without scrolling. */}
         {isManual ? null : userPage}

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import { Button } from "../shared/Button";
 import type { Cell, Notice } from "../shared/cell";
-import { endReason, hasFailed, MODES, nextSpeed, powerReason, runReason, speedFrom, stopText } from "./robotState";
+import { endReason, hasFailed, MODES, nextSpeed, powerReason, runReason, speedFrom } from "./robotState";
 import { startAgain } from "./startAgain";
 
 interface Props {
@@ -37,7 +37,6 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
           {isStopped ? "Release E-stop" : "E-stop"}
         </Button>
       </div>
-      <p class="state-line" role="status">{stopText(state)}</p>
       <div class="row">
         <ModeChoice cell={cell} notice={notice} />
         <SpeedField cell={cell} notice={notice} />

@@ -42,7 +42,7 @@ export function UserPage({ cell, notice }: { cell: Cell; notice: Notice }): JSX.
       {page.popUp ? <PopUp text={page.popUp} cell={cell} notice={notice} /> : null}
       <MenuKeys page={page} cell={cell} notice={notice} />
       <details class="help">
-        <summary>{isTyping ? "The keyboard types into the page. Tab leaves it." : "Click the page to type into it. Keys of the keyboard"}</summary>
+        <summary>{isTyping ? "The keyboard types into the page. Tab leaves it." : "Keys of the keyboard (click the page to type into it)"}</summary>
         <dl>{KEYBOARD_HELP.map(([keys, meaning]) => <div key={keys}><dt>{keys}</dt><dd>{meaning}</dd></div>)}</dl>
       </details>
     </div>

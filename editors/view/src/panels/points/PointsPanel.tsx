@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { type Cell, type CellPoint, Notice } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
-import { NoticeLine } from "../shared/NoticeLine";
+import { MessageLine } from "../shared/NoticeLine";
 import { COORDINATES, fatherText, pointText, samePoint, shortNumber } from "./edits";
 import { FramesAndTools } from "./FramesAndTools";
 import { JointsTable } from "./JointsTable";
@@ -30,14 +30,13 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
   const present = selected && points.find((point) => samePoint(point, selected));
   return (
     <section class="panel points" aria-label="Points">
-      {cell.blocked.value === undefined ? null : <p class="blocked">{cell.blocked.value}</p>}
+      <MessageLine cell={cell} notice={notice} />
       <div class="row tools">
         <input type="search" aria-label="Filter points" placeholder="Filter" value={text} onInput={({ currentTarget }) => setText(currentTarget.value)} />
         <span class="count" role="status">{shown.length} of {points.length}</span>
         <ToolChoice cell={cell} />
         <SaveBar cell={cell} notice={notice} changed={unsaved.size} />
       </div>
-      <NoticeLine notice={notice} />
       <LongTable<CellPoint>
         label="Points of the application" className="point-table" columns={COLUMNS} rows={shown} empty={points.length === 0 ? "The application has no points." : "No point matches the filter."}
         keyOf={pointText} rowClass={(point) => (isEdited(point) ? "changed" : undefined)} onRowClick={(point) => cell.selectPoint(point)}
