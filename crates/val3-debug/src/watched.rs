@@ -162,7 +162,7 @@ impl WatchedData {
             }
             let Lanes { num, text, link, part: 0 } = kind.size else { return None };
             let bits = (0..num * count).map(|lane| memory.num(place, lane).ok().map(f64::to_bits));
-            let texts = (0..text * count).map(|at| memory.text(Place { text: place.text + at, ..place }).ok().copied());
+            let texts = (0..text * count).map(|lane| memory.text(place.after(Lanes::texts(lane))).ok().copied());
             let links = (0..link * count).map(|lane| memory.link(place, lane).ok()).collect::<Option<_>>()?;
             let (bits, texts) = (bits.collect::<Option<_>>()?, texts.collect::<Option<_>>()?);
             Some(WatchedValue { owner: self.owner(), container, place, bits, texts, links })
@@ -223,7 +223,8 @@ impl WatchedData {
                 ValueLocation::One(kind, place) => link(&kind, place).into_iter().collect(),
                 ValueLocation::All(view) => {
                     let store = memory.store(view.store).ok()?;
-                    let places = (view.start..store.shape.len()).map(|number| store.place(view.store, number));
+                    let numbers = store.shape.numbers().into_iter().skip(view.start as usize);
+                    let places = numbers.map(|number| store.place(view.store, number));
                     places.filter_map(|place| link(&store.kind, place)).collect()
                 }
             })

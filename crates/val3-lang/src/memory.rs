@@ -5,12 +5,16 @@
 //! its fields in the lane `part`, because the fields of a type are data with containers (7.2). A number therefore
 //! always occupies eight bytes, and a point nine numbers and one link.
 
+mod assign;
 mod budget;
 mod containers;
 mod copy;
 mod display;
 mod kind;
 mod lanes;
+#[cfg(test)]
+mod laws;
+mod layout;
 mod place;
 mod reach;
 mod rearrange;
@@ -110,12 +114,14 @@ impl Memory {
     /// 20 if the value does not exist.
     #[inline]
     pub fn num(&self, at: Place, offset: u32) -> Result<f64> {
-        let index = (at.num + offset) as usize;
-        let found = match at.store {
-            StoreId::STACK => self.stack.nums.get(index),
-            id => self.store(id)?.nums.get(index),
+        let nums = match at.store {
+            StoreId::STACK => &self.stack.nums,
+            _ => match self.stores.with_layout(at) {
+                Some(store) => &store.nums,
+                None => return self.num(self.stores.moved(at)?, offset),
+            },
         };
-        found.copied().ok_or(Fault::INDEX_TOO_LARGE)
+        nums.get((at.num + offset) as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// Writes a value that [`num`](Self::num) reads.
@@ -124,12 +130,14 @@ impl Memory {
     /// 20 if the value does not exist.
     #[inline]
     pub fn set_num(&mut self, at: Place, offset: u32, value: f64) -> Result<()> {
-        let index = (at.num + offset) as usize;
-        let found = match at.store {
-            StoreId::STACK => self.stack.nums.get_mut(index),
-            id => self.store_mut(id)?.nums.get_mut(index),
+        let nums = match at.store {
+            StoreId::STACK => &mut self.stack.nums,
+            _ => match self.stores.with_layout_mut(at) {
+                Some(store) => &mut store.nums,
+                None => return self.set_num(self.stores.moved(at)?, offset, value),
+            },
         };
-        *found.ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        *nums.get_mut((at.num + offset) as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
         Ok(())
     }
 
@@ -142,7 +150,10 @@ impl Memory {
         let index = (at.num + offset) as usize;
         let nums = match at.store {
             StoreId::STACK => &self.stack.nums,
-            id => &self.store(id)?.nums,
+            _ => match self.stores.with_layout(at) {
+                Some(store) => &store.nums,
+                None => return self.nums(self.stores.moved(at)?, offset),
+            },
         };
         nums.get(index..).and_then(|rest| rest.first_chunk()).copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
@@ -156,7 +167,10 @@ impl Memory {
         let index = (at.num + offset) as usize;
         let nums = match at.store {
             StoreId::STACK => &mut self.stack.nums,
-            id => &mut self.store_mut(id)?.nums,
+            _ => match self.stores.with_layout_mut(at) {
+                Some(store) => &mut store.nums,
+                None => return self.set_nums(self.stores.moved(at)?, offset, values),
+            },
         };
         let found = nums.get_mut(index..).and_then(|rest| rest.first_chunk_mut());
         *found.ok_or(Fault::INDEX_TOO_LARGE)? = values;
@@ -169,11 +183,14 @@ impl Memory {
     /// 20 if the value does not exist.
     #[inline]
     pub fn text(&self, at: Place) -> Result<&Text> {
-        let found = match at.store {
-            StoreId::STACK => self.stack.texts.get(at.text as usize),
-            id => self.store(id)?.texts.get(at.text as usize),
+        let texts = match at.store {
+            StoreId::STACK => &self.stack.texts,
+            _ => match self.stores.with_layout(at) {
+                Some(store) => &store.texts,
+                None => return self.text(self.stores.moved(at)?),
+            },
         };
-        found.ok_or(Fault::INDEX_TOO_LARGE)
+        texts.get(at.text as usize).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// Returns a string for writing.
@@ -182,6 +199,7 @@ impl Memory {
     /// 20 if the value does not exist.
     #[inline]
     pub fn text_mut(&mut self, at: Place) -> Result<&mut Text> {
+        let at = self.present(at)?;
         let found = match at.store {
             StoreId::STACK => self.stack.texts.get_mut(at.text as usize),
             id => self.store_mut(id)?.texts.get_mut(at.text as usize),
@@ -199,18 +217,39 @@ impl Memory {
         Ok(())
     }
 
-    /// Returns the link target of a value.
+    /// Converts an address to the present layout of its container, for a comparison with other addresses, or for a
+    /// look at its lanes. Access to values does not require it.
+    ///
+    /// # Errors
+    /// 20 if the container, the key or the indexes of the value do not exist any more. An address beyond the end of an
+    /// array that has only been shortened is unchanged.
+    #[inline]
+    pub fn present(&self, at: Place) -> Result<Place> {
+        match at.store {
+            StoreId::STACK => Ok(at),
+            _ if self.stores.with_layout(at).is_some() => Ok(at),
+            _ => self.stores.moved(at),
+        }
+    }
+
+    /// Returns the link target of a value. The address of a target that moved within its container is the present one,
+    /// so that equal targets are equal.
     ///
     /// # Errors
     /// 20 if the value does not exist.
     #[inline]
     pub fn link(&self, at: Place, offset: u32) -> Result<LinkPlace> {
-        let index = (at.link + offset) as usize;
-        let found = match at.store {
-            StoreId::STACK => self.stack.links.get(index),
-            id => self.store(id)?.links.get(index),
+        let links = match at.store {
+            StoreId::STACK => &self.stack.links,
+            _ => match self.stores.with_layout(at) {
+                Some(store) => &store.links,
+                None => return self.link(self.stores.moved(at)?, offset),
+            },
         };
-        found.copied().ok_or(Fault::INDEX_TOO_LARGE)
+        match links.get((at.link + offset) as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)? {
+            LinkPlace::Data(target) => Ok(LinkPlace::Data(self.present(target).unwrap_or(target))),
+            link => Ok(link),
+        }
     }
 
     /// Links a value.
@@ -228,6 +267,7 @@ impl Memory {
     /// # Errors
     /// 20 if the value does not exist.
     pub fn set_file_link(&mut self, at: Place, offset: u32, link: LinkPlace) -> Result<()> {
+        let at = self.present(at)?;
         let index = (at.link + offset) as usize;
         let found = match at.store {
             StoreId::STACK => self.stack.links.get_mut(index),
@@ -243,12 +283,14 @@ impl Memory {
     /// 20 if the value does not exist.
     #[inline]
     pub fn part(&self, at: Place, offset: u32) -> Result<StoreId> {
-        let index = (at.part + offset) as usize;
-        let found = match at.store {
-            StoreId::STACK => self.stack.parts.get(index),
-            id => self.store(id)?.parts.get(index),
+        let parts = match at.store {
+            StoreId::STACK => &self.stack.parts,
+            _ => match self.stores.with_layout(at) {
+                Some(store) => &store.parts,
+                None => return self.part(self.stores.moved(at)?, offset),
+            },
         };
-        found.copied().ok_or(Fault::INDEX_TOO_LARGE)
+        parts.get((at.part + offset) as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
 }
 

@@ -115,7 +115,7 @@ fn variables(controller: &Controller, image: &Image, data: &[StoreId], values: &
     let memory = &controller.vm.space.memory;
     for (data, id) in image.data.iter().zip(data) {
         let Ok(store) = memory.store(*id) else { continue };
-        for number in 0..store.shape.len() {
+        for number in store.shape.numbers() {
             let place = memory.element(View::whole(*id), number);
             let shown = place.and_then(|place| memory.shown(&store.kind, place));
             let (Some(subscript), Ok(shown)) = (subscript(&store.shape, number), shown) else { continue };

@@ -42,7 +42,7 @@ pub(crate) fn data(controller: &Controller) -> Vec<GlobalValue> {
         for (definition, id) in instance.image.data.iter().zip(instance.data.iter()) {
             let Ok(store) = space.memory.store(*id) else { continue };
             let Some(base) = store.kind.base_type().filter(is_shown) else { continue };
-            for index in 0..store.shape.len() {
+            for index in store.shape.numbers() {
                 let Some(key) = subscript(&store.shape, index) else { continue };
                 let key = key.strip_prefix('[').and_then(|key| key.strip_suffix(']')).map(str::to_owned);
                 let name = prefix.clone() + &definition.name;

@@ -1,6 +1,6 @@
 //! Watched values, which the interpreter compares after each line: a turn ends after a line that has changed one.
 
-use val3_lang::memory::{ContainerShape, LinkPlace, Memory, Place, StoreId};
+use val3_lang::memory::{ContainerShape, Lanes, LinkPlace, Memory, Place, StoreId};
 use val3_lang::ports::TaskNumber;
 use val3_lang::values::Text;
 
@@ -75,11 +75,11 @@ impl WatchedValue {
             Err(_) => false,
         });
         let mut bits = (0..).zip(&self.bits);
-        let mut texts = (self.place.text..).zip(&self.texts);
+        let mut texts = (0..).zip(&self.texts);
         let mut links = (0..).zip(&self.links);
         has_shape
             && bits.all(|(lane, bits)| memory.num(self.place, lane).is_ok_and(|number| number.to_bits() == *bits))
-            && texts.all(|(text, seen)| memory.text(Place { text, ..self.place }).is_ok_and(|now| now == seen))
+            && texts.all(|(lane, seen)| memory.text(self.place.after(Lanes::texts(lane))).is_ok_and(|now| now == seen))
             && links.all(|(lane, seen)| memory.link(self.place, lane).is_ok_and(|now| now == *seen))
     }
 }

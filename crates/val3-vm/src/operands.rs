@@ -5,7 +5,7 @@ use val3_bytecode::{
 };
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{self, Lanes, Memory, Place, Slot, StoreId, View};
+use val3_lang::memory::{self, Lanes, Memory, Place, Slot, View};
 use val3_lang::values::Text;
 
 use crate::Instance;
@@ -27,7 +27,7 @@ pub(crate) struct OperandContext<'i> {
 #[inline(always)]
 pub(crate) fn on_frame(base: &Base, lanes: Lanes) -> Place {
     let Base { num, text, link, part, .. } = *base;
-    Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes)
+    Place::on_stack(Lanes { num, text, link, part } + lanes)
 }
 
 /// Returns a place that was looked up, or the place of a parameter by reference.

@@ -20,6 +20,7 @@ mod memory;
 mod places;
 mod programs;
 mod random_programs;
+mod rearranged;
 mod references;
 mod saving;
 mod show;

@@ -45,6 +45,7 @@ impl AccessNames {
         if place.store == StoreId::STACK {
             return self.on_stack(place, kind);
         }
+        let place = memory.present(place).ok()?;
         let store = memory.store(place.store).ok()?;
         let number = number_of(place, store.kind.size)?;
         let start = store.place(place.store, number);

@@ -59,7 +59,7 @@ impl Memory {
     pub fn element(&self, view: View, number: u32) -> Result<Place> {
         let store = self.store(view.store)?;
         let number = view.start + number;
-        if number < store.shape.len() { Ok(store.place(view.store, number)) } else { Err(Fault::INDEX_TOO_LARGE) }
+        if store.has_value(number) { Ok(store.place(view.store, number)) } else { Err(Fault::INDEX_TOO_LARGE) }
     }
 
     /// Inserts a default value before an index, or at the end (2.5.4).
@@ -163,8 +163,9 @@ impl Memory {
         let store = self.changing(id)?;
         let ContainerShape::Collection(keys) = &mut store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let number = keys.remove(key).ok_or(Fault::INDEX_TOO_LARGE)?;
-        store.gaps.push(number);
+        let parts = store.clear_value(number);
         self.stores.room.give_back(KEY_BYTES);
+        parts.into_iter().for_each(|part| self.remove(part));
         Ok(())
     }
 
@@ -194,7 +195,7 @@ impl Memory {
     }
 
     /// Moves array elements to their positions for other sizes.
-    fn rearrange(&mut self, id: StoreId, old: [u32; 3], new: [u32; 3], dims: u8) -> Result<()> {
+    pub(super) fn rearrange(&mut self, id: StoreId, old: [u32; 3], new: [u32; 3], dims: u8) -> Result<()> {
         let store = self.store(id)?;
         let (kind, owner, before) = (store.kind.clone(), store.owner, store.bytes());
         let shape = ContainerShape::Array { dims, sizes: new };

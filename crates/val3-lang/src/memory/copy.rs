@@ -90,13 +90,13 @@ impl Memory {
         (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
         self.copy_nums(from, to, num)?;
         for lane in 0..text {
-            let lane = Lanes { text: lane, ..Lanes::default() };
+            let lane = Lanes::texts(lane);
             let value = *self.text(from.after(lane))?;
             self.set_text(to.after(lane), value)?;
         }
         (0..part).try_for_each(|lane| {
             let (from, to) = (self.part(from, lane)?, self.part(to, lane)?);
-            self.copy_store(from, to)
+            self.assign_container(from, to)
         })
     }
 
@@ -113,33 +113,6 @@ impl Memory {
         }
     }
 
-    /// Copies the content of container `from` to container `to`.
-    fn copy_store(&mut self, from: StoreId, to: StoreId) -> Result<()> {
-        if from == to {
-            return Ok(());
-        }
-        // Overwriting existing containers is ten times as fast as creating new containers.
-        let (source, owner) = (self.store(from)?, self.owner(to));
-        source.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
-        if self.stores.overwrite(to, from)? {
-            return Ok(());
-        }
-        let copy = self.duplicate(from, owner)?;
-        self.stores.exchange(to, copy)?;
-        self.remove(copy);
-        Ok(())
-    }
-
-    /// Copies a container for an owner.
-    fn duplicate(&mut self, id: StoreId, owner: Owner) -> Result<StoreId> {
-        let source = self.store(id)?;
-        self.stores.room.check(source.bytes())?;
-        source.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
-        let mut copy = Store { owner, ..source.clone() };
-        copy.parts = self.create_all(copy.parts, |memory, part| memory.duplicate(part, owner))?;
-        self.add(copy)
-    }
-
     /// Whether two values of one type are equal in all fields. Containers of a user type are compared with their
     /// indexes and keys. Links are ignored.
     ///
@@ -153,7 +126,7 @@ impl Memory {
             }
         }
         for lane in 0..text {
-            let lane = Lanes { text: lane, ..Lanes::default() };
+            let lane = Lanes::texts(lane);
             if self.text(a.after(lane))? != self.text(b.after(lane))? {
                 return Ok(false);
             }
@@ -193,7 +166,7 @@ impl Memory {
         let (kind, owner) = (self.store(id)?.kind.clone(), self.owner(id));
         write_lanes(self.store_mut(id)?, number, &kind.default);
         for lane in 0..kind.size.part {
-            let part = self.part(Place::new(id, kind.size * number), lane)?;
+            let part = self.part(self.store(id)?.place(id, number), lane)?;
             let init = kind.default.parts.get(lane as usize).ok_or(Fault::INTERPRETER)?;
             let fresh = self.create_as(init, owner, true)?;
             let at = (kind.size.part * number + lane) as usize;
@@ -203,6 +176,19 @@ impl Memory {
             self.remove(part);
         }
         Ok(())
+    }
+}
+
+impl Store {
+    /// Makes a gap of a collection's value: resets its lanes, so that it keeps no links, and makes its addresses
+    /// invalid. Returns its inner containers.
+    pub(super) fn clear_value(&mut self, number: u32) -> Vec<StoreId> {
+        let kind = self.kind.clone();
+        write_lanes(self, number, &kind.default);
+        self.gaps.push(number);
+        self.note_removal(number);
+        let (first, count) = ((kind.size.part * number) as usize, kind.size.part as usize);
+        self.parts.iter().skip(first).take(count).copied().collect()
     }
 }
 

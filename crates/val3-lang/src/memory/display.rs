@@ -26,12 +26,12 @@ impl Memory {
     fn shown_field(&self, at: Place, lane: u32) -> Result<String> {
         let id = self.part(at, lane)?;
         let kind = self.store(id)?.kind.clone();
-        let count = self.len(View::whole(id))?;
-        if count == 1 {
-            return self.shown(&kind, self.element(View::whole(id), 0)?);
+        let numbers = self.store(id)?.shape.numbers();
+        let shown = |number| self.shown(&kind, self.element(View::whole(id), number)?);
+        if let [number] = *numbers {
+            return shown(number);
         }
-        let values: Result<Vec<String>> =
-            (0..count).map(|number| self.shown(&kind, self.element(View::whole(id), number)?)).collect();
+        let values: Result<Vec<String>> = numbers.into_iter().map(shown).collect();
         Ok(printed::structure(&values?))
     }
 
@@ -56,4 +56,31 @@ impl Memory {
 fn enumerator_name(base: BaseType, number: f64) -> &'static str {
     let mut values = enumerations::values(base).zip(0u32..);
     values.find(|(_, at)| f64::from(*at) == number).map_or("", |(value, _)| value.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use crate::memory::{ContainerShape, FieldKind, Memory, PartInit, Place, ValueType};
+    use crate::types::BaseType;
+    use crate::values::Text;
+
+    #[test]
+    fn a_field_shows_the_values_of_its_keys() {
+        let init = |kind, shape| PartInit { kind: Arc::new(kind), shape, values: Vec::new() };
+        let keyed = init(ValueType::builtin(BaseType::Num, None), ContainerShape::Collection(Default::default()));
+        let kind = ValueType::user("T".to_owned(), vec![FieldKind { name: "nKeyed".to_owned(), init: keyed }]);
+        let mut memory = Memory::new();
+        let value = Place::first(memory.create(&init(kind.clone(), ContainerShape::ELEMENT)).unwrap());
+        let keyed = memory.part(value, 0).unwrap();
+        for (key, number) in [("a", 1.0), ("b", 2.0), ("c", 3.0)] {
+            memory.insert_key(keyed, Text::from(key), None).unwrap();
+            let store = memory.store(keyed).unwrap();
+            let place = store.place(keyed, store.number_of(&Text::from(key)).unwrap());
+            memory.set_num(place, 0, number).unwrap();
+        }
+        memory.delete_key(keyed, &Text::from("a")).unwrap();
+        assert_eq!(memory.shown(&kind, value).as_deref(), Ok("{{2,3}}"));
+    }
 }

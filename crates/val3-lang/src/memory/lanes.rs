@@ -1,6 +1,6 @@
 //! Numbers of lanes, and lane offsets.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 use super::{LinkPlace, StoreId, bytes_of};
 use crate::values::Text;
@@ -33,6 +33,12 @@ impl Lanes {
     pub const fn nums(num: u32) -> Self {
         Self { num, text: 0, link: 0, part: 0 }
     }
+
+    /// Creates lanes with only strings.
+    #[must_use]
+    pub const fn texts(text: u32) -> Self {
+        Self { num: 0, text, link: 0, part: 0 }
+    }
 }
 
 impl Add for Lanes {
@@ -44,6 +50,20 @@ impl Add for Lanes {
             text: self.text + other.text,
             link: self.link + other.link,
             part: self.part + other.part,
+        }
+    }
+}
+
+/// Offset from `other`, 0 if these lanes are before it.
+impl Sub for Lanes {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            num: self.num.saturating_sub(other.num),
+            text: self.text.saturating_sub(other.text),
+            link: self.link.saturating_sub(other.link),
+            part: self.part.saturating_sub(other.part),
         }
     }
 }

@@ -20,6 +20,8 @@ impl StoreId {
 pub struct Place {
     /// Container, or the stack.
     pub store: StoreId,
+    /// Layout of the container for which the lanes below were computed.
+    pub(super) layout: u32,
     /// Index of the first number.
     pub num: u32,
     /// Index of the first string.
@@ -31,10 +33,22 @@ pub struct Place {
 }
 
 impl Place {
-    /// Address of the value whose lanes begin at `lanes` in a container.
+    /// Address of the value whose lanes begin at `lanes` in a container's first layout. For elements of containers, use
+    /// [`Store::place`](super::Store::place).
     #[must_use]
-    pub const fn new(store: StoreId, lanes: Lanes) -> Self {
-        Self { store, num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part }
+    const fn new(store: StoreId, lanes: Lanes) -> Self {
+        Self::in_layout(store, store.generation, lanes)
+    }
+
+    /// Address of the value whose lanes begin at `lanes` in a container with this layout.
+    pub(super) const fn in_layout(store: StoreId, layout: u32, lanes: Lanes) -> Self {
+        Self { store, layout, num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part }
+    }
+
+    /// Lanes at which the value begins.
+    #[must_use]
+    pub const fn lanes(self) -> Lanes {
+        Lanes { num: self.num, text: self.text, link: self.link, part: self.part }
     }
 
     /// Address on the stack of the running task.
@@ -52,7 +66,7 @@ impl Place {
     /// Address `lanes` after this one: a field.
     #[must_use]
     pub fn after(self, lanes: Lanes) -> Self {
-        Self::new(self.store, Lanes { num: self.num, text: self.text, link: self.link, part: self.part } + lanes)
+        Self::in_layout(self.store, self.layout, self.lanes() + lanes)
     }
 }
 

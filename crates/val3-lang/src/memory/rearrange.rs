@@ -27,6 +27,7 @@ impl Store {
             }
         }
         self.exchange(&mut target);
+        self.note_sizes(old, new);
         target.parts.into_iter().zip(kept).filter(|(_, kept)| !kept).map(|(part, _)| part).collect()
     }
 }

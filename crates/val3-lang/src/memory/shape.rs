@@ -39,6 +39,15 @@ impl ContainerShape {
         }
     }
 
+    /// Numbers of all elements, in the order of the indexes or keys.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<u32> {
+        match self {
+            Self::Array { .. } => (0..self.len()).collect(),
+            Self::Collection(keys) => keys.values().copied().collect(),
+        }
+    }
+
     /// Whether there are no elements.
     #[must_use]
     pub fn is_empty(&self) -> bool {

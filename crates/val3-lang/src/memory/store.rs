@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::layout::PastLayouts;
 use super::{ContainerShape, DetachedValue, Lanes, LinkPlace, PartInit, Place, StoreId, ValueType, View, bytes_of};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
@@ -13,7 +14,8 @@ const STORE_BYTES: u64 = bytes_of::<Store>(1);
 /// A container: its layout, and its values as lanes.
 ///
 /// Value `n` starts at lane `n * kind.size`. Removing a value from a collection leaves a gap, which the next insertion
-/// fills. All other values keep their lanes, so references to them stay valid.
+/// fills. All other values keep their lanes. References to a removed value become invalid, and references to values
+/// that moved stay valid (see [`PastLayouts`]).
 #[derive(Debug, Clone)]
 pub struct Store {
     pub(super) generation: u32,
@@ -26,6 +28,10 @@ pub struct Store {
     /// Whether it is a field of a user type's value. Such a container can grow and shrink even if it is local (7.3).
     pub(super) field: bool,
     pub(super) gaps: Vec<u32>,
+    /// Number of the present layout, unique among all containers that had this index in memory.
+    pub(super) layout: u32,
+    /// Earlier layouts, if there are any.
+    pub(super) past: Option<Box<PastLayouts>>,
     /// Numbers.
     pub nums: Vec<f64>,
     /// Strings.
@@ -52,7 +58,14 @@ impl Store {
             owner: Owner::Controller,
             field: false,
             gaps: Vec::new(),
+            layout: 0,
+            past: None,
         }
+    }
+
+    /// Starts a new life with this generation, without earlier layouts.
+    pub(super) fn begin(&mut self, generation: u32) {
+        (self.generation, self.layout, self.past) = (generation, generation, None);
     }
 
     /// Size in bytes, without inner containers. A gap counts as a value.
@@ -65,7 +78,7 @@ impl Store {
         STORE_BYTES + self.shape.key_bytes() + lanes
     }
 
-    /// Exchanges the values, but not type and owner.
+    /// Exchanges the values, but not type, owner and layout number.
     pub(super) fn exchange(&mut self, other: &mut Self) {
         std::mem::swap(&mut self.shape, &mut other.shape);
         std::mem::swap(&mut self.gaps, &mut other.gaps);
@@ -92,7 +105,7 @@ impl Store {
 
     /// Removes the container. Its new generation invalidates all references. Returns the inner containers.
     pub(super) fn empty(&mut self) -> Vec<StoreId> {
-        self.generation += 1;
+        self.begin(self.next_layout());
         self.shape = ContainerShape::array(0);
         self.owner = Owner::Controller;
         self.gaps = Vec::new();
@@ -100,11 +113,22 @@ impl Store {
         std::mem::take(&mut self.parts)
     }
 
+    /// Whether the container has a value with this number.
+    #[inline]
+    pub(super) fn has_value(&self, number: u32) -> bool {
+        match &self.shape {
+            ContainerShape::Array { .. } => number < self.shape.len(),
+            ContainerShape::Collection(keys) => {
+                (number as usize) < keys.len() + self.gaps.len() && !self.gaps.contains(&number)
+            }
+        }
+    }
+
     /// Address of a value by its number in the container.
     #[must_use]
     #[inline]
     pub fn place(&self, id: StoreId, number: u32) -> Place {
-        Place::new(id, self.kind.size * number)
+        Place::in_layout(id, self.layout, self.kind.size * number)
     }
 
     /// Number of a one-dimensional array's element at an index, which is rounded (2.5.3).

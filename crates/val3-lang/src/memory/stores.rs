@@ -26,13 +26,12 @@ impl Stores {
         if let Some(index) = self.free.pop()
             && let Some(slot) = self.items.get_mut(index as usize)
         {
-            store.generation = slot.generation + 1;
-            let generation = store.generation;
+            let generation = slot.next_layout();
+            store.begin(generation);
             *slot = store;
             return Ok(StoreId { index, generation });
         }
-        // A copied container has the generation of the original.
-        store.generation = 0;
+        store.begin(0);
         let index = u32::try_from(self.items.len()).unwrap_or(u32::MAX);
         self.items.push(store);
         Ok(StoreId { index, generation: 0 })
@@ -46,18 +45,6 @@ impl Stores {
         self.free.push(id.index);
         self.room.give_back(bytes);
         parts.into_iter().for_each(|part| self.remove(part));
-    }
-
-    /// Exchanges the values of two containers with equal types.
-    ///
-    /// # Errors
-    /// 20 if one of them does not exist.
-    pub fn exchange(&mut self, one: StoreId, other: StoreId) -> Result<()> {
-        self.get(one).and(self.get(other))?;
-        let places = [one.index as usize, other.index as usize];
-        let [one, other] = self.items.get_disjoint_mut(places).map_err(|_| Fault::INTERPRETER)?;
-        one.exchange(other);
-        Ok(())
     }
 
     /// Copies the values of a container to another container with the same type and sizes. If sizes differ or there are
@@ -88,6 +75,28 @@ impl Stores {
     #[inline]
     pub fn get_mut(&mut self, id: StoreId) -> Result<&mut Store> {
         self.living_mut(id).ok_or(Fault::INDEX_TOO_LARGE)
+    }
+
+    /// Returns a value's container, if the container still has the layout of the address.
+    #[inline(always)]
+    pub(super) fn with_layout(&self, at: Place) -> Option<&Store> {
+        self.items.get(at.store.index as usize).filter(|store| store.layout == at.layout)
+    }
+
+    /// As [`with_layout`](Self::with_layout), mutable.
+    #[inline(always)]
+    pub(super) fn with_layout_mut(&mut self, at: Place) -> Option<&mut Store> {
+        self.items.get_mut(at.store.index as usize).filter(|store| store.layout == at.layout)
+    }
+
+    /// Converts an address for an earlier layout of the container to the present layout.
+    ///
+    /// # Errors
+    /// 20 if the value does not exist any more.
+    #[cold]
+    pub(super) fn moved(&self, at: Place) -> Result<Place> {
+        let store = self.get(at.store)?;
+        store.moved(at).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     #[inline(always)]

@@ -100,6 +100,7 @@ impl<'s> LoadedLinks<'s> {
             LinkPlace::Port(number) if base == BaseType::Sio => self.lines.link(number).map(str::to_owned),
             LinkPlace::Port(number) => Some(self.io.text(LinkId::from_number(number)).to_owned()),
             LinkPlace::Data(place) => {
+                let place = self.memory.present(place).ok()?;
                 let store = self.memory.store(place.store).ok()?;
                 let number = place.num.checked_div(store.kind.size.num)?;
                 let FrameContainer { name, keys } = self.names.get(&place.store)?;

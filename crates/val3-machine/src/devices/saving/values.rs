@@ -40,6 +40,7 @@ impl Saver<'_> {
     /// Returns the values at these places, of data in files.
     pub(super) fn at(&self, places: &[Place]) -> Vec<SavedData> {
         let mut found = Vec::new();
+        let places: Vec<Place> = places.iter().filter_map(|place| self.memory.present(*place).ok()).collect();
         for ((data, store), number) in self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..) {
             let Ok(known) = self.memory.store(*store) else { continue };
             let mut meant = keys(&known.shape);
@@ -189,7 +190,7 @@ impl Saver<'_> {
             }
         }
         for (lane, text) in (0..size.text).zip(&element.texts) {
-            if self.memory.text(place.after(Lanes { text: lane, ..Lanes::default() }))? != text {
+            if self.memory.text(place.after(Lanes::texts(lane)))? != text {
                 return Ok(false);
             }
         }
