@@ -19,14 +19,14 @@ fn main() {
 #[divan::bench(args = COUNTS)]
 fn changed(bencher: Bencher<'_, '_>, count: u32) {
     let files = library(count, count);
-    bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]));
+    bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]).unwrap());
 }
 
 /// Every second value is not in the file yet.
 #[divan::bench(args = COUNTS)]
 fn added(bencher: Bencher<'_, '_>, count: u32) {
     let files = library(count, count / 2);
-    bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]));
+    bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]).unwrap());
 }
 
 /// Returns the data file for an array with `count` numbers, of which the first `written` have a value.

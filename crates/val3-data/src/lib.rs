@@ -13,6 +13,7 @@ mod reference;
 mod rewrite;
 mod saved_data;
 mod tag;
+mod unwritable;
 mod values;
 mod written;
 
@@ -26,4 +27,5 @@ pub use saved_data::{
     SavedContainer, SavedContent, SavedData, SavedField, SavedValue, default_of, is_same, number_text,
     rounded_number_text, same_text,
 };
+pub use unwritable::{UnwritableReason, UnwritableValue};
 pub use written::{WrittenAttribute, WrittenVariable, written};

@@ -158,9 +158,25 @@ fn father_element(element: XmlElement<'_>) -> Option<XmlElement<'_>> {
     element.elements().find(|found| found.name().ends_with("Father"))
 }
 
-/// Writes the variable's father, taken from the first value.
+/// Whether the file contains the father of the variable, even if it is empty.
+pub(crate) fn has_father(element: XmlElement<'_>) -> bool {
+    father_element(element).is_some()
+}
+
+/// Father of a value, if it has one.
+pub(crate) fn father_of(value: &SavedValue) -> Option<&str> {
+    value.text("fatherId").filter(|father| !father.is_empty())
+}
+
+/// First value that has a father, with its father.
+pub(crate) fn common_father(data: &SavedData) -> Option<(&SavedValue, &str)> {
+    data.values.iter().find_map(|value| Some((value, father_of(value)?)))
+}
+
+/// Writes the variable's father.
 fn write_father(edits: &mut Edits, element: XmlElement<'_>, data: &SavedData) {
-    let new = data.values.first().and_then(|value| value.text("fatherId"));
+    let first = data.values.first().and_then(|value| value.text("fatherId"));
+    let new = common_father(data).map(|(_, father)| father).or(first);
     if let Some((found, new)) = father_element(element).zip(new) {
         reference::write(edits, found, new);
     }

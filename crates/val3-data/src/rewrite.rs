@@ -10,15 +10,18 @@ use val3_syntax::xml::{self, XmlElement};
 
 use crate::edits::Edits;
 use crate::layout::{DataLayout, elements};
-use crate::{SavedData, lists, values};
+use crate::{SavedData, UnwritableValue, lists, unwritable, values};
 
 /// Text of a data file with the values of `data`. Data that the file does not declare are skipped, and data that are
 /// not in `data` are unchanged. The run time is linear in the size of the text and the data.
-#[must_use]
-pub fn rewrite(text: &str, data: &[SavedData]) -> String {
+///
+/// # Errors
+/// A value that the file cannot contain.
+pub fn rewrite(text: &str, data: &[SavedData]) -> Result<String, UnwritableValue> {
     let parse = val3_syntax::parse(text);
-    let Some(root) = xml::root(parse.view()) else { return text.to_owned() };
-    TextEdit::apply_all(text, &edits(text, root, data))
+    let Some(root) = xml::root(parse.view()) else { return Ok(text.to_owned()) };
+    declared(root, data).into_iter().try_for_each(|(element, data)| unwritable::check(element, data))?;
+    Ok(TextEdit::apply_all(text, &edits(text, root, data)))
 }
 
 /// Edits that [`rewrite`] makes in a text with this root, sorted and without overlap.
@@ -26,15 +29,20 @@ pub fn rewrite(text: &str, data: &[SavedData]) -> String {
 pub fn edits(text: &str, root: XmlElement<'_>, data: &[SavedData]) -> Vec<TextEdit> {
     let mut edits = Edits::default();
     let layout = DataLayout::of(text, root);
-    let data: FxHashMap<&str, &SavedData> = data.iter().map(|data| (data.name.as_str(), data)).collect();
-    for element in elements(root) {
-        let Some(data) = element.value("name").and_then(|name| data.get(name.as_ref())) else { continue };
+    for (element, data) in declared(root, data) {
         match element.name() {
             "Data" => values::data(&mut edits, &layout, element, data),
             _ => lists::data(&mut edits, &layout, element, data),
         }
     }
     edits.sorted()
+}
+
+/// Elements of variables with their new values.
+fn declared<'g, 'd>(root: XmlElement<'g>, data: &'d [SavedData]) -> Vec<(XmlElement<'g>, &'d SavedData)> {
+    let data: FxHashMap<&str, &SavedData> = data.iter().map(|data| (data.name.as_str(), data)).collect();
+    let found = |element: XmlElement<'g>| Some((element, *data.get(element.value("name")?.as_ref())?));
+    elements(root).filter_map(found).collect()
 }
 
 #[cfg(test)]

@@ -54,7 +54,7 @@ fn number(name: &str, value: u32) -> SavedData {
 }
 
 fn changed(old: &LibraryFiles) -> LibraryFiles {
-    old.with_data(&[number("nA", 2), number("nB", 2)])
+    old.with_data(&[number("nA", 2), number("nB", 2)]).unwrap()
 }
 
 /// A library with two data files that both change.

@@ -145,6 +145,11 @@ fn not_saved(fault: FileFault) -> CommandError {
         FileFault::WriteProtected => "the medium is write-protected".to_owned(),
         FileFault::DiskFull => "no room is left on the medium".to_owned(),
         FileFault::NotFound => "the application has no files".to_owned(),
+        FileFault::Unwritable => {
+            "a data file cannot contain one of the values: a number that is infinite or undefined, a \
+                                  control character, or in s5 and s6 different fathers in one variable"
+                .to_owned()
+        }
         fault => format!("the files cannot be written (error {} of `libSave`)", fault.code()),
     })
 }

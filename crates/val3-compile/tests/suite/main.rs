@@ -26,3 +26,4 @@ mod saving;
 mod show;
 mod snapshots;
 mod text_form;
+mod unwritable;

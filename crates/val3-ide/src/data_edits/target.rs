@@ -11,6 +11,7 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_analysis::xml::{self, XmlElement};
 use val3_data::SavedField;
+use val3_syntax::characters::is_allowed;
 use val3_syntax::view::View;
 
 use super::edit::refusal;
@@ -122,15 +123,10 @@ impl<'a> DataFile<'a> {
 
 /// Checks that XML can represent the text.
 pub(super) fn check_text(text: &str) -> Result<(), DataProblem> {
-    match text.chars().find(|character| is_forbidden(*character)) {
+    match text.chars().find(|character| !is_allowed(*character)) {
         Some(character) => {
             Err(refusal(format!("the character U+{:04X} cannot be written in the file", u32::from(character))))
         }
         None => Ok(()),
     }
-}
-
-/// Whether no XML file can contain the character.
-fn is_forbidden(character: char) -> bool {
-    matches!(character, '\0'..'\t' | '\u{b}' | '\u{c}' | '\u{e}'..' ' | '\u{fffe}' | '\u{ffff}')
 }

@@ -33,7 +33,7 @@ impl Devices {
     /// Data file of an application or library in memory, with the current values.
     ///
     /// # Errors
-    /// The project is encrypted or has no data file, or the data exceed the limit of `libSave`.
+    /// The project is encrypted or has no data file, or `libSave` could not save the data.
     pub fn current_data_file(&self, space: &Space, instance: InstanceId) -> Result<Vec<u8>, FileFault> {
         data_file(self.current_files(space, instance)?)
     }
@@ -41,9 +41,9 @@ impl Devices {
     /// Files of an application or library in memory as they were loaded, with the current values.
     ///
     /// # Errors
-    /// The data exceed the limit of `libSave`.
+    /// `libSave` could not save the data.
     pub fn current_files(&self, space: &Space, instance: InstanceId) -> Result<LibraryFiles, FileFault> {
-        self.saving(space, instance).current(&self.state.loaded)
+        Ok(self.saving(space, instance).current(&self.state.loaded)?)
     }
 
     /// Parameters and locals of a task's stack frame as a data file. `depth` 0 is the innermost frame.

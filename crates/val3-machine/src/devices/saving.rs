@@ -8,7 +8,7 @@ mod links;
 mod operator_edits;
 mod values;
 
-use val3_data::number_text;
+use val3_data::{UnwritableValue, number_text};
 use val3_vm::{InstanceId, Space};
 
 use super::lines::ChannelTable;
@@ -28,6 +28,35 @@ use values::Saver;
 fn data_bytes(space: &Space, saved: InstanceId) -> u64 {
     let data = space.instance(saved).map(|instance| instance.data.iter());
     data.into_iter().flatten().map(|store| space.memory.bytes(*store)).sum()
+}
+
+/// Reason why a save failed.
+pub(super) enum SaveFault {
+    /// Fault of the medium or the path.
+    File(FileFault),
+    /// A value that a data file cannot contain.
+    Value(UnwritableValue),
+}
+
+impl From<FileFault> for SaveFault {
+    fn from(fault: FileFault) -> Self {
+        Self::File(fault)
+    }
+}
+
+impl From<UnwritableValue> for SaveFault {
+    fn from(value: UnwritableValue) -> Self {
+        Self::Value(value)
+    }
+}
+
+impl From<SaveFault> for FileFault {
+    fn from(fault: SaveFault) -> Self {
+        match fault {
+            SaveFault::File(fault) => fault,
+            SaveFault::Value(value) => value.into(),
+        }
+    }
 }
 
 /// Save request of a program.
@@ -50,7 +79,7 @@ impl<'s> Saving<'s> {
         loaded: &LoadedProjects,
         time: &mut MediaCost,
         outside: &mut Outside,
-    ) -> Result<(), FileFault> {
+    ) -> Result<(), SaveFault> {
         time.access(0);
         let origin = LibraryPath::new(&controller_path("", self.path(self.saved))?)?;
         let new = self.current(loaded)?;
@@ -58,24 +87,25 @@ impl<'s> Saving<'s> {
         match to {
             Some(to) => {
                 let target = LibraryPath::new(&controller_path(self.path(self.from), to)?)?;
-                outside.ask(|media| target.save_as(&media.roots, &new, &mut Uninterrupted))
+                outside.ask(|media| target.save_as(&media.roots, &new, &mut Uninterrupted))?;
             }
             None => outside.ask(|media| {
                 // Files that are no longer on the medium are written again.
                 let nothing = LibraryFiles { files: Vec::new(), encrypted: new.encrypted };
                 let old = if new.encrypted { nothing } else { origin.read(&media.roots, "").unwrap_or(nothing) };
                 origin.save(&media.roots, &old, &new, &mut Uninterrupted)
-            }),
+            })?,
         }
+        Ok(())
     }
 
     /// Returns the files as loaded, with the current values.
-    pub(super) fn current(&self, loaded: &LoadedProjects) -> Result<LibraryFiles, FileFault> {
+    pub(super) fn current(&self, loaded: &LoadedProjects) -> Result<LibraryFiles, SaveFault> {
         let loaded = loaded.files(self.saved.0).ok_or(FileFault::NotFound)?;
         if data_bytes(self.space, self.saved) > self.limit {
-            return Err(FileFault::DiskFull);
+            return Err(FileFault::DiskFull.into());
         }
-        Ok(loaded.with_data(&self.saver().ok_or(FileFault::NoLibrary)?.all()))
+        Ok(loaded.with_data(&self.saver().ok_or(FileFault::NoLibrary)?.all())?)
     }
 
     fn path(&self, id: InstanceId) -> &'s str {

@@ -13,7 +13,7 @@ use val3_vm::{Host, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Space}
 
 use super::Devices;
 use super::outside::LoadFault;
-use super::saving::Saving;
+use super::saving::{SaveFault, Saving};
 use super::state::DeviceState;
 use crate::controller_state::MessageSeverity;
 use crate::event::EventKind;
@@ -101,7 +101,11 @@ impl Host for Devices {
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
         let DeviceState { io, loaded, media_cost, .. } = &mut self.state;
         let saving = Saving { space, from, saved, io, lines: &self.lines, limit: self.limits.saved };
-        let code = saving.save(to, loaded, media_cost, &mut self.outside).err().map_or(0, FileFault::code);
+        let saved = saving.save(to, loaded, media_cost, &mut self.outside);
+        if let Err(SaveFault::Value(value)) = &saved {
+            self.report_here(&value.to_string(), MessageSeverity::Error);
+        }
+        let code = saved.err().map_or(0, |fault| FileFault::from(fault).code());
         self.reported(code)
     }
 

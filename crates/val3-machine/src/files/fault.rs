@@ -2,6 +2,8 @@
 
 use std::io;
 
+use val3_data::UnwritableValue;
+
 /// Faults that a program can receive, with the number of 6.6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(u16)]
@@ -36,13 +38,24 @@ pub enum FileFault {
     ReadOnly = 40,
     /// A server has rejected the connection.
     Refused = 41,
+    /// A value of the data cannot be contained in a file.
+    Unwritable,
 }
 
 impl FileFault {
     /// The number that the library instructions return.
     #[must_use]
     pub fn code(self) -> u16 {
-        self as u16
+        match self {
+            Self::Unwritable => Self::Medium as u16,
+            fault => fault as u16,
+        }
+    }
+}
+
+impl From<UnwritableValue> for FileFault {
+    fn from(_: UnwritableValue) -> Self {
+        Self::Unwritable
     }
 }
 
@@ -90,6 +103,7 @@ mod tests {
             TimedOut,
             WriteProtected,
             DiskFull,
+            Unwritable,
             NotFound,
             ReadOnly,
             Refused,

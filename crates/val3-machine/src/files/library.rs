@@ -8,7 +8,7 @@ mod zipped;
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_data::{SavedData, rewrite};
+use val3_data::{SavedData, UnwritableValue, rewrite};
 use val3_syntax::encoding::decode;
 use val3_syntax::xml;
 
@@ -207,17 +207,19 @@ impl LibraryFiles {
     }
 
     /// Returns a copy of the library with these data values.
-    #[must_use]
-    pub fn with_data(&self, data: &[SavedData]) -> Self {
+    ///
+    /// # Errors
+    /// A value that a data file cannot contain.
+    pub fn with_data(&self, data: &[SavedData]) -> Result<Self, UnwritableValue> {
         let mut new = self.clone();
         for file in new.files.iter_mut().filter(|file| has_extension(&file.path, "dtx")) {
             let decoded = decode(file.bytes.clone());
-            let text = rewrite(&decoded.text, data);
+            let text = rewrite(&decoded.text, data)?;
             if text != decoded.text {
                 file.bytes = decoded.encoding.encode(&text);
             }
         }
-        new
+        Ok(new)
     }
 }
 

@@ -13,7 +13,8 @@ instruction! {
     ///   program.
     /// - `sPath`: the destination; by default the path from which the library was loaded.
     /// - Result: 0 saved; every other number is the reason for the failure: 10 nothing is loaded under the identifier,
-    ///   31 a library already exists at `sPath`.
+    ///   31 a library already exists at `sPath`, 30 the medium has failed, or a file cannot contain one of the values
+    ///   (infinite numbers, control characters). Then no file is changed, and the log names the value.
     ///
     /// It never raises a run-time error. Flash memory wears out: do not save once a minute or more often.
     ///

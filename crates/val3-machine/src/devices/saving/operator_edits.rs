@@ -146,7 +146,7 @@ impl Change {
         };
         let mut base = old.clone();
         base.files.extend(loaded.files.iter().filter(|file| old.file(&file.path).is_none()).cloned());
-        let (new, meant) = (base.with_data(&data), loaded.with_data(&data));
+        let (new, meant) = (base.with_data(&data)?, loaded.with_data(&data)?);
         Ok(Some(Self { instance: saved, path, loaded, old, new, meant }))
     }
 

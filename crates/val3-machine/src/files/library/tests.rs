@@ -143,7 +143,7 @@ fn saving_writes_what_changed() {
     let medium = Medium::new();
     let old = medium.read("part").unwrap();
     std::fs::write(medium.disk.join("part/start.pgx"), "edited meanwhile").unwrap();
-    let new = old.with_data(&[number("nA", 2), number("nB", 1)]);
+    let new = old.with_data(&[number("nA", 2), number("nB", 1)]).unwrap();
     assert_eq!(code(Medium::path("part").save(&medium.roots, &old, &new, &mut Uninterrupted)), 0);
     let text = |name: &str| std::fs::read_to_string(medium.disk.join("part").join(name)).unwrap();
     assert_eq!(text("part.dtx"), database("nA", 2));
@@ -228,7 +228,7 @@ fn end_everywhere(kind: io::ErrorKind, once: bool, mut check: impl FnMut(&Medium
     for at in 1..100 {
         let medium = Medium::new();
         let old = medium.read("part").unwrap();
-        let new = old.with_data(&[number("nA", 2), number("nB", 2)]);
+        let new = old.with_data(&[number("nA", 2), number("nB", 2)]).unwrap();
         let mut ends = Ends { at, count: 0, kind, once };
         let result = code(Medium::path("part").save(&medium.roots, &old, &new, &mut ends));
         check(&medium, &old, result);
