@@ -183,6 +183,17 @@ pub fn assignment(target: BaseType, value: BaseType) -> bool {
     }
 }
 
+/// Type of `target = value` as a value, if the assignment is valid: `dio = bool` returns the `bool` (3.5.2), `sio = string`
+/// the sent `string` (3.7.2), and all other assignments return the new value of the variable.
+#[must_use]
+pub fn assigned(target: BaseType, value: BaseType) -> BaseType {
+    match target {
+        BaseType::Dio => BaseType::Bool,
+        BaseType::Sio => value,
+        target => target,
+    }
+}
+
 /// Whether a value of this type can be a condition; the state of a digital input counts as `bool`.
 #[must_use]
 pub fn reads_as_bool(ty: BaseType) -> bool {
@@ -200,7 +211,7 @@ pub fn comparable(left: BaseType, right: BaseType) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{BinaryOp, UnaryOp, assignment, binary, structure, unary};
+    use super::{BinaryOp, UnaryOp, assigned, assignment, binary, structure, unary};
     use crate::types::BaseType::{Bool, Dio, Joint, Mdesc, Num, Point, Screen, Sio, String, Trsf};
 
     #[test]
@@ -240,5 +251,25 @@ mod tests {
         assert!(assignment(Sio, String) && assignment(Num, Sio));
         assert!(assignment(Point, Point));
         assert!(!assignment(Dio, Dio) && !assignment(Screen, Screen) && !assignment(Num, Bool));
+    }
+
+    /// The result types that 3.1.2, 3.2.2, 3.4.2, 3.5.2, 3.7.2 and 9.6.2 print.
+    #[test]
+    fn results_of_assignments() {
+        for (target, value, result) in [
+            (Bool, Bool, Bool),
+            (Num, Num, Num),
+            (String, String, String),
+            (Dio, Bool, Bool),
+            (Bool, Dio, Bool),
+            (Sio, String, String),
+            (Sio, Num, Num),
+            (Num, Sio, Num),
+            (String, Sio, String),
+            (Point, Point, Point),
+        ] {
+            assert!(assignment(target, value));
+            assert_eq!(assigned(target, value), result, "{target:?} = {value:?}");
+        }
     }
 }

@@ -141,7 +141,7 @@ impl Infer<'_> {
         matches!(self.body.expr(self.body.without_parentheses(id)), Expr::Struct(_))
     }
 
-    /// Checks `target = value` and returns the type of the value.
+    /// Checks `target = value` and returns its type as a value.
     pub(super) fn assign(&mut self, target: ExprId, value: ExprId) -> Base {
         let place = self.expr(target);
         if !place.is_variable() || place.lacks_index() {
@@ -161,7 +161,13 @@ impl Infer<'_> {
             self.report(value, kind);
             return Base::Unknown;
         }
-        place.base
+        match (place.base, base) {
+            (Base::Builtin(target, arm), Base::Builtin(value, _)) => {
+                Base::Builtin(operators::assigned(target, value), arm)
+            }
+            (Base::Builtin(target, _), Base::Unknown) if target.is_linkable() => Base::Unknown,
+            (target, _) => target,
+        }
     }
 
     fn not_assignable(&mut self, target: ExprId, place: &InferredValue) {
