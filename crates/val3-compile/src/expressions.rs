@@ -7,6 +7,7 @@ mod literals;
 mod operators;
 mod places;
 mod stand_ins;
+mod steps;
 
 use val3_analysis::body::{Body, Constant, Expr, ExprId};
 use val3_analysis::infer::Inference;
@@ -29,12 +30,14 @@ pub(crate) struct Expressions<'u, 'db> {
     types: &'db Inference,
     /// Whether the present part of a statement neither changes variables before its end nor waits.
     is_pure: bool,
+    /// Test of each step of the path that is compiled.
+    steps: Option<steps::StepTest>,
 }
 
 impl<'u, 'db> Expressions<'u, 'db> {
     /// Creates the compiler for the expressions in this body with these types.
     pub(crate) fn new(out: Emitter<'u, 'db>, body: &'db Body, types: &'db Inference) -> Self {
-        Self { out, body, types, is_pure: false }
+        Self { out, body, types, is_pure: false, steps: None }
     }
 
     /// Returns the program's output: frame, code and tables.

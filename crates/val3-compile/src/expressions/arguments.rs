@@ -148,14 +148,18 @@ impl Expressions<'_, '_> {
             return Ok(ArgumentSite::Slot(container, Subscript::Whole));
         };
         let container = self.slot_of(*of)?.ok_or(CompileLimit::Unclear)?;
-        let at = match self.subscript(indexes)? {
-            // The key is passed by place, which a constant does not have.
+        let at = self.subscript(indexes)?;
+        Ok(ArgumentSite::Slot(container, self.slot_key(at)?))
+    }
+
+    /// Returns the subscript of a slot. A key is passed by place, which a constant does not have.
+    pub(crate) fn slot_key(&mut self, at: Subscript) -> Result<Subscript> {
+        match at {
             Subscript::Key(key) if matches!(key.source(), TextSource::Constant(_)) => {
-                Subscript::Key(text_register(self.out.kept_text(key)?)?)
+                Ok(Subscript::Key(text_register(self.out.kept_text(key)?)?))
             }
-            at => at,
-        };
-        Ok(ArgumentSite::Slot(container, at))
+            at => Ok(at),
+        }
     }
 
     /// Returns the container of a value that may not exist, even if no interface declares it.

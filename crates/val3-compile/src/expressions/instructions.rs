@@ -3,7 +3,7 @@
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, Callee, InstructionSite, Op, Operand, Register};
-use val3_lang::instruction::{Instruction, InstructionParam, Overload};
+use val3_lang::instruction::{ArgumentForm, Instruction, InstructionParam, Overload};
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
 use val3_lang::number_functions::NumberFunction;
@@ -13,6 +13,7 @@ use val3_lang::versions::Version;
 use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
 use crate::expressions::arguments::Formal;
+use crate::expressions::steps::StepTest;
 use crate::location::num_register;
 use crate::location::{CompiledValue, is_number};
 
@@ -39,6 +40,11 @@ impl ChosenForm {
             result,
             function: NumberFunction::of(instruction, form, version),
         }
+    }
+
+    /// Whether an argument is a value that may not exist.
+    fn has_item(&self) -> bool {
+        self.formals.iter().any(|formal| formal.shape == ArgumentForm::Item)
     }
 
     /// Returns the operation that replaces the call, if it is a function of numbers.
@@ -75,9 +81,19 @@ impl Expressions<'_, '_> {
         }
         let mut called = self.called(id)?;
         let base = called.result.ok_or(CompileLimit::Unclear)?;
-        let lanes = self.out.result(base, want)?;
+        let has_steps = called.has_item() && args.iter().any(|id| self.has_steps(*id));
+        // A step may read the variable that receives the result.
+        let lanes = self.out.result(base, want.filter(|_| !has_steps))?;
         called.site.result = Some((Operand::Frame(lanes), base));
-        self.execute(called, callee, args)?;
+        if has_steps {
+            let (site, condition) = (called.site.clone(), num_register(lanes));
+            let end = self.out.code().label();
+            let test = StepTest { site, condition, end };
+            self.with_steps(Some(test), |values| values.execute(called, callee, args))?;
+            self.out.code().place(end);
+        } else {
+            self.execute(called, callee, args)?;
+        }
         Ok(CompiledValue {
             location: crate::location::ValueLocator::Frame(lanes),
             base: Base::of(base).on_arm(self.out.unit().items.arm),

@@ -85,6 +85,11 @@ impl Expressions<'_, '_> {
     /// Compiles the indexes or the key between brackets. A key is read when the element is looked up, or earlier if the
     /// statement may change it.
     pub(crate) fn subscript(&mut self, indexes: &[ExprId]) -> Result<Subscript> {
+        // An index is no step of the path.
+        self.with_steps(None, |values| values.indexes(indexes))
+    }
+
+    fn indexes(&mut self, indexes: &[ExprId]) -> Result<Subscript> {
         Ok(match *indexes {
             [key] if self.base(key).builtin() == Some(BaseType::String) => {
                 let key = self.text(key)?;
@@ -112,6 +117,7 @@ impl Expressions<'_, '_> {
     /// Compiles a field of a built-in type: lanes within the value.
     fn field(&mut self, of: ExprId, field: &str) -> Result<ValueLocator> {
         let value = self.value(of, None)?;
+        self.test_step(value.location)?;
         let Base::Builtin(base, arm) = value.base else { return Err(CompileLimit::Unclear) };
         let offset = field_offset(base, arm.or(self.out.unit().items.arm), field).ok_or(CompileLimit::Unclear)?;
         self.out.after(value.location, offset)
@@ -120,6 +126,7 @@ impl Expressions<'_, '_> {
     /// Looks up the container for a field of a user type in a view.
     fn user_field(&mut self, of: ExprId, field: &str) -> Result<Register> {
         let value = self.variable(of)?.ok_or(CompileLimit::Unclear)?;
+        self.test_step(value.location)?;
         let kind = self.out.kind(value.base)?;
         let number = kind.fields.iter().position(|known| known.name == field).ok_or(CompileLimit::Unclear)?;
         let field = u16::try_from(number).map_err(|_| CompileLimit::Items)?;

@@ -17,6 +17,7 @@ mod linear_loading;
 mod lines;
 mod media;
 mod memory;
+mod paths;
 mod places;
 mod programs;
 mod random_programs;

@@ -7,7 +7,8 @@ use crate::memory::{Slot, Subscript};
 instruction! {
     /// Returns whether a value exists in an array or a collection, or a variable in a library.
     ///
-    /// - `variable`: an index or key that need not exist, or a variable of a library interface.
+    /// - `variable`: an index or key that need not exist, or a variable of a library interface. Each index or key of a path
+    ///   such as `tSlot[2].nWeight[5]` may be missing.
     /// - Result: `true` if the value exists.
     ///
     /// Use it before a key is read, inserted or deleted. On a library it shows whether the loaded library has the items
