@@ -142,7 +142,8 @@ fn unusual_texts_are_loaded_again() {
     let (mut change, mut show) = (String::new(), String::new());
     for text in texts {
         change += &format!("insert(part:sKeyed[{text}])\npart:sKeyed[{text}]={text}\n");
-        show += &format!("if isDefined(other:sKeyed[{text}])==false\n? {text}\nendIf\n? other:sKeyed[{text}]=={text}\n");
+        show +=
+            &format!("if isDefined(other:sKeyed[{text}])==false\n? {text}\nendIf\n? other:sKeyed[{text}]=={text}\n");
     }
     let cell = Cell::new(&format!(
         "library part \"Disk://part/part.pjx\"\nlibrary other \"Disk://other/other.pjx\" autoload=false\nprogram start()\n\
