@@ -116,3 +116,41 @@ fn different_fathers_in_the_old_dialect() {
     expect![[r#"<pointSection><point name="pA" public="false"><pFather alias="" name="fA" fatherIndex="0" />"#]]
         .assert_eq(father.trim());
 }
+
+/// All other texts are loaded as they were saved, as values and as keys.
+#[test]
+fn unusual_texts_are_loaded_again() {
+    let texts = [
+        "\" a \"",
+        "\"a,b\"",
+        "\"A\"",
+        "\"a\"",
+        "chr(9)",
+        "chr(10)+\"x\"",
+        "chr(13)",
+        "chr(34)+\"<&>'\"",
+        "\"]]>\"",
+        "\"&#27;\"",
+        "chr(133)",
+        "chr(127)",
+        "chr(160)",
+        "chr(8232)",
+        "chr(65279)",
+        "chr(128512)",
+        "\"0\"",
+    ];
+    let (mut change, mut show) = (String::new(), String::new());
+    for text in texts {
+        change += &format!("insert(part:sKeyed[{text}])\npart:sKeyed[{text}]={text}\n");
+        show +=
+            &format!("if isDefined(other:sKeyed[{text}])==false\n? {text}\nendIf\n? other:sKeyed[{text}]=={text}\n");
+    }
+    let cell = Cell::new(&format!(
+        "library part \"Disk://part/part.pjx\"\nlibrary other \"Disk://other/other.pjx\" autoload=false\nprogram start()\n\
+         begin\n{change}\n? part:libSave(\"copy\")\n? other:libLoad(\"copy\")\n? size(other:sKeyed)\n{show}\nend\n\
+         --- part\npublic string sKeyed[\"\"]\n--- other\npublic string sKeyed[\"\"]\n"
+    ));
+    let loaded = messages(&cell);
+    let same = "true\n".repeat(texts.len());
+    assert_eq!(loaded, format!("0\n0\n{}\n{same}", texts.len()));
+}
