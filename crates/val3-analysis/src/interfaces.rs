@@ -214,7 +214,7 @@ impl Interfaces<'_> {
         let roots = self.project.roots(self.db);
         match paths::project(folder(self.db, self.project), roots, path) {
             ResolvedPath::Path(target) if saved_libraries::is_saved(self.db, self.project, &target) => None,
-            ResolvedPath::Path(_) => Some(ProblemKind::LibLoadPath { path: path.clone() }),
+            ResolvedPath::Path(_) => Some(ProblemKind::LibLoadPath(path.clone())),
             ResolvedPath::Elsewhere => {
                 let root = paths::root(path);
                 let near = Some(paths::near_root(root, roots)?);

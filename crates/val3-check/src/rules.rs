@@ -429,7 +429,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
             library_item_unknown::left_out(alias, missing, unlisted, *uses);
         Kind::LibraryItemPrivate { alias, item, what } => library_item_private::word(alias, item, *what);
         Kind::LibraryNeverLoaded { alias } => library_never_loaded::word(alias);
-        Kind::LibLoadPath { path } => lib_load_path::word(path);
+        Kind::LibLoadPath(path) => lib_load_path::word(path);
         Kind::ImplementationMissing { alias, library, items } => implementation_missing::word(alias, library, items);
         Kind::ImplementationPrivate { alias, library, item, what } =>
             implementation_private::word(alias, library, item, *what);

@@ -175,10 +175,9 @@ fn message(event: &MachineEvent) -> Option<(String, OutputEventCategory)> {
         EventKind::Grip { .. } | EventKind::Release { .. } => {
             (event.kind.handling_problem()?, OutputEventCategory::Console)
         }
-        EventKind::Lacking { instruction, .. } => (
-            format!("{}: the run ends here", missing_instruction(instruction)),
-            OutputEventCategory::Stderr,
-        ),
+        EventKind::Lacking { instruction, .. } => {
+            (format!("{}: the run ends here", missing_instruction(instruction)), OutputEventCategory::Stderr)
+        }
         _ => return None,
     })
 }

@@ -1,6 +1,6 @@
 //! Poses of points, frames and tools in mm, and move requests with these poses (9.6.3, 10.6, 11.1, 11.2).
 
-use val3_geometry::{IsometryMatrix3, Trsf, chain};
+use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::Joints;
 use val3_moves::{Manner, MovePath, MoveTarget, Percent};
 
@@ -97,7 +97,7 @@ fn move_target(call: &Call<'_>, point: PointRef) -> Result<MoveTarget> {
 /// # Errors
 /// 161 to 163.
 pub(crate) fn pose_of_point(call: &Call<'_>, point: PointRef) -> Result<IsometryMatrix3<f64>> {
-    references::of_point(call.memory, point).map(|way| pose(call, &way))
+    references::of_point(call.memory, point).map(|way| references::in_millimetres(&way, call.unit))
 }
 
 /// Returns a frame's pose in `world`.
@@ -105,7 +105,7 @@ pub(crate) fn pose_of_point(call: &Call<'_>, point: PointRef) -> Result<Isometry
 /// # Errors
 /// 161, 163.
 pub(crate) fn pose_of_frame(call: &Call<'_>, frame: FrameRef) -> Result<IsometryMatrix3<f64>> {
-    references::of_frame(call.memory, frame).map(|way| pose(call, &way))
+    references::of_frame(call.memory, frame).map(|way| references::in_millimetres(&way, call.unit))
 }
 
 /// Returns a tool centre point's pose on the flange.
@@ -113,7 +113,7 @@ pub(crate) fn pose_of_frame(call: &Call<'_>, frame: FrameRef) -> Result<Isometry
 /// # Errors
 /// 160, 164.
 pub(crate) fn pose_of_tool(call: &Call<'_>, tool: ToolRef) -> Result<IsometryMatrix3<f64>> {
-    references::of_tool(call.memory, tool).map(|way| pose(call, &way))
+    references::of_tool(call.memory, tool).map(|way| references::in_millimetres(&way, call.unit))
 }
 
 /// Converts a transformation from the application's length unit to mm.
@@ -129,12 +129,6 @@ pub(crate) fn to_arm(call: &mut Call<'_>, joint: JointValue) -> Joints {
 /// Converts a joint position of the arm, in degrees and mm, to the application's length unit.
 pub(crate) fn of_arm(call: &mut Call<'_>, joints: Joints) -> JointValue {
     JointValue::of(joints, call.ports.arm(), call.unit.millimetres())
-}
-
-fn pose(call: &Call<'_>, way: &[Trsf]) -> IsometryMatrix3<f64> {
-    let mut pose = chain::resolve(way);
-    pose.translation.vector *= call.unit.millimetres();
-    pose
 }
 
 /// Returns a tool's pose at a joint position of the arm, as a point in `frame` with the arm's configuration.

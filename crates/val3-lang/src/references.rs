@@ -6,7 +6,7 @@
 mod poses;
 
 use smallvec::SmallVec;
-use val3_geometry::Trsf;
+use val3_geometry::{IsometryMatrix3, Trsf, chain};
 
 use crate::call::{FrameRef, PointRef, StoredValue, ToolRef};
 use crate::fault::{Fault, Result};
@@ -14,6 +14,7 @@ use crate::memory::{LinkPlace, Memory, Place, StoreId};
 use crate::runtime_errors::{
     FLANGE_CHANGED, FRAME_WITHOUT_REFERENCE, POINT_WITHOUT_REFERENCE, TOOL_WITHOUT_REFERENCE, WORLD_CHANGED,
 };
+use crate::types::LengthUnit;
 
 pub use poses::Poses;
 
@@ -21,6 +22,14 @@ pub use poses::Poses;
 ///
 /// Short chains are stored inline: with a `Vec`, `distance` of two points takes 1.4 times as long.
 pub type Chain = SmallVec<[Trsf; 4]>;
+
+/// Resolves a chain in this length unit to a pose in mm.
+#[must_use]
+pub fn in_millimetres(chain: &[Trsf], unit: LengthUnit) -> IsometryMatrix3<f64> {
+    let mut pose = chain::resolve(chain);
+    pose.translation.vector *= unit.millimetres();
+    pose
+}
 
 /// Root of frame or tool chains.
 struct ChainRoot {

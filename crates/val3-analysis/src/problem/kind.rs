@@ -559,11 +559,8 @@ pub enum ProblemKind {
         /// The identifier.
         alias: SmolStr,
     },
-    /// `libLoad` with a path at which no library exists.
-    LibLoadPath {
-        /// The path as written.
-        path: SmolStr,
-    },
+    /// `libLoad` with a path, as written, at which no library exists.
+    LibLoadPath(SmolStr),
     /// A library that may be loaded under the identifier does not have all used items of the interface.
     ImplementationMissing {
         /// The identifier.

@@ -91,7 +91,7 @@ impl ProblemKind {
             // A task that executes such a line gets a run-time error or a return code.
             Self::IndexOutOfBounds { .. }
             | Self::LibraryNeverLoaded { .. }
-            | Self::LibLoadPath { .. }
+            | Self::LibLoadPath(_)
             | Self::ImplementationMissing { .. }
             | Self::ImplementationPrivate { .. }
             | Self::ImplementationDifferent { .. } => false,

@@ -185,10 +185,10 @@ fn items_tested_with_libexist_are_accepted() {
 fn unknown_paths_are_reported() {
     let faulty = ["\"Disk://parts/bux\"", "\"./parts/box\"", "\"parts/box/box.pjx.pjx\"", "\"\""];
     expect![[r#"
-        main/start.pgx:5 `"Disk://parts/bux"` LibLoadPath { path: "Disk://parts/bux" }
-        main/start.pgx:5 `"./parts/box"` LibLoadPath { path: "./parts/box" }
-        main/start.pgx:5 `"parts/box/box.pjx.pjx"` LibLoadPath { path: "parts/box/box.pjx.pjx" }
-        main/start.pgx:5 `""` LibLoadPath { path: "" }
+        main/start.pgx:5 `"Disk://parts/bux"` LibLoadPath("Disk://parts/bux")
+        main/start.pgx:5 `"./parts/box"` LibLoadPath("./parts/box")
+        main/start.pgx:5 `"parts/box/box.pjx.pjx"` LibLoadPath("parts/box/box.pjx.pjx")
+        main/start.pgx:5 `""` LibLoadPath("")
     "#]]
     .assert_eq(&faulty.map(|path| loads(path, "nA=1")).concat());
 }

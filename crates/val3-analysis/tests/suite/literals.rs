@@ -15,7 +15,8 @@ fn nested_braces_select_the_form_of_an_instruction() {
         main/start.pgx:5 `1` LiteralFieldType { ty: "point", field: "trsf", expected: "trsf", found: "num" }
         main/start.pgx:5 `2` LiteralFieldType { ty: "config", field: "shoulder", expected: "shoulder", found: "num" }
         main/start.pgx:6 `{1,2,3,4,5,6,7}` LiteralWithoutType { expected: None }
-    "#]].assert_eq(&faults(&format!("{declarations}movej({{1,{{2}}}},flange,mA)\nmovej({{1,2,3,4,5,6,7}},flange,mA)\n")));
+    "#]]
+    .assert_eq(&faults(&format!("{declarations}movej({{1,{{2}}}},flange,mA)\nmovej({{1,2,3,4,5,6,7}},flange,mA)\n")));
 }
 
 #[test]

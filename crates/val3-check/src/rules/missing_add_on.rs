@@ -65,7 +65,7 @@ pub(crate) fn word(name: &str, add_on: Option<&str>, cell_lists_others: bool, ot
     if other_forms.is_empty() {
         return Wording::new(need, "instruction of an add-on", help);
     }
-        Wording::new(
+    Wording::new(
         format!("{need}, and is not known with these arguments"),
         "instruction of an add-on, with other arguments",
         format!("the known form is {}; `val3 run` ends at any other; {help}", one_of(other_forms)),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_cell::{Carrier, Cell, DataKind, Encounter, Handling, Scene, Sight, Watch};
-use val3_geometry::{IsometryMatrix3, chain};
+use val3_geometry::IsometryMatrix3;
 use val3_lang::call::ToolRef;
 use val3_lang::ports::Time;
 use val3_lang::references;
@@ -62,11 +62,11 @@ impl Controller {
         }
     }
 
-    /// Current pose of a tool in `flange`, by name. `None` if the tool does not exist or has no father.
+    /// Current pose of a tool in `flange`, in mm, by name. `None` if the tool does not exist or has no father.
     fn tool_in_flange(&self, name: &str) -> Option<IsometryMatrix3<f64>> {
         let (place, _) = self.variable(name).filter(|(_, base)| *base == BaseType::Tool)?;
         let way = references::of_tool(&self.vm.space.memory, ToolRef(place)).ok()?;
-        Some(chain::resolve(&way))
+        Some(references::in_millimetres(&way, self.length_unit()))
     }
 
     /// Watches the distances at the beginning of a cycle.

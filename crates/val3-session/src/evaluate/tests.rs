@@ -134,7 +134,8 @@ fn positions_are_for_the_arm_of_the_application() {
     let settings = ControllerSettings { arm: Some("TS2-60".to_owned()), ..ControllerSettings::default() };
     let locals = ["point pA".to_owned(), "joint jA".to_owned()];
     let mut evaluator = Evaluator::open(None, "/nowhere".into(), &locals, &settings).unwrap();
-    let answers = evaluated(&mut evaluator, &["pA", "jA", "config cA", "pA.config", "pA=here(flange,world)", "pA.config"]);
+    let answers =
+        evaluated(&mut evaluator, &["pA", "jA", "config cA", "pA.config", "pA=here(flange,world)", "pA.config"]);
     assert_eq!(answers, ["{{0,0,0,0,0,0},{ssame}}", "{0,0,0,0}", "{ssame}", "{lefty}"]);
     let (_folder, mut evaluator) = of_listing("pointRs pA\nprogram idle()\nbegin\nend\n");
     let answers = evaluated(&mut evaluator, &["point pB", "pB=pA", "pB", "joint jB", "jB"]);

@@ -2,6 +2,7 @@
 
 use expect_test::{Expect, expect};
 use val3_suite::Scenario;
+use val3_test::Fixture;
 
 use crate::bench::Bench;
 
@@ -150,4 +151,17 @@ fn expectations_name_things_of_the_cell() {
         line 3: there is nothing around the arm: the application has no cell.toml
         line 2: there is nothing around the arm: the application has no cell.toml"#]],
     );
+}
+
+#[test]
+fn frames_of_applications_in_inches_have_places_in_millimetres() {
+    let code = "frame fWall\nprogram start()\nbegin\n  link(fWall,world)\n  fWall.trsf.x=10\nend\n";
+    let (_, project) = Fixture::parse(code).files.into_iter().find(|(path, _)| path.ends_with("main.pjx")).unwrap();
+    let inches = project.replace("millimeterUnit=\"true\"", "millimeterUnit=\"false\"");
+    for (project, expected) in [(project, 10.0), (inches, 254.0)] {
+        let mut bench = Bench::open(&format!("{code}=== main/main.pjx\n{project}"), "main");
+        bench.scenario("");
+        let place = bench.controller.frame_in_world("fWall").unwrap();
+        assert!((place.translation.x - expected).abs() < 1e-9, "{place}");
+    }
 }
