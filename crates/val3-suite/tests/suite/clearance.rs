@@ -84,7 +84,7 @@ fn distances_have_limits() {
 fn a_contact_is_a_failure_unless_it_is_expected() {
     check(
         150.0,
-        "[expect]\nprint = []\n",
+        "[expect]\nerrors = []\n",
         expect![[r#"
         failed, 1.688 s
         `link6` touches `wall` at 1.596 s
@@ -140,7 +140,9 @@ fn expectations_name_things_of_the_cell() {
     faults(
         &elsewhere,
         "[expect]\nclearance = 20\n",
-        expect!["line 2: `wall` is left out, because this application does not have its frame or tool: name pairs"],
+        expect![
+            "line 2: the cell has nothing that the arm could come near to, apart from parts, whose distances are limited by name only: name pairs"
+        ],
     );
     let (empty, _) = code.split_once("===").unwrap();
     faults(
