@@ -78,18 +78,18 @@ impl Clearance {
                 "the links of the arm have no [shapes], so their distances are unknown: name pairs".to_owned(),
             );
         }
+        let missing = &scene.cell().missing;
+        if let Some(name) = missing.first().filter(|_| is_of_all) {
+            return Some(format!(
+                "`{name}` is left out, because this application does not have its frame or tool: name pairs"
+            ));
+        }
         if is_of_all && !scene.compares_standing_things() {
             return Some(
                 "the cell has nothing that the arm could come near to, apart from parts, whose distances are limited by \
                  name only: name pairs"
                     .to_owned(),
             );
-        }
-        let missing = &scene.cell().missing;
-        if let Some(name) = missing.first().filter(|_| is_of_all) {
-            return Some(format!(
-                "`{name}` is left out, because this application does not have its frame or tool: name pairs"
-            ));
         }
         if let Some([a, b]) = limits.iter().filter_map(|limit| limit.of.as_ref()).find(|pair| is_ignored(scene, pair)) {
             return Some(format!(
