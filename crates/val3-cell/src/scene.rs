@@ -105,6 +105,12 @@ impl Scene {
             .any(|[a, b]| (&a, &b) == (first, second) || (&b, &a) == (first, second))
     }
 
+    /// Whether [`crate::Minima`] records the distance between two bodies of which none is a part.
+    #[must_use]
+    pub fn compares_standing_things(&self) -> bool {
+        self.pairs.iter().any(|pair| !pair.is_arm() && !pair.has_part())
+    }
+
     /// Names of the base, the links, the things and the parts.
     pub fn body_names(&self) -> impl Iterator<Item = &str> {
         self.bodies.iter().map(|body| body.name.as_str())

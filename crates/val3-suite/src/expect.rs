@@ -10,9 +10,9 @@
 //! errors = [{ code = 20, task = "production" }]   # run-time errors; any other is a failure
 //!
 //! held = { "carton[0]" = false }                  # no gripper of the cell holds the part; `seen` likewise for sensors
-//! at = { "carton[0]" = { in = "fPallet", is = [200, 150, 90], within = 2 } }  # where a part of the cell is at the end
+//! placed = { "carton[0]" = { in = "fPallet", is = [200, 150, 90], within = 2 } }  # where a part is at the end
 //!
-//! [[expect.at]]                                   # screen, io, data, seen, held and at, at a time
+//! [[expect.at]]                                   # screen, io, data, seen, held and placed, at a time
 //! t = 5
 //! screen = ["1 box"]
 //!
@@ -25,6 +25,8 @@
 //! events = [{ move = "pick" }, { print = "picked" }, { data = { nState = 0 } }]
 //! ```
 //!
+//! An expectation that compares nothing, such as an empty list, is an error.
+//!
 //! Expectations about motion are in `motion`, `cycle_time` and `clearance`.
 //!
 //! Each family of expectations has a file, which contains its keys as plain data and, if it depends on the run, an
@@ -33,6 +35,7 @@
 mod clearance;
 mod cycle_time;
 mod errors;
+mod filled;
 mod fit;
 mod motion;
 mod observer;
@@ -60,9 +63,9 @@ pub(crate) use observer::Observer;
 pub(crate) use occurrence::CycleState;
 use occurrence::Occurrence;
 use order::EventOrder;
-use places::ExpectedAt;
+use places::ExpectedPlaces;
 pub(crate) use screen::{shown as shown_page, written_page};
-use state::ExpectedState;
+use state::{ExpectedState, TimedState};
 use values::ExpectedValues;
 use within::Within;
 
@@ -70,6 +73,7 @@ use within::Within;
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct Expectations {
+    #[serde(deserialize_with = "filled::page_texts")]
     screen: Vec<Spanned<String>>,
     screen_file: Option<Spanned<String>>,
     print_file: Option<Spanned<String>>,
@@ -77,23 +81,36 @@ pub(crate) struct Expectations {
     io: ExpectedValues,
     #[serde(deserialize_with = "values::variables")]
     data: ExpectedValues,
+    #[serde(deserialize_with = "filled::list")]
     print: Vec<Spanned<String>>,
+    #[serde(deserialize_with = "filled::list")]
     log: Vec<Spanned<String>>,
+    #[serde(deserialize_with = "filled::list")]
     popup: Vec<Spanned<String>>,
     #[serde(deserialize_with = "sent::texts")]
     sent: Vec<Spanned<SentText>>,
+    /// Expected errors. The empty list states the default, that no error occurs.
     errors: Vec<Spanned<ExpectedError>>,
     #[serde(deserialize_with = "values::sensors")]
     seen: ExpectedValues,
     #[serde(deserialize_with = "values::parts")]
     held: ExpectedValues,
-    at: ExpectedAt,
+    #[serde(deserialize_with = "places::places")]
+    placed: ExpectedPlaces,
+    #[serde(deserialize_with = "state::timed")]
+    at: Vec<TimedState>,
+    #[serde(deserialize_with = "filled::list")]
     within: Vec<Spanned<Within>>,
+    #[serde(deserialize_with = "filled::list")]
     order: Vec<EventOrder>,
+    #[serde(deserialize_with = "filled::list")]
     time: Vec<Spanned<CycleTime>>,
     trace: Option<Spanned<TraceFile>>,
+    #[serde(deserialize_with = "filled::list")]
     speed: Vec<Spanned<Speed>>,
+    #[serde(deserialize_with = "filled::list")]
     inside: Vec<Spanned<Inside>>,
+    #[serde(deserialize_with = "filled::list")]
     clear: Vec<Spanned<Clear>>,
     contact: Option<Spanned<bool>>,
     clearance: Option<Spanned<Clearance>>,
@@ -102,8 +119,8 @@ pub(crate) struct Expectations {
 impl Expectations {
     /// Expected state at the end.
     fn last_state(&self) -> ExpectedState<'_> {
-        let Self { screen, io, data, seen, held, at: ExpectedAt { places, .. }, .. } = self;
-        ExpectedState { table: "expect", screen, io, data, seen, held, places }
+        let Self { screen, io, data, seen, held, placed, .. } = self;
+        ExpectedState { table: "expect", screen, io, data, seen, held, placed }
     }
 
     /// Links of the lines with expected output.
@@ -117,11 +134,9 @@ impl Expectations {
 
     /// Whether there are no expectations.
     pub(crate) fn is_empty(&self) -> bool {
-        let Self {
-            screen, io, data, seen, held, print, log, popup, sent, errors, at, within, order, time, trace, ..
-        } = self;
-        let texts = [screen, print, log, popup].iter().all(|texts| texts.is_empty());
-        let values = [io, data, seen, held].iter().all(|values| values.is_empty()) && at.is_empty();
+        let Self { print, log, popup, sent, errors, at, within, order, time, trace, .. } = self;
+        let texts = [print, log, popup].iter().all(|texts| texts.is_empty());
+        let values = self.last_state().is_empty() && at.is_empty();
         let course = sent.is_empty() && errors.is_empty() && within.is_empty() && order.is_empty() && time.is_empty();
         let files = self.screen_file.is_none() && self.print_file.is_none();
         let motion = trace.is_none() && self.speed.is_empty() && self.inside.is_empty() && self.clear.is_empty();
@@ -132,7 +147,7 @@ impl Expectations {
     /// Expectations that cannot be met in any run of the application, because of names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let states =
-            self.last_state().faults(fit).into_iter().chain(self.at.states.iter().flat_map(|state| state.faults(fit)));
+            self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
         let errors = self.errors.iter().filter_map(|error| error.get_ref().fault(fit, &error.span()));
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().faults(fit, &within.span()));
         let orders = self.order.iter().flat_map(|order| order.faults(fit));

@@ -383,7 +383,7 @@ mod tests {
                   |
                 2 | scren = ["a"]
                   | ^^^^^
-                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `seen`, `held`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`, `contact`, `clearance`"#]],
+                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `seen`, `held`, `placed`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`, `contact`, `clearance`"#]],
         );
         check_error(
             "[expect]\nscreen = \"a\"",
@@ -420,6 +420,73 @@ mod tests {
                 1 | [[expect.at]]
                   | ^^^^^^^^^^^^^
                 missing field `t`"#]],
+        );
+    }
+
+    #[test]
+    fn an_expectation_that_compares_nothing_is_an_error_at_its_place() {
+        let lists = ["screen", "print", "log", "popup", "at", "within", "order", "time", "speed", "inside", "clear"];
+        let lists = lists.map(|key| format!("[expect]\n{key} = []"));
+        let tables = ["io", "data", "sent", "seen", "held", "placed"].map(|key| format!("[expect]\n{key} = {{}}"));
+        let timed = ["screen = []", "io = {}", "data = {}", "seen = []", "held = {}", "placed = {}"];
+        let timed = timed.map(|key| format!("[[expect.at]]\nt = 0\n{key}"));
+        let others = [
+            "[expect]\nscreen = [\"a\", \"\"]",
+            "[[expect.order]]\nevents = []",
+            "[[expect.order]]\nevents = [{ screen = \"\" }]",
+            "[[expect.within]]\nseconds = 1\nevent = { io = {} }",
+            "[[expect.time]]\nbelow = 1\nto = { data = {} }",
+        ];
+        let others = others.map(str::to_owned);
+        for text in lists.into_iter().chain(tables).chain(timed).chain(others) {
+            let error = Scenario::parse("tests/a.toml", &text).unwrap_err().to_string();
+            assert!(error.starts_with("TOML parse error at line "), "{text}: {error}");
+            let reasons = ["compares nothing", "every page contains the empty text", "a condition needs"];
+            assert!(reasons.iter().any(|reason| error.contains(reason)), "{text}: {error}");
+        }
+        check_error(
+            "[expect]\nerrors = []\nscreen = []",
+            expect![[r#"
+            TOML parse error at line 3, column 10
+              |
+            3 | screen = []
+              |          ^^
+            this compares nothing, so it always holds: write what is expected, or remove it"#]],
+        );
+        check_error(
+            "[[expect.order]]\nevents = [{ screen = \"\" }]",
+            expect![[r#"
+            TOML parse error at line 2, column 11
+              |
+            2 | events = [{ screen = "" }]
+              |           ^^^^^^^^^^^^^^^
+            every page contains the empty text, so this always holds: write a text of the page"#]],
+        );
+        assert!(Scenario::parse("", "[expect]\nerrors = []\nprint = [\"\"]").is_ok());
+    }
+
+    #[test]
+    fn places_of_parts_and_states_at_times_can_be_in_one_file() {
+        let places = "{ \"carton[0]\" = { is = [1, 2, 3] } }";
+        let text = format!("[expect]\nplaced = {places}\n[[expect.at]]\nt = 1\nplaced = {places}");
+        assert!(Scenario::parse("", &text).is_ok());
+        check_error(
+            &format!("[expect]\nat = {places}"),
+            expect![[r#"
+            TOML parse error at line 2, column 6
+              |
+            2 | at = { "carton[0]" = { is = [1, 2, 3] } }
+              |      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+            invalid type: map, expected tables `[[expect.at]]`, each with a time `t`; the places of parts are in `placed`"#]],
+        );
+        check_error(
+            &format!("[[expect.at]]\nt = 1\nat = {places}"),
+            expect![[r#"
+            TOML parse error at line 3, column 1
+              |
+            3 | at = { "carton[0]" = { is = [1, 2, 3] } }
+              | ^^
+            unknown field `at`, expected one of `t`, `screen`, `io`, `data`, `seen`, `held`, `placed`"#]],
         );
     }
 }

@@ -20,6 +20,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 
 use super::Expectations;
+use super::filled::NOTHING;
 use super::fit::ExpectationFault;
 use super::occurrence::CycleState;
 use crate::failure::{Failure, FailureLocation};
@@ -65,6 +66,9 @@ impl Clearance {
     /// Reason why no run can meet the expectation.
     fn fault(&self, scene: &Scene) -> Option<String> {
         let limits = self.limits();
+        if limits.is_empty() {
+            return Some(NOTHING.to_owned());
+        }
         if let Some(impossible) = limits.iter().find(|limit| !(0.0..=GREATEST).contains(&limit.above)) {
             return Some(format!("{} mm is no clearance: write 0 to {GREATEST} mm", impossible.above));
         }
@@ -79,6 +83,13 @@ impl Clearance {
             return Some(format!(
                 "`{name}` is left out, because this application does not have its frame or tool: name pairs"
             ));
+        }
+        if is_of_all && !scene.compares_standing_things() {
+            return Some(
+                "the cell has nothing that the arm could come near to, apart from parts, whose distances are limited by \
+                 name only: name pairs"
+                    .to_owned(),
+            );
         }
         if let Some([a, b]) = limits.iter().filter_map(|limit| limit.of.as_ref()).find(|pair| is_ignored(scene, pair)) {
             return Some(format!(

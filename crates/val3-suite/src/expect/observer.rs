@@ -51,7 +51,7 @@ impl Observer {
             errors: ExpectedErrors::new(errors),
             outputs: outputs.map(|(kind, texts)| ExpectedOutput::new(kind, texts)),
             sent: sent.iter().map(Sent::new).collect(),
-            states: TimedStates::new(&at.states),
+            states: TimedStates::new(at),
             deadlines: within.iter().map(Deadline::new).collect(),
             orders: order.iter().map(OrderState::new).collect(),
             stopwatches: time.iter().map(Stopwatch::new).collect(),

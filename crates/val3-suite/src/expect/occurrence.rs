@@ -13,7 +13,7 @@ use val3_machine::script::{Condition, NamedStates, SentText};
 
 use super::fit::{ExpectationFault, Fit};
 use super::output::OutputKind;
-use super::screen;
+use super::{filled, screen};
 
 /// State at the end of a cycle.
 #[derive(Clone, Copy)]
@@ -43,6 +43,7 @@ pub(super) enum Occurrence {
     #[serde(deserialize_with = "parts")]
     Held(Condition),
     /// A text on the displayed page.
+    #[serde(deserialize_with = "filled::page_text")]
     Screen(String),
     /// A text in a printed line.
     Print(String),

@@ -5,6 +5,7 @@ use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 
+use super::filled;
 use super::fit::{ExpectationFault, Fit};
 use super::occurrence::{CycleState, Occurrence};
 use crate::failure::Failure;
@@ -14,6 +15,7 @@ use crate::source::ExpectationSource;
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct EventOrder {
+    #[serde(deserialize_with = "filled::list")]
     events: Vec<Spanned<Occurrence>>,
 }
 

@@ -2,19 +2,17 @@
 //!
 //! ```toml
 //! [expect]
-//! at = { "carton[0]" = { in = "fPallet", is = [200, 150, 90], within = 2 } }
+//! placed = { "carton[0]" = { in = "fPallet", is = [200, 150, 90], within = 2 } }
 //!
 //! [[expect.at]]                    # at a time
 //! t = 5
-//! at = { "carton[0]" = { is = [950, -600, -700] } }
+//! placed = { "carton[0]" = { is = [950, -600, -700] } }
 //! ```
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::Range;
 
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 use val3_geometry::{IsometryMatrix3, Trsf, rotation};
@@ -22,52 +20,13 @@ use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 use val3_machine::script::PoseNumbers;
 
+use super::filled::NOTHING;
 use super::fit::{ExpectationFault, Fit};
-use super::state::TimedState;
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
 
 /// Accepted distance in mm, and accepted angle in degrees, without `within`.
 const WITHIN: f64 = 1.0;
-
-/// The key `at`: states at times, or where parts are at the end.
-#[derive(Debug, Clone, Default)]
-pub(super) struct ExpectedAt {
-    pub(super) states: Vec<TimedState>,
-    pub(super) places: ExpectedPlaces,
-}
-
-impl ExpectedAt {
-    pub(super) fn is_empty(&self) -> bool {
-        self.states.is_empty() && self.places.0.is_empty()
-    }
-}
-
-impl<'de> Deserialize<'de> for ExpectedAt {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(AtVisitor)
-    }
-}
-
-struct AtVisitor;
-
-impl<'de> Visitor<'de> for AtVisitor {
-    type Value = ExpectedAt;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list of tables with a time `t`, or a table of parts with their places")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, states: A) -> Result<ExpectedAt, A::Error> {
-        let states = Deserialize::deserialize(SeqAccessDeserializer::new(states))?;
-        Ok(ExpectedAt { states, places: ExpectedPlaces::default() })
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, places: A) -> Result<ExpectedAt, A::Error> {
-        let places = Deserialize::deserialize(MapAccessDeserializer::new(places))?;
-        Ok(ExpectedAt { states: Vec::new(), places })
-    }
-}
 
 /// Where parts are.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -96,7 +55,18 @@ const fn within() -> f64 {
     WITHIN
 }
 
+/// Deserialises the places of at least one part.
+pub(super) fn places<'de, D: Deserializer<'de>>(deserializer: D) -> Result<ExpectedPlaces, D::Error> {
+    let places = ExpectedPlaces::deserialize(deserializer)?;
+    if places.is_empty() { Err(D::Error::custom(NOTHING)) } else { Ok(places) }
+}
+
 impl ExpectedPlaces {
+    /// Whether there are no parts.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Parts and frames that do not exist.
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let faults = self.0.iter().flat_map(|(name, ExpectedPlace { frame, within, .. })| {

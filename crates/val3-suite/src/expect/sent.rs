@@ -8,6 +8,7 @@ use toml::Spanned;
 use val3_machine::event::{Event, EventKind};
 use val3_machine::script::{LineBytes, SentText};
 
+use super::filled::NOTHING;
 use super::fit::{ExpectationFault, Fit};
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
@@ -18,6 +19,9 @@ const SHOWN: usize = 200;
 /// Deserialises lines with their expected texts.
 pub(super) fn texts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Spanned<SentText>>, D::Error> {
     let texts: BTreeMap<Spanned<String>, LineBytes> = Deserialize::deserialize(deserializer)?;
+    if texts.is_empty() {
+        return Err(D::Error::custom(NOTHING));
+    }
     let texts = texts.into_iter().map(|(link, text)| {
         let span = link.span();
         SentText::new(link.into_inner(), text).map(|text| Spanned::new(span, text)).map_err(D::Error::custom)

@@ -1,15 +1,20 @@
 //! Expected state of the controller at the end of a test, or at an earlier time.
 
-use serde::Deserialize;
+use std::fmt;
+
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::script::Seconds;
 
+use super::filled::NOTHING;
 use super::fit::{ExpectationFault, Fit};
 use super::places::ExpectedPlaces;
 use super::values::ExpectedValues;
-use super::{screen, values};
+use super::{filled, places, screen, values};
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
 
@@ -23,14 +28,20 @@ pub(super) struct ExpectedState<'s> {
     pub(super) data: &'s ExpectedValues,
     pub(super) seen: &'s ExpectedValues,
     pub(super) held: &'s ExpectedValues,
-    pub(super) places: &'s ExpectedPlaces,
+    pub(super) placed: &'s ExpectedPlaces,
 }
 
 impl ExpectedState<'_> {
+    /// Whether nothing is expected.
+    pub(super) fn is_empty(self) -> bool {
+        let values = [self.io, self.data, self.seen, self.held];
+        self.screen.is_empty() && values.iter().all(|values| values.is_empty()) && self.placed.is_empty()
+    }
+
     /// Unknown names.
     pub(super) fn faults(self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let values = [self.io, self.data, self.seen, self.held].into_iter().flat_map(|values| values.faults(fit));
-        values.chain(self.places.faults(fit)).collect()
+        values.chain(self.placed.faults(fit)).collect()
     }
 
     /// Differences from the current state.
@@ -41,8 +52,8 @@ impl ExpectedState<'_> {
         let data = self.data.failures(&key("data"), controller, source);
         let seen = self.seen.failures(&key("seen"), controller, source);
         let held = self.held.failures(&key("held"), controller, source);
-        let places = self.places.failures(&key("at"), controller, source);
-        [screen, io, data, seen, held, places].concat()
+        let placed = self.placed.failures(&key("placed"), controller, source);
+        [screen, io, data, seen, held, placed].concat()
     }
 }
 
@@ -51,7 +62,7 @@ impl ExpectedState<'_> {
 #[serde(deny_unknown_fields)]
 pub(super) struct TimedState {
     t: Spanned<Seconds>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "filled::page_texts")]
     screen: Vec<Spanned<String>>,
     #[serde(default, deserialize_with = "values::signals")]
     io: ExpectedValues,
@@ -61,8 +72,27 @@ pub(super) struct TimedState {
     seen: ExpectedValues,
     #[serde(default, deserialize_with = "values::parts")]
     held: ExpectedValues,
-    #[serde(default)]
-    at: ExpectedPlaces,
+    #[serde(default, deserialize_with = "places::places")]
+    placed: ExpectedPlaces,
+}
+
+/// Deserialises the states at times.
+pub(super) fn timed<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<TimedState>, D::Error> {
+    deserializer.deserialize_any(TimedVisitor)
+}
+
+struct TimedVisitor;
+
+impl<'de> Visitor<'de> for TimedVisitor {
+    type Value = Vec<TimedState>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("tables `[[expect.at]]`, each with a time `t`; the places of parts are in `placed`")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, states: A) -> Result<Vec<TimedState>, A::Error> {
+        filled::list(SeqAccessDeserializer::new(states))
+    }
 }
 
 impl TimedState {
@@ -71,14 +101,15 @@ impl TimedState {
     }
 
     fn state(&self) -> ExpectedState<'_> {
-        let Self { screen, io, data, seen, held, at: places, .. } = self;
-        ExpectedState { table: "expect.at", screen, io, data, seen, held, places }
+        let Self { screen, io, data, seen, held, placed, .. } = self;
+        ExpectedState { table: "expect.at", screen, io, data, seen, held, placed }
     }
 
-    /// Unknown names, and a time after the end of the run.
+    /// Unknown names, a time after the end of the run, and a state without content.
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let late = fit.time(*self.t.get_ref(), &self.t.span());
-        late.into_iter().chain(self.state().faults(fit)).collect()
+        let empty = self.state().is_empty().then(|| (self.t.span(), NOTHING.to_owned()));
+        late.into_iter().chain(empty).chain(self.state().faults(fit)).collect()
     }
 }
 

@@ -10,6 +10,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 use val3_machine::script::{Comparison, Condition, LevelComparison, NamedStates};
 
+use super::filled::NOTHING;
 use super::fit::{ExpectationFault, Fit};
 use crate::failure::Failure;
 use crate::source::ExpectationSource;
@@ -55,6 +56,9 @@ impl ExpectedValues {
         values: BTreeMap<Spanned<String>, T>,
         condition: fn(String, T) -> Result<Condition, String>,
     ) -> Result<Self, E> {
+        if values.is_empty() {
+            return Err(E::custom(NOTHING));
+        }
         let conditions = values.into_iter().map(|(name, value)| {
             let span = name.span();
             Ok((condition(name.into_inner(), value).map_err(E::custom)?, span))

@@ -85,7 +85,7 @@ fn distances_have_limits() {
 fn a_contact_is_a_failure_unless_it_is_expected() {
     check(
         150.0,
-        "[expect]\nprint = []\n",
+        "[expect]\nerrors = []\n",
         expect![[r#"
         failed, 1.688 s
         `link6` touches `wall` at 1.596 s
@@ -142,6 +142,19 @@ fn expectations_name_things_of_the_cell() {
         &elsewhere,
         "[expect]\nclearance = 20\n",
         expect!["line 2: `wall` is left out, because this application does not have its frame or tool: name pairs"],
+    );
+    let (carried, _) = code.split_once("\n[[object]]\nname = \"wall\"").unwrap();
+    faults(
+        carried,
+        "[[expect.clearance]]\nabove = 20\n",
+        expect![
+            "line 1: the cell has nothing that the arm could come near to, apart from parts, whose distances are limited by name only: name pairs"
+        ],
+    );
+    faults(
+        &code,
+        "[expect]\nclearance = []\n",
+        expect!["line 2: this compares nothing, so it always holds: write what is expected, or remove it"],
     );
     let (empty, _) = code.split_once("===").unwrap();
     faults(

@@ -367,6 +367,7 @@ fn names_that_the_application_does_not_have_are_faults() {
         "errors = [{ code = 9999 }]",
         "at = [{ t = 4, screen = [\"a\"] }]",
         "at = [{ t = 1, data = { nStat = 1 } }]",
+        "at = [{ t = 0.5 }]",
         "order = [{ events = [{ move = \"strat\" }] }]",
         "order = [{ events = [{ error = 9999 }] }]",
         "within = [{ seconds = 1, event = { data = { nStat = 1 } } }]",
@@ -386,6 +387,7 @@ fn names_that_the_application_does_not_have_are_faults() {
         line 3: there is no run-time error 9999
         line 3: 4 s is after the end of the run, `until`
         line 3: there is no variable `nStat`; did you mean `nState`?
+        line 3: this compares nothing, so it always holds: write what is expected, or remove it
         line 3: there is no program `strat`; did you mean `start`?
         line 3: there is no run-time error 9999
         line 3: there is no variable `nStat`; did you mean `nState`?

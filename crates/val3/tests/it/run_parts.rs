@@ -170,7 +170,7 @@ fn check(text: &str, expected: Expect) {
 fn tests_expect_where_parts_are() {
     check(
         "[expect]\nseen = \"end\"\nheld = { \"carton[0]\" = false }\n\
-         at = { \"carton[0]\" = { in = \"fTable\", is = [475, 150, 134], within = 0.5 }, \
+         placed = { \"carton[0]\" = { in = \"fTable\", is = [475, 150, 134], within = 0.5 }, \
                 \"carton[1]\" = { is = [475, -100, 134, 0, 0, 0] } }\n\
          [[expect.order]]\nevents = [{ held = \"carton[0]\" }, { seen = \"end\" }, { held = { \"carton[0]\" = false } }]\n",
         expect![[r#"
@@ -185,7 +185,7 @@ fn tests_expect_where_parts_are() {
 fn tests_name_the_places_of_parts_that_are_elsewhere() {
     check(
         "[expect]\nseen = { end = false }\nheld = [\"carton[0]\", \"carton[1]\"]\n\
-         at = { \"carton[0]\" = { in = \"fTable\", is = [475, 152, 134] }, \
+         placed = { \"carton[0]\" = { in = \"fTable\", is = [475, 152, 134] }, \
                 \"carton[1]\" = { is = [475, -100, 134, 0, 0, 5] } }\n",
         expect![[r#"
             main
@@ -197,11 +197,11 @@ fn tests_name_the_places_of_parts_that_are_elsewhere() {
                     at expect.held (tests/one.toml:4)
                         4 │ held = ["carton[0]", "carton[1]"]
                     `carton[0]` is 2.1 mm from its place: at [475.0, 149.9, 134.0] in `fTable`, at 0.832 s
-                    at expect.at (tests/one.toml:5)
-                        5 │ at = { "carton[0]" = { in = "fTable", is = [475, 152, 134] }, "carton[1]" = { is = [475, -100, 134, 0, 0, 5] } }
+                    at expect.placed (tests/one.toml:5)
+                        5 │ placed = { "carton[0]" = { in = "fTable", is = [475, 152, 134] }, "carton[1]" = { is = [475, -100, 134, 0, 0, 5] } }
                     `carton[1]` is 5.0 degrees from its place: at [475.0, -100.0, 134.0, 0.0, 0.0, 0.0] in `world`, at 0.832 s
-                    at expect.at (tests/one.toml:5)
-                        5 │ at = { "carton[0]" = { in = "fTable", is = [475, 152, 134] }, "carton[1]" = { is = [475, -100, 134, 0, 0, 5] } }
+                    at expect.placed (tests/one.toml:5)
+                        5 │ placed = { "carton[0]" = { in = "fTable", is = [475, 152, 134] }, "carton[1]" = { is = [475, -100, 134, 0, 0, 5] } }
                     | false
                     | true
                     last events:
@@ -215,7 +215,7 @@ fn tests_name_the_places_of_parts_that_are_elsewhere() {
         "#]],
     );
     check(
-        "[[expect.at]]\nt = 0.8\nheld = \"carton[1]\"\nat = { \"carton[0]\" = { is = [0, 0, 0] } }\n",
+        "[[expect.at]]\nt = 0.8\nheld = \"carton[1]\"\nplaced = { \"carton[0]\" = { is = [0, 0, 0] } }\n",
         expect![[r#"
         main
           FAIL  one (0.832 s)
@@ -223,8 +223,8 @@ fn tests_name_the_places_of_parts_that_are_elsewhere() {
                 at expect.at.held (tests/one.toml:4)
                     4 │ held = "carton[1]"
                 `carton[0]` is 515.8 mm from its place: at [475.0, 149.9, 134.0] in `world`, held by a gripper, at 0.8 s
-                at expect.at.at (tests/one.toml:5)
-                    5 │ at = { "carton[0]" = { is = [0, 0, 0] } }
+                at expect.at.placed (tests/one.toml:5)
+                    5 │ placed = { "carton[0]" = { is = [0, 0, 0] } }
                 | false
                 | true
                 last events:
@@ -242,7 +242,7 @@ fn tests_name_the_places_of_parts_that_are_elsewhere() {
 #[test]
 fn unknown_parts_and_sensors_are_faults() {
     check(
-        "[expect]\nseen = \"ende\"\nheld = \"carton\"\nat = { \"carton[2]\" = { in = \"fTabel\", is = [1, 2, 3] } }\n\
+        "[expect]\nseen = \"ende\"\nheld = \"carton\"\nplaced = { \"carton[2]\" = { in = \"fTabel\", is = [1, 2, 3] } }\n\
          [[when]]\nheld = \"karton[0]\"\nthen = [{ remove = \"carton[9]\" }]\n",
         expect![[r#"
             main

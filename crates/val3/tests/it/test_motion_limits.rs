@@ -53,7 +53,7 @@ fn limits_of_times_of_a_model_arm_are_noted_once() {
     assert_eq!(run.stderr.matches("note: times of a model arm: ").count(), 1, "{run:?}");
     assert_eq!(run.stdout.matches("\"timesNote\": \"times of a model arm: ").count(), 2, "{run:?}");
     let idle = tested(&cell("delay(1)\n", "[[expect.time]]\nbelow = 10\n"), &[]);
-    let unlimited = tested(&cell(CODE, "[expect]\nprint = []\n"), &["--format", "json"]);
+    let unlimited = tested(&cell(CODE, "[expect]\nerrors = []\n"), &["--format", "json"]);
     assert!(unlimited.stdout.contains("\"timesNote\": null"), "{unlimited:?}");
     assert_eq!((idle.stderr.as_str(), unlimited.stderr.as_str()), ("", ""));
 }

@@ -79,7 +79,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
         folder.write(&format!("tests/bad/{name}.pgx"), &program(name, ""));
     }
     folder.write("tests/bad/start.pgx", &program("start", "x=<\nputln(y)"));
-    folder.write("tests/good.toml", "application = \"../usrapp/main\"\n[expect]\nprint = []\n");
+    folder.write("tests/good.toml", "application = \"../usrapp/main\"\n[expect]\nerrors = []\n");
     folder.write("tests/wrong.toml", "application = \"../usrapp/main\"\n[expect]\nio = { nothing = true }\n");
     let run = folder.val3(&["test", "--output", "junit=tests.xml"]);
     assert_eq!(run.code, 2, "{run:?}");

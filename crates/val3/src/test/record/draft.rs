@@ -99,7 +99,7 @@ impl<'r> Draft<'r> {
     /// Whether no line is an expectation, so that the scenario only proves that the application runs.
     pub(super) fn expects_nothing(&self) -> bool {
         let mut expected = [&self.screen, &self.expected, &self.outputs, &self.sent].into_iter().flatten();
-        expected.all(|line| line.trim_start().starts_with('#'))
+        expected.all(|line| is_comment(line))
     }
 
     /// Turns unmet expectations into comments. Returns the first failure that belongs to no expectation.
@@ -140,11 +140,11 @@ impl<'r> Draft<'r> {
         lines.extend_from_slice(&self.head);
         lines.extend_from_slice(&self.events);
         lines.extend([String::new(), "[expect]".to_owned()]);
-        lines.extend_from_slice(&self.screen);
-        lines.extend_from_slice(&self.expected);
+        lines.extend(self.screen.chunk_by(is_same_list).chain(self.expected.chunk_by(is_same_list)).flat_map(filled));
         for (table, keys) in [("io", &self.outputs), ("sent", &self.sent)] {
             if !keys.is_empty() {
-                lines.extend([String::new(), format!("[expect.{table}]")]);
+                let mark = if keys.iter().all(|line| is_comment(line)) { "# " } else { "" };
+                lines.extend([String::new(), format!("{mark}[expect.{table}]")]);
                 lines.extend_from_slice(keys);
             }
         }
@@ -207,7 +207,7 @@ fn expected(run: &RunRecord) -> Vec<String> {
     let lists = texts.into_iter().flat_map(|(key, texts)| {
         let mut lines = list(key, texts.iter().filter(|text| !text.is_empty()).take(TEXTS).map(|text| quoted(text)));
         let more = texts.len().saturating_sub(TEXTS);
-        if more > 0 {
+        if more > 0 && !lines.is_empty() {
             lines.insert(lines.len() - 1, format!("  # and {more} more in the record"));
         }
         lines
@@ -227,6 +227,25 @@ fn list(key: &str, items: impl Iterator<Item = String>) -> Vec<String> {
         return items;
     }
     [format!("{key} [")].into_iter().chain(items).chain(["]".to_owned()]).collect()
+}
+
+fn is_comment(line: &str) -> bool {
+    line.trim_start().starts_with('#')
+}
+
+/// Whether two successive lines of lists belong to the same list.
+fn is_same_list(line: &String, _next: &String) -> bool {
+    line != "]"
+}
+
+/// Lines of a list. An expectation that compares nothing is an error, so a list of comments becomes a comment.
+fn filled(list: &[String]) -> Vec<String> {
+    let [first, items @ .., last] = list else { return list.to_vec() };
+    if items.iter().all(|item| is_comment(item)) {
+        let items = items.iter().cloned();
+        return [format!("# {first}")].into_iter().chain(items).chain([format!("# {last}")]).collect();
+    }
+    list.to_vec()
 }
 
 /// Last bytes on a line, as text.
