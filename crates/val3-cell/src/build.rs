@@ -291,6 +291,30 @@ mod tests {
     }
 
     #[test]
+    fn no_shape_is_larger_than_a_cell() {
+        refused(
+            "[[object]]\nname = \"a\"\nsphere = { radius = 1e300 }",
+            expect![[r#"
+                object[0].sphere: a number of this shape is too large
+                help: 1000000 mm are the limit"#]],
+        );
+        for shape in ["box = [1, 1, 1e7]", "cylinder = { radius = 1, length = inf }"] {
+            let error = build(&format!("[[object]]\nname = \"a\"\n{shape}"), &arm("tx2-60l")).unwrap_err();
+            assert!(error.message.contains("too large"), "{shape}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_beam_has_a_length() {
+        refused(
+            "[[sensor]]\nname = \"gate\"\nbeam = { from = [0, 1, 2], to = [0, 1, 2] }",
+            expect![[r#"
+                sensor[0].beam: the beam of `gate` begins and ends at the same point
+                help: write two different points"#]],
+        );
+    }
+
+    #[test]
     fn a_mesh_in_another_unit_is_recognised_by_its_size() {
         let mesh = |file: &str, unit: &str| format!("[[object]]\nname = \"a\"\nmesh = \"{file}\"\nunit = \"{unit}\"");
         refused(
@@ -309,7 +333,7 @@ mod tests {
             &mesh("no.stl", "mm"),
             expect![[r#"
                 object[0].mesh: cannot read `no.stl`: it does not exist
-                help: name an existing STL or GLB file of at most 32 MB"#]],
+                help: name an existing STL or GLB file of at most 32 MB, in the folder of this file or below"#]],
         );
     }
 

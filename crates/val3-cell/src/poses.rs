@@ -7,6 +7,14 @@ use crate::error::CellError;
 /// Largest accepted coordinate or distance, in mm.
 const GREATEST: f64 = 1e6;
 
+/// Checks that a length or coordinate of a shape is not larger than any cell.
+pub(crate) fn check_size(number: f64, key: &str) -> Result<(), CellError> {
+    if number.abs() <= GREATEST || number.is_nan() {
+        return Ok(());
+    }
+    Err(CellError::new(key, "a number of this shape is too large", format!("{GREATEST} mm are the limit")))
+}
+
 pub(crate) fn distance(length: f64, key: &str) -> Result<f64, CellError> {
     if (0.0..=GREATEST).contains(&length) {
         return Ok(length);

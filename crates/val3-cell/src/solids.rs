@@ -7,7 +7,7 @@ use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
 use crate::error::CellError;
 use crate::file::{BoxKey, Corners, MeshUnit, ShapeEntry, ShapeKeys};
 use crate::mesh::Mesh;
-use crate::poses::{pose, triple};
+use crate::poses::{check_size, pose, triple};
 use crate::surroundings::Surroundings;
 
 /// Size in mm below which the unit of a mesh is probably metres.
@@ -162,6 +162,7 @@ pub(crate) fn solid(
     } else {
         return Ok(None);
     };
+    form.numbers().into_iter().try_for_each(|number| check_size(number, &key))?;
     let shape = shape_of(&form, hull.unwrap_or(maker.is_carried))
         .map_err(|error| CellError::new(&key, format!("it is no shape: {error}"), ""))?;
     let form = drawn(form, &shape);
@@ -189,6 +190,9 @@ fn sides(cuboid: &BoxKey, key: &str) -> Result<([f64; 3], [f64; 3]), CellError> 
     }
 }
 
+/// Help for a mesh that cannot be read.
+const MESH: &str = "name an existing STL or GLB file of at most 32 MB, in the folder of this file or below";
+
 /// Reads a mesh and converts it to mm. Rejects a size that suggests another unit.
 fn mesh_in_mm(
     path: &Utf8Path,
@@ -198,7 +202,7 @@ fn mesh_in_mm(
 ) -> Result<Mesh, CellError> {
     let mesh = surroundings
         .mesh(path)
-        .map_err(|message| CellError::new(key, message, "name an existing STL or GLB file of at most 32 MB"))?;
+        .map_err(|message| CellError::new(key, message, MESH))?;
     let mesh = mesh.scaled(unit.length());
     let extent = mesh.extent();
     let help = match unit_doubt(unit.length(), extent) {
@@ -221,6 +225,16 @@ impl Solid {
 const CORE: f64 = 0.1;
 
 impl SolidForm {
+    /// Lengths and coordinates in mm, without those of a mesh.
+    fn numbers(&self) -> Vec<f64> {
+        match self {
+            Self::Box(size) => size.to_vec(),
+            Self::Cylinder { radius, length } => vec![*radius, *length],
+            Self::Capsule { from, to, radius } => [&from[..], &to[..], &[*radius]].concat(),
+            Self::Mesh(_) => Vec::new(),
+        }
+    }
+
     fn core(&self, depth: f64) -> Self {
         let radius = |radius: f64| (radius - depth).max(CORE * radius);
         let length = |length: f64| (length - 2.0 * depth).max(CORE * length);

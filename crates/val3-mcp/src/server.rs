@@ -98,9 +98,8 @@ struct Server {
 impl Server {
     fn new(options: ServerOptions, commands: Arc<dyn Commands>) -> Result<Self, Refusal> {
         let known = all(options.may_write);
-        if let Some(unknown) = options.tools.iter().find(|name| !known.iter().any(|tool| tool.name == name.as_str())) {
-            let names: Vec<&str> = known.iter().map(|tool| tool.name).collect();
-            return Err(Refusal(format!("there is no tool `{unknown}`: name some of {}", names.join(", "))));
+        if let Some(unknown) = options.tools.iter().find(|name| !has_tool(&known, name)) {
+            return Err(Refusal(unknown_tool(unknown, &known)));
         }
         let is_offered = |tool: &Tool| options.tools.is_empty() || options.tools.iter().any(|name| name == tool.name);
         let tools = known.into_iter().filter(is_offered).collect();
@@ -126,6 +125,19 @@ impl Server {
         });
         executed.await.unwrap_or_else(|error| Err(Refusal(format!("the call was ended: {error}"))))
     }
+}
+
+fn has_tool(tools: &[Tool], name: &str) -> bool {
+    tools.iter().any(|tool| tool.name == name)
+}
+
+/// Message for the name of a tool that `known`, the available tools, does not contain.
+fn unknown_tool(name: &str, known: &[Tool]) -> String {
+    if has_tool(&all(true), name) {
+        return format!("the tool `{name}` changes files: add --write, or remove it from --tools");
+    }
+    let names: Vec<&str> = known.iter().map(|tool| tool.name).collect();
+    format!("there is no tool `{}`: name some of {}", name.escape_debug(), names.join(", "))
 }
 
 /// Executes a call, and converts a panic to an error.
@@ -307,9 +319,15 @@ mod tests {
     #[test]
     fn an_unknown_tool_cannot_be_offered() {
         let roots = Folder::new(&[]).roots();
-        let tools = vec!["write_program".to_owned()];
-        let options = ServerOptions { version: "1".to_owned(), roots, may_write: false, tools };
-        let refusal = Server::new(options, Arc::new(Prepared(Err(CommandEnd::Cancelled)))).err().unwrap().0;
-        assert!(refusal.contains("there is no tool `write_program`") && refusal.contains("outline"), "{refusal}");
+        let refused = |name: &str| {
+            let (version, roots, tools) = ("1".to_owned(), roots.clone(), vec![name.to_owned()]);
+            let options = ServerOptions { version, roots, may_write: false, tools };
+            Server::new(options, Arc::new(Prepared(Err(CommandEnd::Cancelled)))).err().unwrap().0
+        };
+        assert_eq!(
+            refused("write_program"),
+            "the tool `write_program` changes files: add --write, or remove it from --tools"
+        );
+        assert_eq!(refused("chek"), "there is no tool `chek`: name some of outline, explain, check, eval, run, test");
     }
 }

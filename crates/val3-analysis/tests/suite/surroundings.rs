@@ -98,13 +98,13 @@ fn faults_are_those_of_a_run() {
     check(
         "[[object]]\nname = \"a\"\nmesh = \"rack.stl\"",
         expect![[r#"
-            mesh: cannot read `rack.stl`: it does not exist (name an existing STL or GLB file of at most 32 MB)
+            mesh: cannot read `rack.stl`: it does not exist (name an existing STL or GLB file of at most 32 MB, in the folder of this file or below)
         "#]],
     );
     check(
         "[[object]]\nname = \"a\"\nmesh = \"../rack.stl\"",
         expect![[r#"
-            mesh: `../rack.stl` is not in the folder of this file (name an existing STL or GLB file of at most 32 MB)
+            mesh: `../rack.stl` is not in the folder of this file (name an existing STL or GLB file of at most 32 MB, in the folder of this file or below)
         "#]],
     );
     check(

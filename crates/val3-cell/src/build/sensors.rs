@@ -8,7 +8,7 @@ use crate::build::CellMaker;
 use crate::carriers::CarriedKeys;
 use crate::error::CellError;
 use crate::file::{BeamKeys, SensorEntry};
-use crate::poses::triple;
+use crate::poses::{check_size, triple};
 use crate::sensor::{Detects, Sensor, SensorForm};
 use crate::solids::{Solid, SolidMaker, solid, without_shape};
 use crate::surroundings::SignalClass;
@@ -86,6 +86,11 @@ impl CellMaker<'_> {
             (Some(BeamKeys { from, to }), None) => {
                 let from = triple(from, &format!("{key}.beam.from"))?;
                 let to = triple(to, &format!("{key}.beam.to"))?;
+                from.iter().chain(&to).try_for_each(|number| check_size(*number, &format!("{key}.beam")))?;
+                if from == to {
+                    let message = format!("the beam of `{}` begins and ends at the same point", entry.name);
+                    return Err(CellError::new(format!("{key}.beam"), message, "write two different points"));
+                }
                 let shape = Shape::capsule(Vector3::from(from), Vector3::from(to), BEAM)
                     .map_err(|error| CellError::new(format!("{key}.beam"), format!("it is no beam: {error}"), ""))?;
                 Ok((shape, IsometryMatrix3::identity(), SensorForm::Beam([from, to])))
