@@ -200,9 +200,7 @@ fn mesh_in_mm(
     key: &str,
     surroundings: &mut dyn Surroundings,
 ) -> Result<Mesh, CellError> {
-    let mesh = surroundings
-        .mesh(path)
-        .map_err(|message| CellError::new(key, message, MESH))?;
+    let mesh = surroundings.mesh(path).map_err(|message| CellError::new(key, message, MESH))?;
     let mesh = mesh.scaled(unit.length());
     let extent = mesh.extent();
     let help = match unit_doubt(unit.length(), extent) {

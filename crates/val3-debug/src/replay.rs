@@ -65,7 +65,7 @@ impl Debugger {
     fn arrive_again(&mut self, task: TaskNumber, ends: bool) {
         let is_after_line = self.controller.vm.is_after_line(task);
         let has_data = is_after_line && self.follow_data(Some(task), true).is_some();
-        if !self.has_no_breakpoint(task) && !(ends && has_data) {
+        if !(self.has_no_breakpoint(task) || ends && has_data) {
             self.hit_again(task);
         }
     }

@@ -86,7 +86,7 @@ impl RecordedOptions {
             controller.line_cost = Some(time.ok_or_else(|| invalid("line_cost", format!("{cost} microseconds")))?);
         }
         for line in &self.line {
-            let connection: Connection = line.parse().map_err(|reason| invalid("line", format!("{reason}")))?;
+            let connection: Connection = line.parse().map_err(|reason: &str| invalid("line", reason.to_string()))?;
             if !controller.line.iter().any(|own| own.is_for(connection.link())) {
                 controller.line.push(connection);
             }

@@ -375,9 +375,7 @@ impl<'a> Worker<'a> {
                 evaluator_of(test.manifest, evaluator).map_or_else(Vec::new, |found| found.conditions(controller, task))
             },
         };
-        let Some(result) = execute(&mut bench.controller, test.case, &file.scenario, supervision) else {
-            return None;
-        };
+        let result = execute(&mut bench.controller, test.case, &file.scenario, supervision)?;
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
         let tested = judged(test.case, result, self.args.update, self.args.events);
