@@ -74,7 +74,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
 }
 
 /// Whether the argument is a value of global data that has no father in its file and gets none in a program.
-pub(super) fn lacks_father(program: &ProgramView<'_>, argument: ExprId, ty: BaseType) -> bool {
+fn lacks_father(program: &ProgramView<'_>, argument: ExprId, ty: BaseType) -> bool {
     let data = DataPath::new(program.text(argument)).before_index();
     !is_built_in(data, ty) && program.initial(argument).is_some_and(|initial| !initial.has_father)
 }

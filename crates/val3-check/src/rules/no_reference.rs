@@ -10,7 +10,6 @@ use val3_analysis::flow::{FlowNode, FlowNodeId, PointKind, forward};
 use val3_lang::motion::{missing_reference, needs_reference};
 use val3_lang::types::BaseType;
 
-use super::data_without_reference::lacks_father;
 use crate::diagnostic::Wording;
 use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::rule;
@@ -76,13 +75,12 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
         for call in program.calls_at(id) {
             let mut has_failed = false;
             for (arg, ty) in needed(call) {
-                let name = local(program, arg).filter(|name| !is_linked(linked, name));
-                let fails = name.is_some() || lacks_father(program, arg, ty);
-                if name.is_some_and(|name| told.insert(name)) {
-                    let wording = word(program.text(arg), ty, call.instruction.name, has_failed);
+                let Some(name) = local(program, arg).filter(|name| !is_linked(linked, name)) else { continue };
+                let wording = word(program.text(arg), ty, call.instruction.name, has_failed);
+                has_failed = true;
+                if told.insert(name) {
                     found.report(&RULE, program.range(arg), wording);
                 }
-                has_failed |= fails;
             }
         }
     }
@@ -196,14 +194,6 @@ mod tests {
         assert!(report.contains("the point `l_p` has no reference frame when `position` uses it (run-time error 162)"));
         assert!(report.contains("the frame `l_f` has no reference frame when `position` uses it\n"), "{report}");
         assert!(report.contains("the tool `l_t` has no reference tool when `here` uses it (run-time error 164)"));
-        let file = "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
-                    xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-                    xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    <Data name=\"pNo\" \
-                    access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\">\n      <Value key=\"0\" x=\"1\" \
-                    />\n    </Data>\n  </Datas>\n</Database>\n";
-        let code = "program start()\n  frame l_f\nbegin\n?position(pNo,l_f)\nend\n";
-        let report = check(&RULE, &format!("{code}\n{file}"));
-        assert!(report.contains("the frame `l_f` has no reference frame when `position` uses it\n"), "{report}");
     }
 
     #[test]

@@ -280,7 +280,7 @@ fn errors_of_a_cell_have_their_places() {
               |
             4 | mesh = "../wall.stl"
               | ^^^^
-              help: name an existing STL or GLB file of at most 32 MB
+              help: name an existing STL or GLB file of at most 32 MB, in the folder of this file or below
         "#]],
     );
     refused(
@@ -291,7 +291,7 @@ fn errors_of_a_cell_have_their_places() {
               |
             3 | mesh = "wall.stl"
               | ^^^^
-              help: name an existing STL or GLB file of at most 32 MB
+              help: name an existing STL or GLB file of at most 32 MB, in the folder of this file or below
         "#]],
     );
 }
