@@ -15,6 +15,7 @@ mod evaluate;
 mod frames;
 mod goto;
 mod history;
+mod lifetime_search;
 mod lifetimes;
 mod motion;
 mod pause;

@@ -265,9 +265,6 @@ pub(crate) fn names(vm: &Vm, context: FragmentContext) -> AccessNames {
     AccessNames::of(vm, context.task(), context)
 }
 
-/// Format in which the texts of different numbers differ.
-pub(crate) const EXACT: DisplayFormat = DisplayFormat { hex: false, radians: false, exact: true, bare: false };
-
 /// Formats a value.
 pub(crate) fn text_of(
     memory: &Memory,
@@ -282,14 +279,15 @@ pub(crate) fn text_of(
 /// Number of elements that the text for an array or collection shows.
 const SHOWN_VALUES: u32 = 8;
 
-/// Formats the first elements of a container in the format [`EXACT`].
+/// Formats the first elements of a container in the format [`DisplayFormat::EXACT`].
 pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> String {
     let (Ok(store), Ok(count)) = (memory.store(view.store), memory.len(view)) else { return String::new() };
     let numbers: Vec<u32> = match &store.shape {
         ContainerShape::Collection(keys) => keys.values().copied().take(SHOWN_VALUES as usize).collect(),
         ContainerShape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
     };
-    let text = |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number), EXACT);
+    let text =
+        |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number), DisplayFormat::EXACT);
     listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
 }
 

@@ -192,7 +192,9 @@ impl WatchedData {
         }
         let text = self.look(controller, |memory, devices, found| {
             Some(match found {
-                ValueLocation::One(kind, place) => values::text_of(memory, devices, &kind, place, values::EXACT),
+                ValueLocation::One(kind, place) => {
+                    values::text_of(memory, devices, &kind, place, values::DisplayFormat::EXACT)
+                }
                 ValueLocation::All(view) => values::text_of_all(memory, devices, view),
             })
         });

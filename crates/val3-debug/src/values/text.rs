@@ -6,8 +6,6 @@ use val3_lang::types::{self, Arm, BaseType, Field};
 use val3_lang::values::printed;
 use val3_machine::devices::Devices;
 
-use super::EXACT;
-
 /// Number of fields in the text for a user-type value.
 const SHOWN_FIELDS: usize = 4;
 
@@ -22,6 +20,11 @@ pub struct DisplayFormat {
     pub exact: bool,
     /// Whether additional information is omitted, for example the link of an input.
     pub bare: bool,
+}
+
+impl DisplayFormat {
+    /// Format in which the texts of different numbers differ.
+    pub(crate) const EXACT: Self = Self { hex: false, radians: false, exact: true, bare: false };
 }
 
 /// Formats a value; of a user type only the first fields.
@@ -65,7 +68,7 @@ fn structure(
         match field.ty {
             // The link of a tool's gripper is no part of the text.
             BaseType::Dio => memory.shown(&kind, place.after(offset)),
-            _ => shown(memory, devices, &kind, place.after(offset), EXACT),
+            _ => shown(memory, devices, &kind, place.after(offset), DisplayFormat::EXACT),
         }
     });
     Ok(printed::structure(&texts.collect::<Result<Vec<_>>>()?))
