@@ -37,7 +37,7 @@ const TOOLS: [&str; 18] = [
 /// Endings of backups and temporary files.
 const ENDINGS: [&str; 6] = [".bak", ".swp", ".val3tmp", ".val3-tmp", ".val3-old", "~"];
 
-/// Whether a file or folder is neither transferred nor compared: those of tools, temporary files and the lock.
+/// Whether a file or folder is neither transferred nor compared, because it belongs to a tool, is temporary, or is the lock.
 pub(crate) fn is_ignored(path: &ControllerPath) -> bool {
     let name = path.name().to_ascii_lowercase();
     TOOLS.contains(&name.as_str())

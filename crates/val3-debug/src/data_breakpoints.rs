@@ -1,9 +1,9 @@
 //! Data breakpoints: the run stops after a line that has changed or read a value, and after a change from outside.
 //!
 //! The watched values are compared bit by bit after each line. Writing the present value is no change. The interpreter
-//! compares numbers, strings and links itself ([`DataWatch`]); for all other data and for reads, tasks
-//! execute one line at a time. Reads are found in the operations of the line ([`reads`](crate::reads)); the controller
-//! records reads of signals. A waiting line reads once, when the wait begins.
+//! compares numbers, strings and links itself ([`DataWatch`]); for all other data and for reads, tasks execute one line at
+//! a time. Reads are found in the operations of the line ([`reads`](crate::reads)); the controller records reads of
+//! signals. A waiting line reads once, when the wait begins.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -50,7 +50,7 @@ impl<S: System> OverlayFs<S> {
         self.stored.insert(path_key(path.as_str()), bytes);
     }
 
-    /// Removes a file of the file system below, which then does not appear in the listing of its folder.
+    /// Hides a file of the underlying file system: it cannot be read, and its folder does not list it.
     pub fn remove(&mut self, path: &Utf8Path) {
         self.removed.insert(path_key(path.as_str()));
     }

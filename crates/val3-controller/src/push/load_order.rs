@@ -32,8 +32,8 @@ pub(super) fn ranks(projects: &ProjectTexts) -> BTreeMap<ControllerPath, usize> 
     ranks
 }
 
-/// Returns the project files that a change concerns: of the changed files' folders, and of their direct and indirect
-/// users.
+/// Returns the project files that a change concerns: those in the folders of the changed files, and those of direct and
+/// indirect users of these projects.
 pub(super) fn affected<'c>(
     projects: &ProjectTexts,
     changed: impl Iterator<Item = &'c ControllerPath> + Clone,

@@ -54,7 +54,7 @@ pub(super) fn shown(
     }
 }
 
-/// Formats a structure by its fields, with all digits of its numbers.
+/// Formats a structure such as a `trsf` from its fields. Its numbers have all digits.
 fn structure(
     memory: &Memory,
     devices: &Devices,

@@ -59,7 +59,8 @@ impl RecordedOptions {
         }
     }
 
-    /// Adds these options to the arguments that name others or none.
+    /// Completes the arguments with these options. Options that the arguments name keep their values;
+    /// the program `start` counts as not named.
     ///
     /// # Errors
     /// An option in the recording is invalid.
