@@ -305,6 +305,7 @@ fn the_view_knows_the_controller_and_no_protocol() {
         "val3-lang",
         "val3-machine",
         "val3-motion",
+        "val3-syntax",
         "val3-vm",
     ];
     check_only("val3-view", &below, &["salsa", "rowan", "clap", "tokio", "axum"]);

@@ -82,7 +82,7 @@ impl Subscriptions {
         self.has_user_page = user_page.unwrap_or(self.has_user_page);
         if let Some(is_shown) = view {
             // The client shows the code itself.
-            self.view = is_shown.then(|| Feed::new(controller, Role::Debugger, |_, _| None));
+            self.view = is_shown.then(|| Feed::new(controller, Role::Debugger, |_| None));
             (self.unsaved, self.is_stopped) = (None, None);
         }
         Ok(())

@@ -11,9 +11,10 @@ use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
-use crate::lines::{LineReader, Lines};
+use crate::lines::{FileReader, Lines};
 use crate::motion::{self, MotionKey};
 use crate::positions::PositionComputer;
+use crate::programs::Programs;
 use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
 use crate::signals::SignalStates;
 use crate::wire::{
@@ -65,6 +66,7 @@ pub struct Feed {
     cell_tools: Vec<CellPoint>,
     signals: SignalStates,
     lines: Lines,
+    programs: Programs,
     /// Latest time in the messages.
     seen: Time,
     messages: Vec<ViewerMessage>,
@@ -72,9 +74,9 @@ pub struct Feed {
 
 impl Feed {
     /// Starts the messages of a run, at its start or when a viewer begins to observe it. The first messages are its
-    /// scene and its complete state. `lines` reads the lines at which tasks wait or fail.
+    /// scene and its complete state. `files` reads the programs, for their code in messages.
     #[must_use]
-    pub fn new(controller: &Controller, role: Role, lines: LineReader) -> Self {
+    pub fn new(controller: &Controller, role: Role, files: FileReader) -> Self {
         let is_recorded = role == Role::Recording;
         let mut feed = Self {
             batch: Batch::new(controller.arm().model().axes(), is_recorded),
@@ -93,7 +95,8 @@ impl Feed {
             frames: Vec::new(),
             cell_tools: Vec::new(),
             signals: SignalStates::default(),
-            lines: Lines::new(lines),
+            lines: Lines::new(files),
+            programs: Programs::default(),
             seen: 0,
             messages: Vec::new(),
         };
@@ -171,6 +174,7 @@ impl Feed {
         self.release_samples();
         self.see_signals(time, controller);
         self.see_motion(time, controller);
+        self.see_programs(controller);
         self.see_state(seconds(time), controller);
         self.see_page(seconds(time), controller);
         self.see_parts(controller);
@@ -178,6 +182,12 @@ impl Feed {
             self.see_positions(time, controller);
         }
         self.looks = self.looks.wrapping_add(1);
+    }
+
+    fn see_programs(&mut self, controller: &Controller) {
+        for programs in self.programs.news(&controller.vm.space, &mut self.lines) {
+            self.tell(&wire::Message::Programs(programs));
+        }
     }
 
     fn see_state(&mut self, t: f64, controller: &Controller) {

@@ -5,12 +5,14 @@
 
 mod arm;
 mod cell;
+mod code;
 mod commands;
 mod configuration;
 mod feed;
 mod lines;
 mod motion;
 mod positions;
+mod programs;
 mod samples;
 mod scene;
 mod signals;
@@ -20,7 +22,7 @@ pub mod wire;
 
 pub use commands::{Operator, response};
 pub use feed::{Feed, ViewerMessage};
-pub use lines::LineReader;
+pub use lines::{FileReader, code_of_line};
 pub use scene::scene;
 pub use signals::direction;
 pub use user_page::user_page;

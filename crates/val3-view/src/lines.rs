@@ -1,28 +1,53 @@
-//! Code of program lines in messages.
+//! Texts of program files, and the code of their lines in messages.
 
 use rustc_hash::FxHashMap;
 use val3_machine::event::{Event, EventKind};
 
 use crate::wire::PageEvent;
 
-/// Reads the code of a line of a program's file, from 1; `None` if the file or the line cannot be read.
-pub type LineReader = fn(&str, u32) -> Option<String>;
+/// Reads the text of a program's file; `None` if the file cannot be read, or if the pages need no code.
+pub type FileReader = fn(&str) -> Option<String>;
 
-/// Code of lines. Each line is read once.
+/// Texts of program files, by path. Each file is read once, and again when its application or library is loaded.
 #[derive(Debug)]
 pub(crate) struct Lines {
-    read: LineReader,
+    read: FileReader,
+    texts: FxHashMap<String, Option<String>>,
+    /// Code of the lines that messages have contained.
     known: FxHashMap<(String, u32), Option<String>>,
 }
 
 impl Lines {
-    pub(crate) fn new(read: LineReader) -> Self {
-        Self { read, known: FxHashMap::default() }
+    pub(crate) fn new(read: FileReader) -> Self {
+        Self { read, texts: FxHashMap::default(), known: FxHashMap::default() }
     }
 
-    pub(crate) fn code(&mut self, file: &str, line: u32) -> Option<String> {
+    /// Reads a file again. Returns whether its text differs from the previous one.
+    pub(crate) fn reload(&mut self, file: &str) -> bool {
+        let text = (self.read)(file);
+        if self.texts.get(file) == Some(&text) {
+            return false;
+        }
+        self.known.retain(|(known, _), _| known != file);
+        self.texts.insert(file.to_owned(), text);
+        true
+    }
+
+    /// Returns the text of a file.
+    pub(crate) fn text(&mut self, file: &str) -> Option<&str> {
         let read = self.read;
-        self.known.entry((file.to_owned(), line)).or_insert_with(|| read(file, line)).clone()
+        self.texts.entry(file.to_owned()).or_insert_with(|| read(file)).as_deref()
+    }
+
+    /// Returns the code of a line, from 1; `None` if the file cannot be read, or if the line is empty.
+    pub(crate) fn code(&mut self, file: &str, line: u32) -> Option<String> {
+        let key = (file.to_owned(), line);
+        if let Some(known) = self.known.get(&key) {
+            return known.clone();
+        }
+        let code = self.text(file).and_then(|text| code_of_line(text, line));
+        self.known.insert(key, code.clone());
+        code
     }
 
     /// Adds the code of the line to the event of a fault.
@@ -35,4 +60,11 @@ impl Lines {
         };
         PageEvent { event: event.clone(), line_code }
     }
+}
+
+/// Returns the code of a line of a text, from 1, without blanks around it; `None` without code.
+#[must_use]
+pub fn code_of_line(text: &str, line: u32) -> Option<String> {
+    let code = text.lines().nth(usize::try_from(line).ok()?.checked_sub(1)?)?.trim();
+    (!code.is_empty()).then(|| code.to_owned())
 }

@@ -1,5 +1,6 @@
 //! Message `state`: tasks and robot.
 
+use val3_debug::TaskFrame;
 use val3_lang::values::ConfigValue;
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::seconds;
@@ -7,7 +8,10 @@ use val3_vm::{Rate, Task};
 
 use crate::configuration;
 use crate::lines::Lines;
-use crate::wire::{StateMessage, TaskState};
+use crate::wire::{CallingLine, StateMessage, TaskState};
+
+/// Maximum number of callers in the state of a task. Recursion may have many more.
+const CALLERS: usize = 16;
 
 /// Creates the message at a time in seconds.
 pub(crate) fn message(t: f64, controller: &Controller, lines: &mut Lines) -> StateMessage {
@@ -24,7 +28,7 @@ pub(crate) fn message(t: f64, controller: &Controller, lines: &mut Lines) -> Sta
     };
     StateMessage {
         t,
-        tasks: tasks.map(|(task, position)| described(task, position, lines)).collect(),
+        tasks: tasks.map(|(task, position)| described(task, position, callers(task, controller), lines)).collect(),
         power: robot.is_powered(),
         mode: robot.working_mode().name().to_owned(),
         emergency_stop: emergency_stop.to_owned(),
@@ -36,7 +40,13 @@ pub(crate) fn message(t: f64, controller: &Controller, lines: &mut Lines) -> Sta
     }
 }
 
-fn described(task: &Task, position: TaskPosition, lines: &mut Lines) -> TaskState {
+/// Returns the calling lines of a task, the innermost first.
+fn callers(task: &Task, controller: &Controller) -> Vec<CallingLine> {
+    let frames = val3_debug::frames(&controller.vm, task.id).into_iter().skip(1).take(CALLERS);
+    frames.map(|TaskFrame { program, file, row, .. }| CallingLine { program, line: row, file }).collect()
+}
+
+fn described(task: &Task, position: TaskPosition, callers: Vec<CallingLine>, lines: &mut Lines) -> TaskState {
     let (priority, period, overruns) = match task.rate {
         Rate::Priority(lines) => (Some(lines), None, 0),
         Rate::Period { period, overruns, .. } => (None, Some(seconds(period)), overruns),
@@ -49,6 +59,7 @@ fn described(task: &Task, position: TaskPosition, lines: &mut Lines) -> TaskStat
     let is_at_rest = waits.is_some() || error.is_some();
     TaskState {
         state: position.activity.word().to_owned(),
+        callers,
         priority,
         period,
         overruns,

@@ -6,6 +6,7 @@ mod cell;
 mod commands;
 mod motion;
 mod page;
+mod programs;
 mod scene;
 mod state;
 
@@ -17,10 +18,11 @@ pub use commands::{
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
+pub use programs::{CodeClass, CodePart, ProgramCode, ProgramsMessage};
 pub use scene::{
     ArmChain, Axis, Capsule, CellPoint, JointValue, LineInfo, Link, LinkShape, Pose, Role, Scene, SignalInfo,
 };
-pub use state::{SignalState, StateMessage, TaskState};
+pub use state::{CallingLine, SignalState, StateMessage, TaskState};
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
@@ -34,6 +36,8 @@ use val3_machine::event::{EndReason, Event};
 pub enum Message {
     /// The constant content of a run; always the first message.
     Scene(Box<Scene>),
+    /// Programs of an application or library.
+    Programs(ProgramsMessage),
     /// A line that requests moves.
     Source(Source),
     /// A tool.

@@ -1,5 +1,6 @@
 use serde_json::{Value, json};
 use val3_machine::controller::RunStatus;
+use val3_test::{Fixture, ROOT};
 use val3_tests::running::Running;
 
 use super::*;
@@ -55,16 +56,21 @@ begin
 end
 "#;
 
-/// Stands for the code of a line.
-fn line(file: &str, line: u32) -> Option<String> {
-    let (_, program) = file.rsplit_once('/')?;
-    Some(format!("{program} {line}"))
+/// Returns the text of a file of a listing.
+fn file_of(listing: &str, file: &str) -> Option<String> {
+    let path = file.strip_prefix(ROOT)?.strip_prefix('/')?;
+    let files = Fixture::parse(listing).files;
+    files.into_iter().find(|(known, _)| known == path).map(|(_, text)| text)
+}
+
+fn text(file: &str) -> Option<String> {
+    file_of(LISTING, file)
 }
 
 /// All messages of the first second of a run.
-fn run(listing: &str) -> Vec<ViewerMessage> {
+fn run(listing: &str, files: FileReader) -> Vec<ViewerMessage> {
     let mut controller = Running::start(listing).controller;
-    let mut feed = Feed::new(&controller, Role::Operator, line);
+    let mut feed = Feed::new(&controller, Role::Operator, files);
     while controller.now() < 1_000_000_000 {
         let start = controller.now();
         if let RunStatus::Waiting(Some(wake)) = controller.step() {
@@ -86,16 +92,16 @@ fn objects<'m>(messages: &'m [ViewerMessage], kind: &'m str) -> impl Iterator<It
 
 #[test]
 fn a_run_begins_with_its_scene_and_its_whole_state() {
-    let messages = run(LISTING);
+    let messages = run(LISTING, text);
     let kinds: Vec<&str> = messages
         .iter()
         .map(|message| match message {
             ViewerMessage::Object(value) => value["kind"].as_str().unwrap(),
             ViewerMessage::Samples(_) => "samples",
         })
-        .take(5)
+        .take(6)
         .collect();
-    assert_eq!(kinds, ["scene", "tool", "samples", "motion", "state"]);
+    assert_eq!(kinds, ["scene", "tool", "samples", "motion", "programs", "state"]);
     let scene = objects(&messages, "scene").next().unwrap();
     assert_eq!(scene["arm"]["axes"].as_array().unwrap().len(), 6);
     let page = objects(&messages, "page").last().unwrap();
@@ -105,8 +111,27 @@ fn a_run_begins_with_its_scene_and_its_whole_state() {
 }
 
 #[test]
+fn programs_have_their_code_once() {
+    let messages = run(LISTING, text);
+    let programs: Vec<&Value> = objects(&messages, "programs").collect();
+    let [message] = programs.as_slice() else { panic!("{programs:?}") };
+    assert_eq!(message["application"], "main");
+    let other = message["programs"].as_array().unwrap().iter().find(|program| program["name"] == "other").unwrap();
+    let code = other["code"].as_array().unwrap();
+    assert_eq!(code.len(), 6);
+    assert_eq!(code[1], json!([["text", "  "], ["keyword", "while"], ["text", " "], ["keyword", "true"]]));
+    // The task is at a line of the code, which is the line in its message.
+    let state = objects(&messages, "state").last().unwrap();
+    let task = state["tasks"].as_array().unwrap().iter().find(|task| task["name"] == "other").unwrap();
+    assert_eq!(task["file"], other["file"]);
+    let row = usize::try_from(task["line"].as_u64().unwrap() - other["line"].as_u64().unwrap()).unwrap();
+    assert_eq!(code[row], json!([["text", "    delay("], ["number", "0.1"], ["text", ")"]]));
+    assert_eq!(objects(&run(LISTING, |_| None), "programs").count(), 0);
+}
+
+#[test]
 fn tasks_appear_in_the_state() {
-    let messages = run(LISTING);
+    let messages = run(LISTING, text);
     let last = objects(&messages, "state").last().unwrap();
     let tasks = last["tasks"].as_array().unwrap();
     let other = tasks.iter().find(|task| task["name"] == "other").unwrap();
@@ -114,29 +139,43 @@ fn tasks_appear_in_the_state() {
 }
 
 #[test]
+fn tasks_have_their_calling_lines() {
+    const CALLING: &str = "program start()\nbegin\n  call inner(5)\nend\n\n\
+                           program inner(num x_nLeft)\nbegin\n  if x_nLeft>0\n    call inner(x_nLeft-1)\n  endIf\n  delay(10)\nend\n";
+    let messages = run(CALLING, |_| None);
+    let callers = &objects(&messages, "state").last().unwrap()["tasks"][0]["callers"];
+    let callers = callers.as_array().unwrap().iter().map(|caller| (&caller["program"], caller["line"].as_u64().unwrap()));
+    let callers: Vec<_> = callers.collect();
+    assert_eq!(callers.len(), 6);
+    assert_eq!(callers[0].0, &json!("inner"));
+    assert_eq!(callers[5].0, &json!("start"));
+    assert!(callers[0].1 == callers[4].1 && callers[5].1 > 1, "{callers:?}");
+}
+
+#[test]
 fn tasks_at_rest_and_errors_have_the_code_of_their_line() {
-    let messages = run(FAILING);
+    let messages = run(FAILING, |file| file_of(FAILING, file));
     let states: Vec<&Value> = objects(&messages, "state").map(|state| &state["tasks"][0]).collect();
-    assert_eq!((&states[1]["state"], &states[1]["lineCode"]), (&json!("waiting"), &json!("start.pgx 6")));
+    assert_eq!((&states[1]["state"], &states[1]["lineCode"]), (&json!("waiting"), &json!("delay(0.2)")));
     let last = states.last().unwrap();
     assert_eq!(
         (&last["state"], &last["error"], &last["lineCode"]),
-        (&json!("error"), &json!(20), &json!("start.pgx 7"))
+        (&json!("error"), &json!(20), &json!("nList[7]=1"))
     );
     let mut events = objects(&messages, "events").flat_map(|message| message["events"].as_array().unwrap());
     let error = events.find(|event| event["kind"] == "error").unwrap();
-    assert_eq!((&error["lineCode"], &error["task"]), (&json!("start.pgx 7"), &json!("main~")));
+    assert_eq!((&error["lineCode"], &error["task"]), (&json!("nList[7]=1"), &json!("main~")));
     assert!(error["help"].as_str().unwrap().contains("size"), "{error}");
 }
 
 #[test]
 fn equal_runs_have_equal_messages() {
-    assert_eq!(run(LISTING), run(LISTING));
+    assert_eq!(run(LISTING, text), run(LISTING, text));
 }
 
 #[test]
 fn an_arm_that_rests_has_one_sample() {
-    let messages = run("program start()\nbegin\n  delay(10)\nend\n");
+    let messages = run("program start()\nbegin\n  delay(10)\nend\n", |_| None);
     let samples = messages.iter().filter(|message| matches!(message, ViewerMessage::Samples(_)));
     assert_eq!(samples.count(), 1);
 }
@@ -145,7 +184,7 @@ fn an_arm_that_rests_has_one_sample() {
 fn a_run_that_goes_back_forgets_what_followed() {
     let mut controller = Running::start(LISTING).controller;
     let snapshot = controller.snapshot();
-    let mut feed = Feed::new(&controller, Role::Debugger, line);
+    let mut feed = Feed::new(&controller, Role::Debugger, text);
     while controller.now() < 50_000_000 {
         controller.step();
     }
@@ -164,7 +203,7 @@ fn a_run_that_goes_back_forgets_what_followed() {
 
 #[test]
 fn points_have_their_configuration() {
-    let messages = run(LISTING);
+    let messages = run(LISTING, text);
     let known = objects(&messages, "data").flat_map(|data| data["points"].as_array().unwrap());
     let last = known.filter(|point| point["key"] == "1").last().unwrap();
     assert_eq!(last["config"], "righty esame wpositive");
@@ -174,7 +213,7 @@ fn points_have_their_configuration() {
 fn tools_have_the_name_of_their_data() {
     let mut running = Running::start(LISTING);
     running.controller.devices.state.robot.set_power(true);
-    let mut feed = Feed::new(&running.controller, Role::Operator, line);
+    let mut feed = Feed::new(&running.controller, Role::Operator, text);
     while running.controller.now() < 2_000_000_000 {
         let start = running.controller.now();
         if let RunStatus::Waiting(Some(wake)) = running.controller.step() {
@@ -193,8 +232,8 @@ fn tools_have_the_name_of_their_data() {
 #[test]
 fn messages_of_a_run_follow_the_schema() {
     let validator = jsonschema::validator_for(&wire::schema()).unwrap();
-    let messages = run(LISTING);
-    for kind in ["scene", "tool", "state", "motion", "page", "data", "end"] {
+    let messages = run(LISTING, text);
+    for kind in ["scene", "tool", "programs", "state", "motion", "page", "data", "end"] {
         assert!(objects(&messages, kind).count() > 0, "{kind}");
         for message in objects(&messages, kind) {
             let errors: Vec<String> = validator.iter_errors(message).map(|error| error.to_string()).collect();

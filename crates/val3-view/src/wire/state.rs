@@ -43,6 +43,8 @@ pub struct TaskState {
     pub line: u32,
     /// Path of the program's file.
     pub file: String,
+    /// Lines that have called the current program, the innermost call first; at most 16.
+    pub callers: Vec<CallingLine>,
     /// Priority of an asynchronous task.
     pub priority: Option<u32>,
     /// Period of a synchronous task, in s.
@@ -57,6 +59,17 @@ pub struct TaskState {
     pub error: Option<u16>,
     /// Code of the line, if the task waits or was stopped by an error.
     pub line_code: Option<String>,
+}
+
+/// Line that has called a program.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct CallingLine {
+    /// Program of the line.
+    pub program: String,
+    /// Line in the file, from 1.
+    pub line: u32,
+    /// Path of the program's file.
+    pub file: String,
 }
 
 /// State of a signal.

@@ -14,7 +14,7 @@ use val3_machine::event::{EndReason, Event};
 use val3_view::wire::Role;
 use val3_view::{Feed, ViewerMessage};
 
-use super::missing::code;
+use super::missing::program_text;
 use crate::output::file;
 use crate::output::file_kind::OutputFileKind;
 use crate::serve::PAGE;
@@ -44,7 +44,7 @@ impl Export {
         let (head, _) = halves();
         write!(file, "{head}<script id=\"recording\" type=\"text/plain\">").map_err(|error| refused(path, &error))?;
         let out = GzEncoder::new(EncoderWriter::new(file, &BASE64_STANDARD), Compression::best());
-        let mut export = Self { feed: Feed::new(controller, Role::Recording, code), path: path.to_owned(), out };
+        let mut export = Self { feed: Feed::new(controller, Role::Recording, program_text), path: path.to_owned(), out };
         export.write()?;
         Ok(export)
     }

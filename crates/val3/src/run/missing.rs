@@ -6,6 +6,7 @@ use val3_files::FileClass;
 use val3_lang::library_errors::{self, INTERFACE_DIFFERS};
 use val3_machine::event::{Event, EventKind};
 use val3_syntax::encoding::decode;
+use val3_view::code_of_line;
 
 /// Unloaded libraries by alias: the path, and the result code of `libLoad`.
 #[derive(Debug, Default)]
@@ -36,9 +37,12 @@ impl MissingLibraries {
     }
 }
 
+/// Reads the text of a program's file. `None` for a library that is not in a folder.
+pub(super) fn program_text(file: &str) -> Option<String> {
+    Some(decode(val3_files::read(file.into(), FileClass::Program).ok()?).text)
+}
+
 /// Returns the code of a line, from 1. `None` for a library that is not in a folder.
 pub(super) fn code(file: &str, line: u32) -> Option<String> {
-    let text = decode(val3_files::read(file.into(), FileClass::Program).ok()?).text;
-    let code = text.lines().nth(usize::try_from(line).ok()?.checked_sub(1)?)?.trim();
-    (!code.is_empty()).then(|| code.to_owned())
+    code_of_line(&program_text(file)?, line)
 }

@@ -10,7 +10,7 @@ use val3_machine::event::{EndReason, Event, seconds};
 use val3_view::wire::{self, Arguments as _, Role};
 use val3_view::{Feed, Operator};
 
-use super::missing::code;
+use super::missing::program_text;
 use super::recorder::ScenarioRecorder;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
@@ -20,7 +20,7 @@ use crate::serve::{PendingCommand, ServeAddress, Server, StoredMessage, browser}
 use crate::user_error::UserError;
 
 /// Kinds of messages to which later messages refer.
-const LASTING: [&str; 3] = ["scene", "source", "tool"];
+const LASTING: [&str; 4] = ["scene", "programs", "source", "tool"];
 
 /// Command that writes a scenario of the run.
 const RECORD: &str = "record";
@@ -91,7 +91,7 @@ impl Viewers {
         if args.open && !browser::open(page) {
             to_stderr(|out| writeln!(out, "note: no browser could be opened"));
         }
-        let feed = Feed::new(controller, Role::Operator, code);
+        let feed = Feed::new(controller, Role::Operator, program_text);
         let recorder = ScenarioRecorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
         let mut viewers =
@@ -102,7 +102,7 @@ impl Viewers {
 
     /// Begins another run of the application: viewers receive its scene and complete state.
     pub(super) fn begin(&mut self, controller: &Controller) {
-        self.feed = Feed::new(controller, Role::Operator, code);
+        self.feed = Feed::new(controller, Role::Operator, program_text);
         self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
         self.recorder.restart();
         (self.sent, self.heartbeat) = (0, Heartbeat { last: None });

@@ -80,6 +80,16 @@ export interface BlendEnds {
   reach?: BlendDistance | null;
 }
 
+/** Line that has called a program. */
+export interface CallingLine {
+  /** Path of the program's file. */
+  file: string;
+  /** Line in the file, from 1. */
+  line: number;
+  /** Program of the line. */
+  program: string;
+}
+
 /**
  * The points within a radius of a line: a cylinder with rounded ends. Coordinates are in mm in the frame of the link
  * after the movement of its joint, and in the arm's base for the base.
@@ -142,6 +152,14 @@ export interface Clock {
   /** Time in s. */
   t: number;
 }
+
+/** Class of a part, for its colour. */
+export type CodeClass =
+  | "text"
+  | "keyword"
+  | "comment"
+  | "string"
+  | "number";
 
 /** Command with its arguments. A page adds `id`, the number by which it finds the response. */
 export type Command =
@@ -281,6 +299,7 @@ export interface LinkShape {
 /** Message of a run to its pages. Times `t` are in seconds on the controller's clock. */
 export type Message =
   | Scene & { kind: "scene" }
+  | ProgramsMessage & { kind: "programs" }
   | Source & { kind: "source" }
   | Tool & { kind: "tool" }
   | Clock & { kind: "clock" }
@@ -446,6 +465,26 @@ export interface PointName {
   key: string | null;
   /** Data name, prefixed by the library. */
   name: string;
+}
+
+/** Code of a program, without XML. */
+export interface ProgramCode {
+  /** Lines of the code in their parts. */
+  code: readonly (readonly (readonly [CodeClass, string])[])[];
+  /** Path of the program's file. */
+  file: string;
+  /** Line of the file with the first line of the code, from 1. */
+  line: number;
+  /** Program name. */
+  name: string;
+}
+
+/** Code of the programs of an application or library. It is sent once, when the application or library is loaded. */
+export interface ProgramsMessage {
+  /** Name of the application or library. */
+  application: string;
+  /** Programs whose files could be read. */
+  programs: readonly ProgramCode[];
 }
 
 /** Recorded move. */
@@ -679,6 +718,8 @@ export interface StateMessage {
 export interface TaskState {
   /** Awaited condition only. */
   awaits: string | null;
+  /** Lines that have called the current program, the innermost call first; at most 16. */
+  callers: readonly CallingLine[];
   /** Number of the run-time error that has stopped the task. */
   error: number | null;
   /** Path of the program's file. */

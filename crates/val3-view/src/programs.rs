@@ -1,0 +1,62 @@
+//! Code of the programs of applications and libraries in memory, for pages.
+
+use std::sync::Arc;
+
+use val3_bytecode::{Image, Program};
+use val3_vm::Space;
+
+use crate::code::{Code, codes};
+use crate::lines::Lines;
+use crate::wire::{ProgramCode, ProgramsMessage};
+
+/// Applications and libraries whose programs the pages have.
+#[derive(Debug, Default)]
+pub(crate) struct Programs {
+    known: Vec<Arc<Image>>,
+}
+
+impl Programs {
+    /// Returns the programs of applications and libraries that were loaded since the last call. A library that is loaded
+    /// again from the same files has no message.
+    pub(crate) fn news(&mut self, space: &Space, lines: &mut Lines) -> Vec<ProgramsMessage> {
+        let is_known = |image: &Arc<Image>| self.known.iter().any(|known| Arc::ptr_eq(known, image));
+        let images = || space.loaded().map(|(_, instance)| &instance.image);
+        if images().all(is_known) {
+            return Vec::new();
+        }
+        let new: Vec<Arc<Image>> = images().filter(|image| !is_known(image)).map(Arc::clone).collect();
+        self.known = images().map(Arc::clone).collect();
+        new.iter().filter_map(|image| message(image, lines)).collect()
+    }
+}
+
+/// Returns the programs in the new and changed files of an image; `None` without such programs.
+fn message(image: &Image, lines: &mut Lines) -> Option<ProgramsMessage> {
+    let files = (0..).zip(&image.files).filter(|(_, file)| lines.reload(file)).collect::<Vec<(u32, &String)>>();
+    let mut programs = Vec::new();
+    for (number, file) in files {
+        let own: Vec<&Program> = image.programs.iter().filter(|program| program.file == number).collect();
+        if let Some(text) = lines.text(file).filter(|_| !own.is_empty()) {
+            programs.extend(of_file(file, text, &own));
+        }
+    }
+    (!programs.is_empty()).then(|| ProgramsMessage { application: image.name.clone(), programs })
+}
+
+fn of_file(file: &str, text: &str, programs: &[&Program]) -> Vec<ProgramCode> {
+    let codes = codes(text);
+    let code = |program: &&Program| {
+        let Code { line, lines } = of_program(program, &codes)?.clone();
+        Some(ProgramCode { name: program.name.clone(), file: file.to_owned(), line, code: lines })
+    };
+    programs.iter().filter_map(code).collect()
+}
+
+/// Returns the code with the first line of a program.
+fn of_program<'c>(program: &Program, codes: &'c [Code]) -> Option<&'c Code> {
+    match (codes, program.lines.first().or(program.closings.first())) {
+        ([code], _) => Some(code),
+        (codes, Some(first)) => codes.iter().find(|code| code.contains(first.row)),
+        (_, None) => None,
+    }
+}
