@@ -8,8 +8,10 @@ import { followLook, isDark, toggleLook } from "./look";
 import { IoPanel } from "./panels/io/IoPanel";
 import { PendantPanel } from "./panels/pendant/PendantPanel";
 import { PointsPanel } from "./panels/points/PointsPanel";
+import { ProgramPanel } from "./panels/program/ProgramPanel";
 import { followReach } from "./panels/points/reachQuery";
-import { Tabs } from "./panels/shared/Tabs";
+import { type Tab, Tabs } from "./panels/shared/Tabs";
+import { CELL_TABS } from "./panels/shared/tabChoice";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
 import { countUpTo } from "./panels/tasks/upTo";
 import { SceneView } from "./scene/SceneView";
@@ -38,7 +40,7 @@ function Page({ store }: { store: Store }): JSX.Element {
           <LaunchButtons store={store} />
           <RecordScenario store={store} />
           <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
-          <button type="button" aria-pressed={isShown} title="Show or hide the pendant, signals, tasks and points" onClick={() => showPanels(isRecording, !isShown)}>Panels</button>
+          <button type="button" aria-pressed={isShown} title="Show or hide the pendant, signals, programs, tasks and points" onClick={() => showPanels(isRecording, !isShown)}>Panels</button>
         </span>
       </header>
       <main
@@ -71,13 +73,16 @@ function LaunchButtons({ store }: { store: Store }): JSX.Element | null {
 function Panels({ store }: { store: Store }): JSX.Element {
   const { cell } = store.panels;
   const faults = countUpTo(cell.history.faults, cell.slowTime.value);
+  // An editor shows the programs itself.
+  const program: Tab[] = cell.openLine.value === undefined ? [{ id: "program", label: "Program", content: () => <ProgramPanel cell={cell} /> }] : [];
   return (
     <div class="column panel-tabs">
       <Tabs
-        label="Cell"
+        label={CELL_TABS}
         tabs={[
           { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
           { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
+          ...program,
           { id: "tasks", label: "Tasks", faults, content: () => <TasksPanel cell={cell} /> },
           { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
         ]}

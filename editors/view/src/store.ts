@@ -2,9 +2,11 @@
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { MOST_MESSAGES, MOST_SAMPLES, since } from "./bounds";
+import { showPanels } from "./layout/layout";
 import type { PointName } from "./panels/points/edits";
 import type { Answer, ArmRest, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
+import { CELL_TABS, showTab } from "./panels/shared/tabChoice";
 import type { TimedPhase } from "./panels/tasks/times";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
 import { type Sample, Samples } from "./samples";
@@ -54,6 +56,11 @@ export class Store {
   });
   readonly tools = new Map<number, Tool>();
   readonly sources = new Map<number, Source>();
+  /** Line of the move that the arm executes at the shown time. */
+  private readonly sourceOfSample = computed(() => {
+    const source = this.shown.value?.source;
+    return source === undefined ? undefined : this.sources.get(source);
+  });
   readonly panels: PanelModel;
   readonly blocked: ReadonlySignal<string | undefined> = computed(() => this.reason());
   send: Send = () => undefined;
@@ -77,7 +84,16 @@ export class Store {
       }),
       samples: { after: (t) => this.phases(t), epoch: () => this.samples.epoch },
       rests: () => this.rests(),
+      applicationName: computed(() => this.scene.value?.application),
       sourceOf: (index) => this.sources.get(index),
+      executed: computed(() => {
+        const source = this.sourceOfSample.value;
+        return source && { program: source.program, line: source.line, file: source.file, instruction: source.instruction, isWaiting: false };
+      }),
+      showPrograms: () => {
+        showPanels(this.scene.peek()?.role === "recording", true);
+        showTab(CELL_TABS, "program");
+      },
       seek: (t) => (this.chosen.value = t),
       selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
       selectPoint: (point) => (this.selection.value = point && { kind: "point", point: { name: point.name, key: point.key } }),
@@ -161,6 +177,7 @@ export class Store {
     }
     switch (message.kind) {
       case "scene": this.begin(message); break;
+      case "programs": this.panels.addPrograms(message); break;
       case "source": this.sources.set(message.index, message); break;
       case "tool": this.tools.set(message.index, message); break;
       case "state": this.panels.addState(message); break;

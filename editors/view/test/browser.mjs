@@ -92,7 +92,7 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
     assert.ok(drawCalls > 5 && drawCalls < 60, `${drawCalls} draw calls`);
     await page.waitForTimeout(300);
     assert.equal(await page.evaluate(() => globalThis.val3View.stats().frames), frames, "an idle page draws nothing");
-    for (const tab of ["io", "tasks", "queue", "log", "times", "points"]) {
+    for (const tab of ["io", "program", "tasks", "queue", "log", "times", "points"]) {
       await page.click(`#tab-${tab}`);
       await page.waitForTimeout(150);
       await shot(tab);

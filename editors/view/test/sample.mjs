@@ -65,6 +65,19 @@ function state(t, cycle) {
   };
 }
 
+/** Programs with the lines of the tasks, one of them long. Code may contain HTML. */
+function programs() {
+  const program = (name, lines) => ({ name, file: `/cell/palletiser/${name}.pgx`, line: name === "start" ? 8 : 2, code: lines });
+  const call = (name, number) => [["text", `  ${name}(pPick[`], ["number", String(number)], ["text", "],tGripper,mFast)"]];
+  return {
+    kind: "programs", application: "palletiser", programs: [
+      program("start", [[["keyword", "begin"]], [["text", "  "], ["comment", "// <img src=x onerror=alert(1)>"]], ...Array.from({ length: 9 }, (_, index) => call("movel", index)), [["keyword", "end"]]]),
+      program("io", [[["keyword", "begin"]], [["text", "  "], ["keyword", "if"], ["text", " sMode=="], ["string", '"fast"']], [["text", "  "], ["keyword", "endIf"]], [["keyword", "end"]]]),
+      program("hmi", [[["keyword", "begin"]], ...Array.from({ length: 5000 }, (_, index) => call("movej", index)), [["keyword", "end"]]]),
+    ],
+  };
+}
+
 function motion(t, cycle) {
   return {
     kind: "motion", t, path: [{ phase: "nominal", points: Array.from({ length: 40 }, (_, index) => [554 - index * 4, 170 + index * 8, 638 - index * 10]) }],
@@ -74,7 +87,7 @@ function motion(t, cycle) {
 
 /** Returns the messages in order; a buffer is a batch of samples. */
 export function messages(role) {
-  const all = [scene(role), { kind: "source", index: 1, instruction: "movel", program: "start", line: 12, file: "/cell/palletiser/start.pgx" }, { kind: "tool", index: 1, name: "tGripper", pose: [0, 0, 120, 0, 0, 0] }];
+  const all = [scene(role), programs(), { kind: "source", index: 1, instruction: "movel", program: "start", line: 12, file: "/cell/palletiser/start.pgx" }, { kind: "tool", index: 1, name: "tGripper", pose: [0, 0, 120, 0, 0, 0] }];
   all.push({ kind: "io", t: 0, changes: signals().map(({ link }) => ({ link, value: 0, isLocked: link.endsWith("I3"), isSimulated: false, isProtected: false, fault: link.endsWith("I5") ? "its device has failed" : null })) });
   all.push({ kind: "page", t: 0, screen: "scMain", title: "Palletiser <b>1</b>", lines: ["Layer  1 of 4", "Parts  0".padEnd(40), "Gripper closed".padEnd(40), ...Array(10).fill(""), "Start Stop Home                    Quit "], modes: [[], [], [[8, 0], [6, 3]]] });
   for (let cycle = 0; cycle * 0.5 < DURATION; cycle += 1) {

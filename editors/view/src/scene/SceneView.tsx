@@ -7,6 +7,7 @@ import { armFrames } from "../kinematics";
 import { isDark } from "../look";
 import { composed, frameOf, poseOf } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
+import { openingOf } from "../panels/shared/opening";
 import type { Store } from "../store";
 import { LayerChoice } from "./LayerChoice";
 import { hiddenLayers } from "./layers";
@@ -111,11 +112,11 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
   }
   const { piece, t } = picked;
   const source = piece.source === undefined ? undefined : store.sources.get(piece.source);
-  const openLine = store.openLine.value;
+  const opening = source && openingOf(store.panels.cell, source);
   const line = source && `${source.program}:${source.line}`;
   return (
     <>
-      {source && openLine ? <button type="button" onClick={() => openLine(source)}>{line}</button> : <strong>{line ?? "No line"}</strong>}
+      {opening ? <button type="button" title={opening.title} onClick={opening.open}>{line}</button> : <strong>{line ?? "No line"}</strong>}
       {" "}<span>{source?.instruction} at {t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s, limited by {limitName(store, piece.limit) ?? "–"}: {numbers}</span>
       {" "}<button type="button" onClick={() => (store.chosen.value = t)}>Show this time</button>
     </>

@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
+import { openingOf } from "../panels/shared/opening";
 import { type Fault } from "../panels/tasks/faults";
 import { countUpTo } from "../panels/tasks/upTo";
 import type { Store } from "../store";
@@ -21,8 +22,8 @@ export function FaultBar({ store }: { store: Store }): JSX.Element | null {
   }
   const choose = (to: number): void => setChosen(faults[to] === undefined || to === faults.length - 1 ? undefined : keyOf(faults[to]));
   const hide = (these: readonly Fault[]): void => setHidden(new Set([...hidden, ...these.map(keyOf)]));
-  const openLine = cell.openLine.value;
   const { source, code, reason, help } = fault;
+  const opening = source && openingOf(cell, source);
   return (
     <div class="fault-bar" role="alert" aria-label="Fault">
       <div class="row">
@@ -35,7 +36,7 @@ export function FaultBar({ store }: { store: Store }): JSX.Element | null {
           </span>
         )}
         <button type="button" onClick={() => cell.seek(fault.t)}>Show {fault.t.toFixed(3)} s</button>
-        {source !== undefined && openLine !== undefined ? <button type="button" onClick={() => openLine(source)}>Open the line</button> : null}
+        {opening === undefined ? null : <button type="button" title={opening.title} onClick={opening.open}>Open the line</button>}
         <button type="button" aria-label="Hide this fault" onClick={() => hide([fault])}>×</button>
         {faults.length === 1 ? null : <button type="button" onClick={() => hide(faults)}>Hide all</button>}
       </div>

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { signal } from "@preact/signals";
+import type { MovingLine } from "../../src/panels/program/marks";
 import type { ArmSample, Cell } from "../../src/panels/shared/cell";
 import type { SceneMessage, StateMessage } from "../../src/panels/shared/messages";
 import { PanelModel, type Surroundings } from "../../src/panels/shared/PanelModel";
@@ -15,11 +16,12 @@ function state(t: number, more: Partial<StateMessage> = {}): StateMessage {
   return { t, tasks: [], power: false, mode: "remote", emergencyStop: "none", isHeld: false, monitorSpeed: 100, ...more };
 }
 
-function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
+function model(executed = signal<MovingLine | undefined>(undefined)): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const time = signal(0);
   const around: Surroundings = {
     time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), canRestart: signal(true), blocked: signal(undefined),
-    sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
+    sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12, file: "/cell/start.pgx" } : undefined),
+    applicationName: signal("cell"), executed, showPrograms: () => undefined,
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
   };
   const made = new PanelModel(around);
@@ -56,6 +58,17 @@ test("the panels show the state and the page of the shown time", (context) => {
   assert.deepEqual(cell.motion.value.queue.map(({ program, line }) => [program, line]), [["start", 12]]);
   panels.addState(state(2, { power: false }));
   assert.equal(cell.state.value?.power, false);
+});
+
+test("the line of the present move is that of the arm, at rest that of the first recorded move", () => {
+  const executed = signal<MovingLine | undefined>(undefined);
+  const { model: panels, cell, show } = model(executed);
+  assert.equal(cell.moving.value, undefined);
+  panels.addMotion({ t: 1, path: [], queue: [{ id: 1, type: "movej", source: 3, phase: "nominal", target: [], leave: null, reach: null, leaveDistance: null, reachDistance: null }] });
+  show(1);
+  assert.deepEqual(cell.moving.value, { program: "start", line: 12, file: "/cell/start.pgx", instruction: "movej", isWaiting: true });
+  executed.value = { program: "start", line: 13, file: "/cell/start.pgx", instruction: "movel", isWaiting: false };
+  assert.equal(cell.moving.value, executed.value);
 });
 
 test("points that operators change are unsaved, those that programs change are not", (context) => {

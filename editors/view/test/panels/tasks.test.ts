@@ -25,7 +25,7 @@ test("a segment lasts as long as a task is in one state", () => {
 });
 
 test("short segments are joined in the chart", () => {
-  const lane = Array.from({ length: 1000 }, (_, at) => ({ start: at / 1000, end: (at + 1) / 1000, state: "running", waits: null, program: "", line: 1 }));
+  const lane = Array.from({ length: 1000 }, (_, at) => ({ start: at / 1000, end: (at + 1) / 1000, state: "running", waits: null, program: "", line: 1, file: "" }));
   assert.ok(visible(lane, 0, 1, 100).length <= 100);
   assert.deepEqual(visible(segments().of("main"), 1, 3, 100).map(({ x, w }) => [x, w]), [[0, 50], [50, 50]]);
 });

@@ -3,11 +3,14 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
+import type { MovingLine } from "../program/marks";
+import type { CodeLine } from "../program/programs";
+import { ProgramView } from "../program/ProgramView";
 import { DataValues } from "../points/pointsAt";
 import type { TimedPhases } from "../tasks/times";
 import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellPoint, CellScene, JointValue, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
-import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
+import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, ProgramsMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
 import { latest, TimedLevels } from "./timed";
 
@@ -27,8 +30,13 @@ export interface Surroundings {
   sample: ReadonlySignal<ArmSample | undefined>;
   samples: TimedPhases;
   rests: () => Iterable<ArmRest>;
+  applicationName: ReadonlySignal<string | undefined>;
   /** Returns the line of a source. */
-  sourceOf: (index: number) => { program: string; line: number } | undefined;
+  sourceOf: (index: number) => CodeLine | undefined;
+  /** Line of the move that the arm executes. */
+  executed: ReadonlySignal<MovingLine | undefined>;
+  /** Shows the tab Program. */
+  showPrograms: () => void;
   seek: (t: number) => void;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
@@ -51,6 +59,7 @@ export class PanelModel {
   private readonly joints = new DataValues<JointValue>(({ joints }) => joints ?? []);
   private readonly frames = new DataValues<CellPoint>(({ frames }) => frames ?? []);
   private readonly tools = new DataValues<CellPoint>(({ tools }) => tools ?? []);
+  private readonly code = new ProgramView();
   private readonly undo = signal<PointName | undefined>(undefined);
   private readonly scene = signal<CellScene | undefined>(undefined);
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
@@ -66,6 +75,7 @@ export class PanelModel {
   addScene(scene: SceneMessage): void {
     this.scene.value = scene;
     this.clear();
+    this.code.clear();
     this.cell.unreachable.value = new Map();
     this.unsaved.value = new Set();
     this.undo.value = undefined;
@@ -86,6 +96,10 @@ export class PanelModel {
     this.frames.restart(scene?.frames ?? []);
     this.tools.restart(scene?.tools ?? []);
     Object.values(this.counts).forEach((count) => (count.value += 1));
+  }
+
+  addPrograms(message: ProgramsMessage): void {
+    this.code.add(message);
   }
 
   addState(message: StateMessage): void {
@@ -146,6 +160,7 @@ export class PanelModel {
       return this.levels.at(slowTime.value);
     });
     const { signals, segments, moves, refused, encounters, events, faults, transfers, states } = this.past;
+    const shownQueue = computed(() => this.asMotion(shownMotion.value));
     const history: CellHistory = { signals, segments, moves, refused, encounters, events, faults, transfers, states, samples: around.samples, rests: around.rests };
     return {
       ...around,
@@ -158,7 +173,7 @@ export class PanelModel {
         this.chosenRange.value = start <= first && end >= last ? undefined : [start, end];
       },
       state: after(state, (t) => latest(this.states, t)),
-      motion: computed(() => this.asMotion(shownMotion.value)),
+      motion: shownQueue,
       page: after(page, (t) => latest(this.pages, t)),
       parts: after(parts, (t) => latest(this.placed, t)?.parts ?? []),
       levels,
@@ -172,14 +187,25 @@ export class PanelModel {
       history,
       unsaved: this.unsaved,
       undo: this.undo,
+      code: this.code,
+      moving: computed(() => around.executed.value ?? restingLine(shownQueue.value)),
+      showLine: (line) => {
+        this.code.showLine(line);
+        around.showPrograms();
+      },
     };
   }
 
   private asMotion(message: MotionMessage | undefined): CellMotion {
     const move = ({ source, ...entry }: QueueEntry): QueuedMove => {
-      const { program = "", line = 0 } = this.surroundings.sourceOf(source) ?? {};
-      return { ...entry, program, line };
+      const { program = "", line = 0, file = "" } = this.surroundings.sourceOf(source) ?? {};
+      return { ...entry, program, line, file };
     };
     return { queue: message?.queue.map(move) ?? [], path: message?.path ?? [] };
   }
+}
+
+/** Returns the line of the first recorded move, in which an arm at rest waits. */
+function restingLine({ queue: [move] }: CellMotion): MovingLine | undefined {
+  return move && { program: move.program, line: move.line, file: move.file, instruction: move.type ?? "", isWaiting: true };
 }

@@ -1,8 +1,8 @@
 // Tabs within a panel; the arrow keys move between them.
 
 import type { ComponentChildren, JSX, TargetedKeyboardEvent } from "preact";
-import { useRef, useState } from "preact/hooks";
-import { remember, remembered } from "../../memory";
+import { useRef } from "preact/hooks";
+import { showTab, tabChoice } from "./tabChoice";
 
 export interface Tab {
   id: string;
@@ -13,12 +13,9 @@ export interface Tab {
 }
 
 export function Tabs({ label, tabs }: { label: string; tabs: readonly Tab[] }): JSX.Element {
-  const key = `tab.${label}`;
-  const [shown, setShown] = useState(() => tabs.find(({ id }) => id === remembered(key))?.id ?? tabs[0]?.id ?? "");
-  const show = (id: string): void => {
-    setShown(id);
-    remember(key, id);
-  };
+  const chosen = tabChoice(label).value;
+  const shown = tabs.find(({ id }) => id === chosen)?.id ?? tabs[0]?.id ?? "";
+  const show = (id: string): void => showTab(label, id);
   const list = useRef<HTMLDivElement>(null);
   const move = (event: TargetedKeyboardEvent<HTMLDivElement>): void => {
     const next = nextTab(tabs.findIndex(({ id }) => id === shown), tabs.length, event.key);

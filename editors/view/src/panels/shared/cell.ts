@@ -14,6 +14,9 @@ import type { Fault } from "../tasks/faults";
 import type { Moves } from "../tasks/moves";
 import type { RefusedMoves } from "../tasks/refusedMoves";
 import type { TimedPhases, TimedTasks } from "../tasks/times";
+import type { MovingLine } from "../program/marks";
+import type { CodeLine, NamedLine } from "../program/programs";
+import type { ProgramView } from "../program/ProgramView";
 import type * as wire from "../../wire";
 import type { QueueEntry, WayPiece } from "./messages";
 
@@ -38,8 +41,8 @@ export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
   tools?: readonly CellPoint[];
 };
 
-/** Recorded move with its program and line instead of a source index. */
-export type QueuedMove = Omit<QueueEntry, "source"> & { program: string; line: number };
+/** Recorded move with its line instead of a source index. */
+export type QueuedMove = Omit<QueueEntry, "source"> & CodeLine;
 
 /** State of the cell. Runs of earlier versions have no `awaitedHold` and `config`. */
 export type CellState = Omit<wire.StateMessage, "t" | "heldBecause" | "awaitedHold" | "config" | "tasks"> & { tasks: readonly TaskState[]; awaitedHold?: string | null | undefined; config?: string | undefined };
@@ -93,10 +96,11 @@ export interface Answer {
   [field: string]: unknown;
 }
 
-export type OpenLine = (source: { program: string; line: number; file: string }) => void;
+export type OpenLine = (source: CodeLine) => void;
 
 export interface Cell {
   scene: ReadonlySignal<CellScene | undefined>;
+  applicationName: ReadonlySignal<string | undefined>;
   /** Shown time in s, updated with each frame of the drawing. */
   time: ReadonlySignal<number>;
   /** Shown time, updated a few times per second, for tables of the history. */
@@ -138,6 +142,12 @@ export interface Cell {
   selectPoint: (point: PointName | undefined) => void;
   /** Opens a line in the editor, if there is one. */
   openLine: ReadonlySignal<OpenLine | undefined>;
+  /** Programs with their code; none in an editor, which shows the code itself. */
+  code: ProgramView;
+  /** Line of the present move. */
+  moving: ReadonlySignal<MovingLine | undefined>;
+  /** Shows a line on the tab Program. */
+  showLine: (line: NamedLine) => void;
   send: (command: string, args: object) => Promise<Answer>;
 }
 

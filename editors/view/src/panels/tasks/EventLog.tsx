@@ -4,7 +4,8 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
-import { type Group, GROUPS, rowClass, type RunEvent, shownEvents, textOf } from "./eventText";
+import { Place } from "../shared/Place";
+import { type Group, GROUPS, lineOf, rowClass, type RunEvent, shownEvents, textOf } from "./eventText";
 import { faultOf } from "./faults";
 import { countUpTo } from "./upTo";
 import "./events.css";
@@ -54,11 +55,13 @@ export function EventLog({ cell }: { cell: Cell }): JSX.Element {
 /** The text of a clicked row, which the table may cut, with the remedy of a fault. */
 function Whole({ cell, event, onClose }: { cell: Cell; event: RunEvent; onClose: () => void }): JSX.Element {
   const { code, help } = faultOf(event) ?? {};
+  const line = lineOf(event);
   return (
     <div class="whole-event" role="region" aria-label="Event" tabIndex={0}>
       <button type="button" class="place" title="Show this time" onClick={() => cell.seek(event.t)}>{event.t.toFixed(3)} s</button>
       <button type="button" class="quiet" aria-label="Close the event" onClick={onClose}>×</button>
       <p>{textOf(event)}</p>
+      {line === undefined ? null : <p>Line: <Place cell={cell} {...line} /></p>}
       {code === undefined ? null : <code>{code}</code>}
       {help === undefined ? null : <p>{help}</p>}
     </div>

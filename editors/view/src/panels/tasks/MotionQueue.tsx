@@ -15,11 +15,11 @@ export function MotionQueue({ cell }: { cell: Cell }): JSX.Element {
           <tr><th scope="col">Id</th><th scope="col">Type</th><th scope="col">Line</th><th scope="col">Phase</th><th scope="col">Leave</th><th scope="col">Reach</th><th scope="col">Blend cut short</th><th scope="col">Target</th></tr>
         </thead>
         <tbody>
-          {queue.map(({ id, type, program, line, phase, leaveDistance, reachDistance, blendCutShort, target }) => (
+          {queue.map(({ id, type, program, line, file, phase, leaveDistance, reachDistance, blendCutShort, target }) => (
             <tr key={id}>
               <th scope="row">{id}</th>
               <td>{type}</td>
-              <td><Place cell={cell} program={program} line={line} /></td>
+              <td><Place cell={cell} program={program} line={line} file={file} /></td>
               <td>{phase}</td>
               <td>{distance(leaveDistance)}</td>
               <td>{distance(reachDistance)}</td>

@@ -3,6 +3,7 @@
 import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
+import { Place } from "../shared/Place";
 import { ArmTimes, share, taskTimes, type TimeRow } from "./times";
 
 export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
@@ -21,13 +22,13 @@ export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
         Times {start > 0 ? `from ${start.toFixed(0)} s ` : ""}up to {until.toFixed(isExact ? 3 : 0)} s. Those of the arm are exact to a cycle of 4 ms, those of tasks to 0.1 s; val3 run --times has all to a cycle.{" "}
         <label><input type="checkbox" checked={isExact} onChange={({ currentTarget }) => setExact(currentTarget.checked)} /> Up to the shown time</label>
       </p>
-      <TimesOf caption="Arm" rows={arm} total={until - start} hasTask={false} />
-      <TimesOf caption="Tasks" rows={tasks} total={until - start} hasTask />
+      <TimesOf cell={cell} caption="Arm" rows={arm} total={until - start} hasTask={false} />
+      <TimesOf cell={cell} caption="Tasks" rows={tasks} total={until - start} hasTask />
     </div>
   );
 }
 
-function TimesOf({ caption, rows, total, hasTask }: { caption: string; rows: readonly TimeRow[]; total: number; hasTask: boolean }): JSX.Element {
+function TimesOf({ cell, caption, rows, total, hasTask }: { cell: Cell; caption: string; rows: readonly TimeRow[]; total: number; hasTask: boolean }): JSX.Element {
   return (
     <table>
       <caption>{caption}</caption>
@@ -38,7 +39,7 @@ function TimesOf({ caption, rows, total, hasTask }: { caption: string; rows: rea
         {rows.map(({ task, program, line, activity, seconds }) => (
           <tr key={`${task} ${program} ${line} ${activity}`}>
             <td class="figure">{seconds.toFixed(3)}</td><td class="figure">{share(seconds, total)}</td>{hasTask ? <td>{task}</td> : null}
-            <td>{line > 0 ? `${program}:${line}` : "–"}</td><td>{activity}</td>
+            <td>{line > 0 ? <Place cell={cell} program={program} line={line} /> : "–"}</td><td>{activity}</td>
           </tr>
         ))}
       </tbody>

@@ -2,8 +2,8 @@
 
 import type * as wire from "../../wire";
 
-/** State of a task. Runs of earlier versions have no `awaits` and `lineCode`. */
-export type TaskState = Omit<wire.TaskState, "awaits" | "lineCode"> & { [Key in "awaits" | "lineCode"]?: string | null | undefined };
+/** State of a task. Runs of earlier versions have no `awaits`, `callers` and `lineCode`. */
+export type TaskState = Omit<wire.TaskState, "awaits" | "callers" | "lineCode"> & { callers?: readonly wire.CallingLine[] | undefined } & { [Key in "awaits" | "lineCode"]?: string | null | undefined };
 
 /** Time span in which a task is in one state. */
 export interface Segment {
@@ -13,6 +13,7 @@ export interface Segment {
   waits: string | null;
   program: string;
   line: number;
+  file: string;
 }
 
 /** Segments of all tasks, by task name. They grow with each added state. */
@@ -45,7 +46,7 @@ export class TaskSegments {
     return this.lanes.get(name) ?? [];
   }
 
-  private extend(t: number, { name, state, waits, program, line }: TaskState): void {
+  private extend(t: number, { name, state, waits, program, line, file }: TaskState): void {
     const lane = this.lanes.get(name) ?? [];
     this.lanes.set(name, lane);
     const open = lane.at(-1);
@@ -57,7 +58,7 @@ export class TaskSegments {
     if (open?.end === Infinity) {
       open.end = t;
     }
-    lane.push({ start: t, end: Infinity, state, waits, program, line });
+    lane.push({ start: t, end: Infinity, state, waits, program, line, file });
   }
 }
 
@@ -91,6 +92,7 @@ export interface WaitTotal {
   waits: string;
   program: string;
   line: number;
+  file: string;
   seconds: number;
   count: number;
 }
@@ -99,13 +101,13 @@ export interface WaitTotal {
 export function waitTotals(segments: TaskSegments, start: number, end: number): WaitTotal[] {
   const totals = new Map<string, WaitTotal>();
   for (const task of segments.names()) {
-    for (const { waits, program, line, ...segment } of segments.of(task)) {
+    for (const { waits, program, line, file, ...segment } of segments.of(task)) {
       const seconds = Math.min(segment.end, end) - Math.max(segment.start, start);
       if (waits === null || seconds <= 0) {
         continue;
       }
-      const key = JSON.stringify([task, waits, program, line]);
-      const total = totals.get(key) ?? { task, waits, program, line, seconds: 0, count: 0 };
+      const key = JSON.stringify([task, waits, file, program, line]);
+      const total = totals.get(key) ?? { task, waits, program, line, file, seconds: 0, count: 0 };
       totals.set(key, { ...total, seconds: total.seconds + seconds, count: total.count + 1 });
     }
   }

@@ -1,6 +1,7 @@
 // Events of a run as rows of a log.
 
 import type * as wire from "../../wire";
+import type { NamedLine } from "../program/programs";
 
 /** Event in the format of `val3 run --events`. */
 export type RunEvent = wire.RunEvent;
@@ -38,6 +39,12 @@ export function rowClass(event: RunEvent): string {
 export function textOf(event: RunEvent): string {
   const say = TEXTS[event.kind];
   return say === undefined ? rest(event) : say((name) => text(event[name]));
+}
+
+/** Returns the program line of an event, if it has one. */
+export function lineOf(event: RunEvent): NamedLine | undefined {
+  const [program, line, file] = [event["program"], event["line"], event["file"]];
+  return typeof program === "string" && program !== "" && typeof line === "number" ? { program, line, file: typeof file === "string" ? file : undefined } : undefined;
 }
 
 type Fields = (name: string) => string;

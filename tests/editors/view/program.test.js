@@ -1,0 +1,135 @@
+// The tab Program: the executed line and the line of the present move, also in the past, after a fault and in an export.
+const assert = require("node:assert/strict");
+const { spawnSync } = require("node:child_process");
+const { cpSync, mkdtempSync, readFileSync, rmSync, statSync } = require("node:fs");
+const { createRequire } = require("node:module");
+const { tmpdir } = require("node:os");
+const { join } = require("node:path");
+const { test } = require("node:test");
+const { BOXES, moveForever, openFile, served, setProgram } = require("./served.js");
+
+const axe = readFileSync(createRequire(join(process.env.VAL3_ROOT, "editors/view/test/browser.mjs")).resolve("axe-core/axe.min.js"), "utf8");
+
+const openTab = (page) => page.getByRole("tab", { name: "Program", exact: true }).click();
+const code = (page) => page.getByRole("region", { name: /^Code of / });
+const row = (page, text) => code(page).locator("tr").filter({ hasText: text });
+
+/** Takes a screenshot, and checks the accessibility of the page. */
+async function check(page, name) {
+  await page.screenshot({ path: join(process.env.VAL3_OUTPUT, `program-${name}.png`) });
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run());
+  assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], name);
+}
+
+/** Returns the times at which the arm executes the move of a line, from the samples of the page. */
+const timesOf = (page, line) => page.evaluate((line) => {
+  const { samples, sources } = window.val3View.store;
+  return [...samples.after(0)].filter(({ source }) => sources.get(source)?.line === line).map(({ t }) => t);
+}, line);
+
+const seek = (page, t) => page.evaluate((t) => { window.val3View.store.chosen.value = t; }, t);
+
+test("the executed line and the line of the present move are marked, also in the past", () => served(["--power"], async (run) => {
+  const page = await run.open();
+  await openTab(page);
+  await row(page, "waitEndMove()").and(page.locator(".at")).getByText("palletiser~ waits", { exact: true }).waitFor();
+  await page.waitForFunction(() => [...document.querySelectorAll(".code-table tr.moving")].some((row) => row.textContent.includes("movej(")));
+  const [first, second] = await code(page).locator("tr").filter({ hasText: "movej(" }).locator(".line-number").allInnerTexts();
+  await page.waitForFunction((line) => document.querySelector(".code-table tr.moving .line-number")?.textContent === line, second);
+  for (const line of [first, second, first]) {
+    const times = await timesOf(page, Number(line));
+    await seek(page, times[Math.floor(times.length / 2)]);
+    await page.waitForFunction((line) => document.querySelector(".code-table tr.moving .line-number")?.textContent === line, line);
+  }
+  await seek(page, 0);
+  await row(page, "begin").waitFor();
+  assert.equal(await page.locator(".code-table tr.moving").count(), 0, "no move at the beginning");
+  await check(page, "past");
+}, moveForever));
+
+test("the calling lines lead to their programs, and libraries are listed", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await openTab(page);
+  const calls = page.getByRole("navigation", { name: "Calls" });
+  await calls.getByText(/^production/).waitFor();
+  await page.waitForFunction(() => document.querySelectorAll(".call-path li").length === 3);
+  const [outer] = await calls.getByRole("button").allInnerTexts();
+  assert.match(outer, /^production:\d+$/);
+  await calls.getByRole("button").first().click();
+  await page.getByRole("region", { name: "Code of production" }).waitFor();
+  await page.locator(".code-table tr.opened").getByText("call cycle(").waitFor();
+  const follow = page.getByRole("button", { name: "Follow the execution" });
+  assert.equal(await follow.getAttribute("aria-pressed"), "false");
+  const programs = page.getByRole("combobox", { name: "Program" });
+  const groups = await programs.locator("optgroup").evaluateAll((all) => all.map(({ label }) => label));
+  assert.equal(groups[0], "palletiser");
+  assert.ok(groups.includes("io") || groups.length > 1, `${groups}`);
+  await programs.selectOption({ label: "average" });
+  await page.getByRole("region", { name: "Code of average" }).getByText("// Mean of a list of times in seconds").waitFor();
+  await follow.click();
+  await page.getByRole("region", { name: "Code of average" }).waitFor({ state: "detached" });
+  await page.getByRole("combobox", { name: "Followed task" }).selectOption({ label: "Arm (present move)" });
+  await page.waitForFunction(() => document.querySelector(".code-table tr.moving") !== null);
+  for (const [width, height] of [[1280, 800], [390, 844]]) {
+    await page.setViewportSize({ width, height });
+    assert.ok(await page.locator(".picture").evaluate((picture) => picture.clientWidth > 300 && picture.clientHeight > 200), "the picture stays");
+    await check(page, `calls-${width}`);
+  }
+}));
+
+test("a fault opens its line", () => served([], async (run) => {
+  const page = await run.open();
+  const bar = page.getByRole("alert", { name: "Fault" });
+  await bar.getByRole("button", { name: "Open the line" }).click();
+  await page.getByRole("tab", { name: "Program", selected: true }).waitFor();
+  const line = page.locator(".code-table tr.opened");
+  await line.getByText('putln(toString("",1/0))').waitFor();
+  await line.getByText("palletiser~: error 10", { exact: true }).waitFor();
+  await check(page, "fault");
+  await page.getByRole("tab", { name: /^Tasks/ }).click();
+  await page.getByRole("button", { name: /^start:\d+$/ }).first().click();
+  await page.locator(".code-table tr.opened").waitFor();
+}, (folder) => setProgram(folder, '\n  delay(0.2)\n  putln(toString("",1/0))')));
+
+test("a program with 5,000 lines scrolls to the executed line", () => served([], async (run) => {
+  const page = await run.open();
+  await openTab(page);
+  await row(page, "delay(1000)").and(page.locator(".at")).waitFor();
+  assert.ok(await code(page).evaluate((box) => box.scrollTop > 90_000), "the end of the program");
+  assert.ok(await code(page).locator("tr").count() < 80, "only lines on the screen are drawn");
+  await code(page).hover();
+  await page.mouse.wheel(0, -200_000);
+  await row(page, "begin").waitFor();
+  assert.equal(await page.getByRole("button", { name: "Follow the execution" }).getAttribute("aria-pressed"), "false");
+}, (folder) => setProgram(folder, `${"\n  nState=0".repeat(5000)}\n  delay(1000)`)));
+
+test("an export contains the programs", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "val3-export-"));
+  try {
+    cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), folder, { recursive: true });
+    const { status, stderr } = spawnSync(process.env.VAL3_SERVER, ["run", "usr/usrapp/palletiser", ...BOXES, "--until", "20", "--export", "run.html"], { cwd: folder, encoding: "utf8" });
+    assert.ok(status === 0 || status === 3, stderr);
+    assert.ok(statSync(join(folder, "run.html")).size < 3_000_000);
+    const page = await openFile(join(folder, "run.html"));
+    await page.waitForFunction(() => window.val3View?.store.newest.value > 15);
+    await page.getByRole("button", { name: "Panels" }).click();
+    await openTab(page);
+    await page.waitForFunction(() => {
+      const { samples, sources } = window.val3View.store;
+      return [...samples.after(0)].some(({ source }) => sources.has(source));
+    });
+    const t = await page.evaluate(() => {
+      const { samples, sources } = window.val3View.store;
+      const moving = [...samples.after(0)].filter(({ source }) => sources.get(source)?.instruction === "movel");
+      return moving[Math.floor(moving.length / 2)].t;
+    });
+    await page.getByRole("combobox", { name: "Followed task" }).selectOption({ label: "Arm (present move)" });
+    await seek(page, t);
+    await page.locator(".code-table tr.moving").getByText("movel(").waitFor();
+    await check(page, "export");
+    await page.close();
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
