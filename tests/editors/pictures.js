@@ -16,6 +16,17 @@ test("the palletiser stacks a box", () => served(BOXES, async (run) => {
   await page.screenshot(picture("robot.jpg"));
 }));
 
+test("the program is next to the picture", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await until(page, 8);
+  await page.getByRole("tab", { name: "Program", exact: true }).click();
+  await page.evaluate(() => (window.val3View.store.chosen.value = 4.6));
+  await page.getByRole("combobox", { name: "Followed task" }).selectOption({ label: "production" });
+  await page.getByRole("button", { name: "Fit" }).click();
+  await page.waitForTimeout(1500);
+  await page.screenshot(picture("program.jpg"));
+}));
+
 /** Reports pairs below 150 mm. */
 function widen(folder) {
   const file = join(folder, "cell.toml");

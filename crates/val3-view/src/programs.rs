@@ -60,3 +60,52 @@ fn of_program<'c>(program: &Program, codes: &'c [Code]) -> Option<&'c Code> {
         (_, None) => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use val3_tests::running::Running;
+
+    use super::*;
+
+    thread_local! {
+        static CODE: Cell<&'static str> = const { Cell::new("delay(1)") };
+    }
+
+    /// Reads the program `start` only.
+    fn read(file: &str) -> Option<String> {
+        let code = CODE.get();
+        let text = format!("<Programs>\n<Program name=\"start\"><Code>begin\n{code}\nend</Code></Program></Programs>");
+        file.ends_with("start.pgx").then_some(text)
+    }
+
+    #[test]
+    fn programs_are_sent_again_after_a_change_of_their_file() {
+        let controller = Running::start("program start()\nbegin\n  delay(1)\nend\n").controller;
+        let space = &controller.vm.space;
+        let mut lines = Lines::new(read);
+        let mut programs = Programs::default();
+        let sent = programs.news(space, &mut lines);
+        let names = |message: &ProgramsMessage| {
+            message.programs.iter().map(|program| (program.name.clone(), program.line)).collect::<Vec<_>>()
+        };
+        assert_eq!(sent.iter().map(names).collect::<Vec<_>>(), [[("start".to_owned(), 2)]]);
+        assert_eq!(programs.news(space, &mut lines), []);
+        let load_again = |lines: &mut Lines| Programs::default().news(space, lines);
+        assert_eq!(load_again(&mut lines), []);
+        CODE.set("delay(2)");
+        assert_eq!(load_again(&mut lines).len(), 1);
+        assert_eq!(lines.code(&sent[0].programs[0].file, 3).as_deref(), Some("delay(2)"));
+    }
+
+    #[test]
+    fn programs_of_one_file_are_found_by_their_lines() {
+        let text = "<Programs><Program><Code>begin\nend</Code></Program>\n<Program><Code>begin\n\nend</Code></Program></Programs>";
+        let at = |row| {
+            let closing = val3_bytecode::SourceLine { op: 0, range: val3_bytecode::SourceRange::default(), row };
+            of_program(&Program { closings: vec![closing], ..Program::default() }, &codes(text)).map(|code| code.line)
+        };
+        assert_eq!([1, 2, 3, 5, 6].map(at), [Some(1), Some(1), Some(3), Some(3), None]);
+    }
+}

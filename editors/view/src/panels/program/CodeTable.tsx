@@ -41,6 +41,12 @@ export function CodeTable({ program, marks, revealed: { line: revealed, isMarked
       reveal(box.current, (revealed - firstLine) * LINE_HEIGHT);
     }
   }, [box, program, revealed, firstLine, request]);
+  useEffect(() => {
+    // The button that has opened the line may be on a tab that is no longer shown.
+    if (isMarked) {
+      box.current?.focus({ preventScroll: true });
+    }
+  }, [box, isMarked, request]);
   const press = ({ key, target, currentTarget }: TargetedKeyboardEvent<HTMLDivElement>): void => {
     if (target === currentTarget && SCROLL_KEYS.includes(key)) {
       onScrolled();
