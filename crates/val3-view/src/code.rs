@@ -91,7 +91,8 @@ impl CodeLines {
 
     fn add_to_line(&mut self, class: CodeClass, piece: &str) {
         // An escaped line end is no line of the file.
-        let decoded = if self.is_escaped { decode_entities(piece).replace(['\n', '\r'], " ") } else { piece.to_owned() };
+        let decoded =
+            if self.is_escaped { decode_entities(piece).replace(['\n', '\r'], " ") } else { piece.to_owned() };
         let Some(line) = self.lines.last_mut() else { return };
         match line.last_mut() {
             Some((last, text)) if *last == class => text.push_str(&decoded),

@@ -76,6 +76,10 @@ test("the calling lines lead to their programs, and libraries are listed", () =>
   await page.locator(".code-table tr.moving").getByText("movel(").waitFor();
   for (const [width, height] of [[1280, 800], [390, 844]]) {
     await page.setViewportSize({ width, height });
+    await page.waitForFunction(() => {
+      const [row, box] = [".code-table tr.moving", ".code-box"].map((part) => document.querySelector(part)?.getBoundingClientRect());
+      return row !== undefined && row.top >= box.top && row.bottom <= box.bottom;
+    });
     assert.ok(await page.locator(".picture").evaluate((picture) => picture.clientWidth > 300 && picture.clientHeight > 200), "the picture stays");
     await check(page, `calls-${width}`);
   }

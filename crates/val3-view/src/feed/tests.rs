@@ -144,7 +144,8 @@ fn tasks_have_their_calling_lines() {
                            program inner(num x_nLeft)\nbegin\n  if x_nLeft>0\n    call inner(x_nLeft-1)\n  endIf\n  delay(10)\nend\n";
     let messages = run(CALLING, |_| None);
     let callers = &objects(&messages, "state").last().unwrap()["tasks"][0]["callers"];
-    let callers = callers.as_array().unwrap().iter().map(|caller| (&caller["program"], caller["line"].as_u64().unwrap()));
+    let callers =
+        callers.as_array().unwrap().iter().map(|caller| (&caller["program"], caller["line"].as_u64().unwrap()));
     let callers: Vec<_> = callers.collect();
     assert_eq!(callers.len(), 6);
     assert_eq!(callers[0].0, &json!("inner"));

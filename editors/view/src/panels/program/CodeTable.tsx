@@ -21,6 +21,8 @@ export interface RevealedLine {
   line: number;
   /** Whether the user has opened the line. */
   isMarked: boolean;
+  /** Whether the line stays in view when the size of the box changes. */
+  isFollowed: boolean;
   /** Changes with each request to scroll to the line. */
   request: unknown;
 }
@@ -33,14 +35,23 @@ interface CodeTableProps {
   onScrolled: () => void;
 }
 
-export function CodeTable({ program, marks, revealed: { line: revealed, isMarked, request }, onScrolled }: CodeTableProps): JSX.Element {
+export function CodeTable({ program, marks, revealed: { line: revealed, isMarked, isFollowed, request }, onScrolled }: CodeTableProps): JSX.Element {
   const { code, line: firstLine, name } = program;
   const { box, first, end, onScroll } = useVisibleRows(code.length, LINE_HEIGHT);
   useEffect(() => {
-    if (box.current !== null) {
-      reveal(box.current, (revealed - firstLine) * LINE_HEIGHT);
+    const element = box.current;
+    if (element === null) {
+      return undefined;
     }
-  }, [box, program, revealed, firstLine, request]);
+    const show = (): void => reveal(element, (revealed - firstLine) * LINE_HEIGHT);
+    show();
+    if (!isFollowed) {
+      return undefined;
+    }
+    const observer = new ResizeObserver(show);
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [box, program, revealed, firstLine, isFollowed, request]);
   useEffect(() => {
     // The button that has opened the line may be on a tab that is no longer shown.
     if (isMarked) {

@@ -29,7 +29,7 @@ export function ProgramPanel({ cell }: { cell: Cell }): JSX.Element {
       {line === undefined || program === undefined ? <p class="empty">{reason(line)}</p> : (
         <CodeTable
           program={program} marks={marksOf(program, tasks, moving)} onScrolled={() => { if (chosen === undefined) { code.stay(line); } }}
-          revealed={{ line: line.line, isMarked: chosen?.isMarked === true, request: chosen }}
+          revealed={{ line: line.line, isMarked: chosen?.isMarked === true, isFollowed: chosen === undefined, request: chosen }}
         />
       )}
     </section>
