@@ -11,10 +11,12 @@ mod feed;
 mod lines;
 mod motion;
 mod positions;
+mod reach;
 mod samples;
 mod scene;
 mod signals;
 mod state;
+mod units;
 mod user_page;
 pub mod wire;
 

@@ -27,4 +27,6 @@ export type UnsavedMessage = Pick<wire.UnsavedMessage, "points"> & { undo?: wire
 
 export type PartsMessage = wire.PartsMessage;
 
+export type ReachMessage = wire.ReachMessage;
+
 export type EventsMessage = wire.EventsMessage;
