@@ -62,7 +62,8 @@ impl Fixture {
     #[track_caller]
     pub fn in_inches(listing: &str) -> String {
         let fixture = Fixture::parse(listing);
-        let project = fixture.text("usrapp/main/main.pjx").replace("millimeterUnit=\"true\"", "millimeterUnit=\"false\"");
+        let project =
+            fixture.text("usrapp/main/main.pjx").replace("millimeterUnit=\"true\"", "millimeterUnit=\"false\"");
         format!("{}\n=== main/main.pjx\n{project}\n", listing.trim_end())
     }
 

@@ -25,9 +25,9 @@ use crate::wire::{
     TeachTool, UnsavedMessage, UserPage,
 };
 use edits::Edits;
+pub(crate) use lookup::tool_of_last_move;
 use lookup::{datum, frame_named, no_datum, tool_named};
 use range::check_range;
-pub(crate) use lookup::tool_of_last_move;
 pub(crate) use solve::out_of_reach;
 use solve::{solve, unreachable};
 use store::write;

@@ -9,6 +9,7 @@ import { IoPanel } from "./panels/io/IoPanel";
 import { PendantPanel } from "./panels/pendant/PendantPanel";
 import { PointsPanel } from "./panels/points/PointsPanel";
 import { followReach } from "./panels/points/reachQuery";
+import type { Cell } from "./panels/shared/cell";
 import { Tabs } from "./panels/shared/Tabs";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
 import { countUpTo } from "./panels/tasks/upTo";
@@ -24,6 +25,7 @@ import "./panels/panels.css";
 function Page({ store }: { store: Store }): JSX.Element {
   const scene = store.scene.value;
   const isRecording = scene?.role === "recording";
+  const isPreview = scene?.role === "preview";
   const isShown = hasPanels(isRecording);
   const [width, height] = [share("beside"), share("below")];
   return (
@@ -52,7 +54,7 @@ function Page({ store }: { store: Store }): JSX.Element {
         {isShown ? <Border /> : null}
         {isShown ? <Panels store={store} /> : null}
       </main>
-      <TimeBar store={store} />
+      {isPreview ? null : <TimeBar store={store} />}
     </div>
   );
 }
@@ -71,19 +73,25 @@ function LaunchButtons({ store }: { store: Store }): JSX.Element | null {
 function Panels({ store }: { store: Store }): JSX.Element {
   const { cell } = store.panels;
   const faults = countUpTo(cell.history.faults, cell.slowTime.value);
+  const isPreview = store.scene.value?.role === "preview";
   return (
     <div class="column panel-tabs">
       <Tabs
         label="Cell"
         tabs={[
-          { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
-          { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
-          { id: "tasks", label: "Tasks", faults, content: () => <TasksPanel cell={cell} /> },
+          { id: "pendant", label: "Pendant", content: () => (isPreview ? <NoRun name="Pendant" cell={cell} /> : <PendantPanel cell={cell} />) },
+          { id: "io", label: "Inputs and outputs", content: () => (isPreview ? <NoRun name="Inputs and outputs" cell={cell} /> : <IoPanel cell={cell} />) },
+          { id: "tasks", label: "Tasks", faults, content: () => (isPreview ? <NoRun name="Tasks" cell={cell} /> : <TasksPanel cell={cell} />) },
           { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
         ]}
       />
     </div>
   );
+}
+
+/** Panel of an application that does not run: its controls would do nothing. */
+function NoRun({ name, cell }: { name: string; cell: Cell }): JSX.Element {
+  return <section class="panel" aria-label={name}><p class="blocked">{cell.blocked.value}</p></section>;
 }
 
 const store = new Store();
