@@ -49,7 +49,7 @@ test("the picture of an application in inches is that of the same application in
     await served([], async (run) => found.push(await poses(await run.open())), prepare);
   }
   const [millimetres, inches] = found;
-  assert.ok(millimetres.length > 10 && millimetres.length === inches.length, `${millimetres.length} and ${inches.length} values`);
+  assert.ok(millimetres.length >= 10 && millimetres.length === inches.length, `${millimetres.length} and ${inches.length} values`);
   millimetres.flat().forEach((part, index) => assert.ok(Math.abs(part - inches.flat()[index]) < 1e-6, `value ${Math.floor(index / 6)}: ${part} and ${inches.flat()[index]}`));
 });
 
@@ -64,7 +64,7 @@ test("positions are read, jogged and entered in inches", () => served([], async 
 
   await page.getByRole("combobox", { name: /^Along/ }).selectOption("world");
   await page.getByRole("combobox", { name: /^Step/ }).selectOption({ label: "0.2 in, 5°" });
-  await page.getByRole("button", { name: "X plus" }).focus();
+  await page.getByRole("button", { name: "X plus", exact: true }).focus();
   await page.keyboard.press("Enter");
   await page.waitForFunction((x) => Math.abs(window.val3View.pose()[0] - x - 5.08) < 0.02, pose[0]);
 
@@ -102,6 +102,7 @@ test("a program in inches moves to a taught point without a change of the joints
   const operate = (keys) => page.evaluate((keys) => window.val3View.store.command("operate", { keys }), keys);
   await operate({ mode: "local" });
   await operate({ power: true });
+  await operate({ move: true });
   await page.getByRole("tab", { name: "Inputs and outputs" }).click();
   await page.getByRole("searchbox").fill("diPart");
   await page.getByRole("button", { name: / is / }).first().click();
