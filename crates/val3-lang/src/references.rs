@@ -26,7 +26,11 @@ pub type Chain = SmallVec<[Trsf; 4]>;
 /// Resolves a chain in this length unit to a pose in mm.
 #[must_use]
 pub fn in_millimetres(chain: &[Trsf], unit: LengthUnit) -> IsometryMatrix3<f64> {
-    let mut pose = chain::resolve(chain);
+    scaled(chain::resolve(chain), unit)
+}
+
+/// Converts a pose from this length unit to mm.
+fn scaled(mut pose: IsometryMatrix3<f64>, unit: LengthUnit) -> IsometryMatrix3<f64> {
     pose.translation.vector *= unit.millimetres();
     pose
 }

@@ -54,6 +54,19 @@ impl Fixture {
         self
     }
 
+    /// Returns a listing of the application `main` with lengths in inches.
+    ///
+    /// # Panics
+    /// If the listing is invalid.
+    #[must_use]
+    #[track_caller]
+    pub fn in_inches(listing: &str) -> String {
+        let fixture = Fixture::parse(listing);
+        let project =
+            fixture.text("usrapp/main/main.pjx").replace("millimeterUnit=\"true\"", "millimeterUnit=\"false\"");
+        format!("{}\n=== main/main.pjx\n{project}\n", listing.trim_end())
+    }
+
     /// Text of the file at `path`, which is relative to [`ROOT`].
     ///
     /// # Panics

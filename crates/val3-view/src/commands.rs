@@ -25,8 +25,10 @@ use crate::wire::{
     TeachTool, UnsavedMessage, UserPage,
 };
 use edits::Edits;
+pub(crate) use lookup::tool_of_last_move;
 use lookup::{datum, frame_named, no_datum, tool_named};
 use range::check_range;
+pub(crate) use solve::out_of_reach;
 use solve::{solve, unreachable};
 use store::write;
 use teach::teach;
@@ -179,13 +181,13 @@ pub fn response(response: &impl Serialize) -> Map<String, Value> {
     }
 }
 
-/// Sets the coordinates of a point in its frame. The configuration is unchanged.
+/// Sets the coordinates of a point in its frame, in the length unit of the application. The configuration is unchanged.
 fn set_point(point: &GlobalValue, local: &[f64; 6], controller: &mut Controller) -> Result<(), CommandError> {
     if point.base != BaseType::Point {
         return Err(no_datum("point", &point.name, point.key.as_deref()));
     }
     let present = positions::nums(&controller.vm.space.memory, point.place, 6).unwrap_or_default();
-    check_range(local, &present)?;
+    check_range(local, &present, controller.length_unit())?;
     write(point, (0..).zip(*local), controller)
 }
 

@@ -11,10 +11,12 @@ use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
+use crate::commands::tool_of_last_move;
 use crate::lines::{FileReader, Lines};
 use crate::motion::{self, MotionKey};
-use crate::positions::PositionComputer;
+use crate::positions::{GlobalValue, PositionComputer};
 use crate::programs::Programs;
+use crate::reach::ReachState;
 use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
 use crate::signals::SignalStates;
 use crate::wire::{
@@ -64,6 +66,7 @@ pub struct Feed {
     joints: Vec<JointValue>,
     frames: Vec<CellPoint>,
     cell_tools: Vec<CellPoint>,
+    reach: ReachState,
     signals: SignalStates,
     lines: Lines,
     programs: Programs,
@@ -94,6 +97,7 @@ impl Feed {
             joints: Vec::new(),
             frames: Vec::new(),
             cell_tools: Vec::new(),
+            reach: ReachState::default(),
             signals: SignalStates::default(),
             lines: Lines::new(files),
             programs: Programs::default(),
@@ -143,6 +147,7 @@ impl Feed {
         (self.state, self.page, self.motion, self.parts) = (None, None, None, None);
         (self.points, self.joints) = (Vec::new(), Vec::new());
         (self.frames, self.cell_tools) = (Vec::new(), Vec::new());
+        self.reach = ReachState::default();
         self.signals = SignalStates::default();
     }
 
@@ -229,9 +234,10 @@ impl Feed {
     fn see_positions(&mut self, time: Time, controller: &Controller) {
         let data = positions::data(controller);
         let memory = &controller.vm.space.memory;
-        let mut computer = PositionComputer::new(&data, memory);
+        let mut computer = PositionComputer::new(&data, controller);
         let [points, frames, tools] = [BaseType::Point, BaseType::Frame, BaseType::Tool].map(|of| computer.of_type(of));
         let joints = positions::joints(&data, memory);
+        let has_changed = points != self.points || joints != self.joints;
         // The scene contains the initial positions, so the first comparison sends nothing.
         if self.looks > 0 {
             let message = DataMessage {
@@ -246,6 +252,14 @@ impl Feed {
             }
         }
         (self.points, self.joints, self.frames, self.cell_tools) = (points, joints, frames, tools);
+        self.see_reach(time, has_changed, &data, controller);
+    }
+
+    fn see_reach(&mut self, time: Time, has_changed: bool, data: &[GlobalValue], controller: &Controller) {
+        let tool = self.tool(&tool_of_last_move(controller), controller);
+        if let Some(message) = self.reach.changes(seconds(time), tool, has_changed, data, controller) {
+            self.tell(&wire::Message::Reach(message));
+        }
     }
 
     /// Removes and returns the pending messages.

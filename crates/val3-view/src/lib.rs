@@ -13,10 +13,12 @@ mod lines;
 mod motion;
 mod positions;
 mod programs;
+mod reach;
 mod samples;
 mod scene;
 mod signals;
 mod state;
+mod units;
 mod user_page;
 pub mod wire;
 

@@ -5,12 +5,12 @@ use val3_debug::subscript;
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
 use val3_lang::memory::{KindBase, LinkPlace, Memory, Place};
 use val3_lang::references::{self, Poses};
-use val3_lang::types::BaseType;
+use val3_lang::types::{Arm, BaseType, fields};
 use val3_machine::controller::Controller;
 use val3_machine::io::{LinkId, SignalId};
 
 use crate::wire::{CellPoint, JointValue};
-use crate::{configuration, numbers};
+use crate::{configuration, coordinates, units};
 
 /// A global value in an application or library.
 #[derive(Debug, Clone)]
@@ -70,14 +70,14 @@ pub(crate) fn names_by_signal(data: &[GlobalValue], controller: &Controller) -> 
     names
 }
 
-/// Name of the tool in memory whose pose on the flange satisfies the predicate. The flange itself is also a tool.
+/// Name of the tool in memory whose pose on the flange, in mm, satisfies the predicate. The flange itself is also a tool.
 pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> bool) -> Option<String> {
     if is_there(&[0.0; 6]) {
         return Some("flange".to_owned());
     }
-    let mut poses = Poses::new(&controller.vm.space.memory);
+    let mut poses = units::poses(controller);
     let mut tools = data(controller).into_iter().filter(|datum| datum.base == BaseType::Tool);
-    let tool = tools.find(|tool| poses.of_tool(ToolRef(tool.place)).is_ok_and(|pose| is_there(&numbers(&pose))));
+    let tool = tools.find(|tool| poses.of_tool(ToolRef(tool.place)).is_ok_and(|pose| is_there(&coordinates(&pose))));
     tool.as_ref().map(GlobalValue::whole_name)
 }
 
@@ -90,9 +90,9 @@ pub(crate) struct PositionComputer<'a> {
 }
 
 impl<'a> PositionComputer<'a> {
-    pub(crate) fn new(data: &'a [GlobalValue], memory: &'a Memory) -> Self {
+    pub(crate) fn new(data: &'a [GlobalValue], controller: &'a Controller) -> Self {
         let by_place = data.iter().rev().map(|datum| (datum.place, datum)).collect();
-        Self { data, memory, by_place, poses: Poses::new(memory) }
+        Self { data, memory: &controller.vm.space.memory, by_place, poses: units::poses(controller) }
     }
 
     /// Values of this type (frames, tools or points) whose pose can be computed.
@@ -117,18 +117,20 @@ impl<'a> PositionComputer<'a> {
             name: name.clone(),
             key: key.clone(),
             father,
-            pose: numbers(&pose),
+            pose: coordinates(&pose),
             local: nums(memory, *place, 6),
             config,
         })
     }
 }
 
-/// Names and values of all joint positions.
+/// Names and values of all joint positions, in the length unit of the application.
 pub(crate) fn joints(data: &[GlobalValue], memory: &Memory) -> Vec<JointValue> {
     let joints = data.iter().filter(|datum| datum.base == BaseType::Joint);
     let values = joints.filter_map(|GlobalValue { name, key, place, .. }| {
-        Some(JointValue { name: name.clone(), key: key.clone(), values: all_nums(memory, *place)? })
+        let axes = fields(BaseType::Joint, arm_of(memory, *place)).len();
+        let values = all_nums(memory, *place)?.into_iter().take(axes).collect();
+        Some(JointValue { name: name.clone(), key: key.clone(), values })
     });
     values.collect()
 }
@@ -142,9 +144,15 @@ fn configuration(memory: &Memory, point: Place) -> String {
 
 /// Whether a point or joint position is for a SCARA arm.
 pub(crate) fn is_for_scara(memory: &Memory, place: Place) -> bool {
-    memory
-        .store(place.store)
-        .is_ok_and(|store| matches!(store.kind.base, KindBase::Builtin(_, Some(val3_lang::types::Arm::Scara))))
+    arm_of(memory, place) == Some(Arm::Scara)
+}
+
+/// Kind of arm of a point or joint position; `None` if its type has none.
+fn arm_of(memory: &Memory, place: Place) -> Option<Arm> {
+    match memory.store(place.store).ok()?.kind.base {
+        KindBase::Builtin(_, arm) => arm,
+        _ => None,
+    }
 }
 
 /// All numbers of a value; `None` if it does not exist.

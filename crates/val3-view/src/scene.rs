@@ -27,7 +27,7 @@ const PHASES: [MotionPhase; 7] = [
 #[must_use]
 pub fn scene(controller: &Controller, role: Role) -> Scene {
     let data = positions::data(controller);
-    let mut positions = PositionComputer::new(&data, &controller.vm.space.memory);
+    let mut positions = PositionComputer::new(&data, controller);
     let mut of_type = |base| positions.of_type(base);
     let names = positions::names_by_signal(&data, controller);
     let watch = controller.devices.state.watch.as_ref();
@@ -37,6 +37,7 @@ pub fn scene(controller: &Controller, role: Role) -> Scene {
         application: controller.name().to_owned(),
         arm: arm::description(controller.arm().model(), !controller.arm().is_chosen(), &controller.devices.shapes),
         base: [0; 6],
+        length_unit: controller.length_unit().into(),
         objects: watch.map(|watch| cell::objects(watch.scene().cell())).unwrap_or_default(),
         parts: watch.map(|watch| cell::parts(watch.scene().cell())).unwrap_or_default(),
         frames: of_type(BaseType::Frame),

@@ -20,7 +20,8 @@ pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
 pub use programs::{CodeClass, CodePart, ProgramCode, ProgramsMessage};
 pub use scene::{
-    ArmChain, Axis, Capsule, CellPoint, JointValue, LineInfo, Link, LinkShape, Pose, Role, Scene, SignalInfo,
+    ArmChain, Axis, Capsule, CellPoint, JointValue, LengthUnit, LineInfo, Link, LinkShape, Pose, Role, Scene,
+    SignalInfo,
 };
 pub use state::{CallingLine, SignalState, StateMessage, TaskState};
 
@@ -58,6 +59,8 @@ pub enum Message {
     Parts(PartsMessage),
     /// Points, joint positions, frames and tools with other values.
     Data(DataMessage),
+    /// Points and joint positions out of reach of the last move's tool.
+    Reach(ReachMessage),
     /// Points, joint positions, frames and tools with unsaved changes.
     Unsaved(UnsavedMessage),
     /// The run has ended.
@@ -181,6 +184,17 @@ impl DataMessage {
     pub const fn is_empty(&self) -> bool {
         self.points.is_empty() && self.joints.is_empty() && self.frames.is_empty() && self.tools.is_empty()
     }
+}
+
+/// Points and joint positions out of reach of the last move's tool; of the flange before the first move.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ReachMessage {
+    /// Time in s.
+    pub t: f64,
+    /// Number of the tool.
+    pub tool: u8,
+    /// Points and joint positions to which `movej` cannot move the arm.
+    pub unreachable: Vec<UnreachableValue>,
 }
 
 /// Points, joint positions, frames and tools with unsaved changes.

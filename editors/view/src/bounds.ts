@@ -11,7 +11,7 @@ type Data = Of<"data">;
 type Of<Kind extends RunMessage["kind"]> = Extract<RunMessage, { kind: Kind }>;
 
 /** Kinds of messages that replace the previous message of the same kind. */
-const WHOLE: readonly RunMessage["kind"][] = ["state", "motion", "page", "parts", "unsaved", "clock"];
+const WHOLE: readonly RunMessage["kind"][] = ["state", "motion", "page", "parts", "reach", "unsaved", "clock"];
 
 /** Returns messages that show the same as `log` at `t` and later. */
 export function since(log: readonly RunMessage[], t: number): RunMessage[] {

@@ -10,6 +10,7 @@ import { PendantPanel } from "./panels/pendant/PendantPanel";
 import { PointsPanel } from "./panels/points/PointsPanel";
 import { ProgramPanel } from "./panels/program/ProgramPanel";
 import { followReach } from "./panels/points/reachQuery";
+import type { Cell } from "./panels/shared/cell";
 import { type Tab, Tabs } from "./panels/shared/Tabs";
 import { CELL_TABS } from "./panels/shared/tabChoice";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
@@ -26,6 +27,7 @@ import "./panels/panels.css";
 function Page({ store }: { store: Store }): JSX.Element {
   const scene = store.scene.value;
   const isRecording = scene?.role === "recording";
+  const isPreview = scene?.role === "preview";
   const isShown = hasPanels(isRecording);
   const [width, height] = [share("beside"), share("below")];
   return (
@@ -54,7 +56,7 @@ function Page({ store }: { store: Store }): JSX.Element {
         {isShown ? <Border /> : null}
         {isShown ? <Panels store={store} /> : null}
       </main>
-      <TimeBar store={store} />
+      {isPreview ? null : <TimeBar store={store} />}
     </div>
   );
 }
@@ -75,20 +77,26 @@ function Panels({ store }: { store: Store }): JSX.Element {
   const faults = countUpTo(cell.history.faults, cell.slowTime.value);
   // An editor shows the programs itself.
   const program: Tab[] = cell.openLine.value === undefined ? [{ id: "program", label: "Program", content: () => <ProgramPanel cell={cell} /> }] : [];
+  const isPreview = store.scene.value?.role === "preview";
   return (
     <div class="column panel-tabs">
       <Tabs
         label={CELL_TABS}
         tabs={[
-          { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
-          { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
+          { id: "pendant", label: "Pendant", content: () => (isPreview ? <NoRun name="Pendant" cell={cell} /> : <PendantPanel cell={cell} />) },
+          { id: "io", label: "Inputs and outputs", content: () => (isPreview ? <NoRun name="Inputs and outputs" cell={cell} /> : <IoPanel cell={cell} />) },
           ...program,
-          { id: "tasks", label: "Tasks", faults, content: () => <TasksPanel cell={cell} /> },
+          { id: "tasks", label: "Tasks", faults, content: () => (isPreview ? <NoRun name="Tasks" cell={cell} /> : <TasksPanel cell={cell} />) },
           { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
         ]}
       />
     </div>
   );
+}
+
+/** Panel of an application that does not run: its controls would do nothing. */
+function NoRun({ name, cell }: { name: string; cell: Cell }): JSX.Element {
+  return <section class="panel" aria-label={name}><p class="blocked">{cell.blocked.value}</p></section>;
 }
 
 const store = new Store();

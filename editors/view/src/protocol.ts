@@ -9,8 +9,8 @@ export type Pose = readonly number[];
 /** Keys of an arm that runs of earlier versions do not have. */
 type LaterKeys = "shapes" | "capsules" | "height";
 
-/** Runs of earlier versions have no things around the arm. */
-export type Scene = Omit<wire.Scene, "arm" | "objects" | "parts"> & Partial<Pick<wire.Scene, "objects" | "parts">> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
+/** Runs of earlier versions have no length unit and no things around the arm. */
+export type Scene = Omit<wire.Scene, "arm" | "objects" | "parts" | "lengthUnit"> & Partial<Pick<wire.Scene, "objects" | "parts" | "lengthUnit">> & { kind: "scene"; arm: Omit<wire.ArmChain, LaterKeys> & Partial<Pick<wire.ArmChain, LaterKeys>> };
 
 /** Message as an object: samples arrive as bytes. */
 export type Message = Exclude<wire.Message, { kind: "samples" | "scene" }> | Scene;

@@ -94,6 +94,7 @@ export class Store {
         showPanels(this.scene.peek()?.role === "recording", true);
         showTab(CELL_TABS, "program");
       },
+      toolOf: (index) => this.tools.get(index)?.name ?? undefined,
       seek: (t) => (this.chosen.value = t),
       selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
       selectPoint: (point) => (this.selection.value = point && { kind: "point", point: { name: point.name, key: point.key } }),
@@ -191,6 +192,7 @@ export class Store {
         break;
       case "parts": this.panels.addParts(message); break;
       case "data": this.panels.addData(message); break;
+      case "reach": this.panels.addReach(message); break;
       case "unsaved": this.panels.addUnsaved(message); break;
       case "end": this.end.value = message.reason; break;
       case "clock":

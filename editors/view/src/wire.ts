@@ -133,11 +133,11 @@ export interface CellPoint {
   father: string | null;
   /** Index or key; `null` for data with a single value. */
   key: string | null;
-  /** Pose relative to the father. */
+  /** Pose relative to the father, in the length unit of the application and degrees. */
   local: readonly number[];
   /** Data name, prefixed by the library. */
   name: string;
-  /** Pose in world; of a tool, relative to the flange. */
+  /** Pose in world, in mm and degrees; of a tool, relative to the flange. */
   pose: readonly number[];
 }
 
@@ -264,9 +264,14 @@ export interface JointValue {
   key: string | null;
   /** Data name, prefixed by the library. */
   name: string;
-  /** Positions of the axes, in degrees or mm. */
+  /** Positions of the axes, in degrees or the length unit of the application. */
   values: readonly number[];
 }
+
+/** Length unit of an application, in which its data are. All other lengths of the messages are in mm. */
+export type LengthUnit =
+  | "mm"
+  | "inch";
 
 /** Serial line or socket. */
 export interface LineInfo {
@@ -310,6 +315,7 @@ export type Message =
   | EventsMessage & { kind: "events" }
   | PartsMessage & { kind: "parts" }
   | DataMessage & { kind: "data" }
+  | ReachMessage & { kind: "reach" }
   | UnsavedMessage & { kind: "unsaved" }
   | End & { kind: "end" }
   | Rewind & { kind: "rewind" }
@@ -519,6 +525,16 @@ export interface Reach {
   tool?: ToolName;
 }
 
+/** Points and joint positions out of reach of the last move's tool; of the flange before the first move. */
+export interface ReachMessage {
+  /** Time in s. */
+  t: number;
+  /** Number of the tool. */
+  tool: number;
+  /** Points and joint positions to which `movej` cannot move the arm. */
+  unreachable: readonly UnreachableValue[];
+}
+
 /** Response of `reach`. */
 export interface Reached {
   /** Points and joint positions to which `movej` cannot move the arm. */
@@ -595,6 +611,8 @@ export interface Scene {
   frames: readonly CellPoint[];
   /** Joint positions with their initial values. */
   joints: readonly JointValue[];
+  /** Length unit of the application's data. */
+  lengthUnit: LengthUnit;
   /** Names of the speed limits by their numbers in samples. */
   limits: readonly string[];
   /** Serial lines and sockets. */
@@ -627,7 +645,7 @@ export interface Select {
 export interface SetPoint {
   /** Index or key; `null` for data with a single value. */
   key?: ElementKey | null;
-  /** New pose relative to the father. */
+  /** New pose relative to the father, in the length unit of the application and degrees. */
   local: readonly number[];
   /** Data name, prefixed by the library. */
   name: string;

@@ -156,6 +156,12 @@ test("an exported run plays from the disk with the poses of its trace", () => se
     return window.val3View.pose();
   }, row[0]);
   assert.ok(Math.hypot(...[0, 1, 2].map((axis) => pose[axis] - row[9 + axis])) < 0.002, `${pose} ${row}`);
+  // The reach is part of the messages, because a recording has no server.
+  const tools = await page.evaluate((times) => times.map((time) => {
+    window.val3View.store.chosen.value = time;
+    return window.val3View.store.panels.cell.unreachable.value.tool;
+  }), [0, row[0]]);
+  assert.deepEqual(tools, ["flange", "tSuction"]);
   await page.evaluate(() => (window.val3View.store.chosen.value = 0));
   await page.getByRole("button", { name: /play/i }).first().click();
   await page.waitForFunction(() => window.val3View.store.time.value > 0.3);

@@ -14,6 +14,14 @@ async function toManual(page) {
   await page.getByRole("button", { name: "Switch power off" }).waitFor();
 }
 
+/** Checks that the last axis is visible. */
+async function isAboveTimeBar(page) {
+  const box = await page.getByRole("button", { name: "J6 plus" }).boundingBox();
+  const bar = await page.locator(".time-bar").boundingBox();
+  const { width, height } = page.viewportSize();
+  assert.ok(box.y + box.height <= bar.y, `J6 ends at ${box.y + box.height} of ${bar.y} in ${width}x${height}`);
+}
+
 /** Jogs to the joints, and presses the button of each position. */
 async function teach(page, value, positions) {
   await page.getByRole("combobox", { name: /^Frame or tool/ }).selectOption(value);
@@ -57,11 +65,19 @@ test("points out of reach have their own colour in the picture", () => served([]
   const page = await run.open();
   await page.locator(".legend").getByText("out of reach").waitFor();
   await page.getByRole("tab", { name: "Points" }).click();
-  const names = await page.evaluate(() => [...window.val3View.store.panels.cell.unreachable.value.keys()]);
+  const names = await page.evaluate(() => [...window.val3View.store.panels.cell.unreachable.value.reasons.keys()]);
   assert.ok(names.includes("pFar"), names.join());
   await page.getByRole("button", { name: "pFar", exact: true }).click();
   await page.locator(".names").getByText("pFar (out of reach)").waitFor();
   await page.getByRole("row", { name: /^pFar out of reach/ }).waitFor();
+  await page.getByRole("combobox", { name: /^Tool/ }).selectOption("tSuction");
+  await page.locator(".legend").getByText("out of reach of tSuction").waitFor();
+  await page.getByRole("button", { name: "Reach", exact: true }).click();
+  await page.locator(".legend").getByText("reach of tSuction", { exact: true }).waitFor();
+
+  const guest = await run.open(1);
+  await guest.locator(".legend").getByText("out of reach of flange").waitFor();
+  await guest.waitForFunction(() => window.val3View.store.panels.cell.unreachable.value.reasons.get("pFar")?.includes("mm from"));
 }, (folder) => {
   const file = join(folder, POINTS);
   const far = '<Data name="pFar" access="private" xsi:type="array" type="pointRx" size="1"><Value key="0" x="1500" fatherId="fCell[0]" /></Data>';
@@ -84,8 +100,15 @@ test("in manual mode, jogging needs no scrolling in a small window", () => serve
   await toManual(page);
   for (const [width, height] of [[1280, 800], [1366, 768], [900, 500]]) {
     await page.setViewportSize({ width, height });
-    const box = await page.getByRole("button", { name: "J6 plus" }).boundingBox();
-    const bar = await page.locator(".time-bar").boundingBox();
-    assert.ok(box.y + box.height <= bar.y, `J6 ends at ${box.y + box.height} of ${bar.y} in ${width}x${height}`);
+    await isAboveTimeBar(page);
+  }
+}));
+
+test("the axes are visible below a user page", () => served([], async (run) => {
+  const page = await run.open();
+  await page.getByText("State    stopped").waitFor();
+  for (const [width, height] of [[1280, 800], [1366, 768], [1920, 1080]]) {
+    await page.setViewportSize({ width, height });
+    await isAboveTimeBar(page);
   }
 }));

@@ -169,10 +169,8 @@ fn expectations_name_things_of_the_cell() {
 #[test]
 fn frames_of_applications_in_inches_have_places_in_millimetres() {
     let code = "frame fWall\nprogram start()\nbegin\n  link(fWall,world)\n  fWall.trsf.x=10\nend\n";
-    let (_, project) = Fixture::parse(code).files.into_iter().find(|(path, _)| path.ends_with("main.pjx")).unwrap();
-    let inches = project.replace("millimeterUnit=\"true\"", "millimeterUnit=\"false\"");
-    for (project, expected) in [(project, 10.0), (inches, 254.0)] {
-        let mut bench = Bench::open(&format!("{code}=== main/main.pjx\n{project}"), "main");
+    for (listing, expected) in [(code.to_owned(), 10.0), (Fixture::in_inches(code), 254.0)] {
+        let mut bench = Bench::open(&listing, "main");
         bench.scenario("");
         let place = bench.controller.frame_in_world("fWall").unwrap();
         assert!((place.translation.x - expected).abs() < 1e-9, "{place}");

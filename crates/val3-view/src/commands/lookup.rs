@@ -1,12 +1,12 @@
 //! Lookup of the data that commands name.
 
-use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_geometry::IsometryMatrix3;
 use val3_lang::call::ToolRef;
-use val3_lang::references::Poses;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 
 use crate::positions::{self, GlobalValue};
+use crate::units;
 use crate::wire::{CommandError, ElementKey, ToolName};
 
 /// Name of the tool that exists in every application.
@@ -57,17 +57,19 @@ pub(super) fn no_datum(kind: &str, name: &str, key: Option<&str>) -> CommandErro
 
 /// Pose of the tool centre point on the flange, in mm. Without an argument, the tool of the last move is used.
 pub(super) fn tool_pose(tool: Option<ToolName>, controller: &Controller) -> Result<IsometryMatrix3<f64>, CommandError> {
-    let Some(ToolName { name, key }) = tool else {
-        let sample = controller.arm().sample();
-        return Ok(controller.arm().model().flange(&sample.joints).inverse() * sample.pose);
-    };
+    let Some(ToolName { name, key }) = tool else { return Ok(tool_of_last_move(controller)) };
     if name == FLANGE {
         return Ok(IsometryMatrix3::identity());
     }
     let tool = tool_named(&name, key, controller)?;
-    let pose = Poses::new(&controller.vm.space.memory).of_tool(ToolRef(tool.place));
-    let pose = pose.map_err(|fault| CommandError(format!("the tool has no father (error {})", fault.0)))?;
-    Ok(Trsf::isometry(&pose))
+    let pose = units::poses(controller).of_tool(ToolRef(tool.place));
+    pose.map_err(|fault| CommandError(format!("the tool has no father (error {})", fault.0)))
+}
+
+/// Pose of the centre point of the last move's tool on the flange, in mm; of the flange before the first move.
+pub(crate) fn tool_of_last_move(controller: &Controller) -> IsometryMatrix3<f64> {
+    let sample = controller.arm().sample();
+    controller.arm().model().flange(&sample.joints).inverse() * sample.pose
 }
 
 /// Finds a value of one of these types. The error is the key as text.

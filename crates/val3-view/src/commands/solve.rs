@@ -9,9 +9,9 @@ use val3_lang::values::ConfigValue;
 use val3_machine::controller::Controller;
 
 use super::lookup::tool_pose;
-use crate::configuration;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{ArmSolution, CommandError, Reached, Solved, ToolName, UnreachableValue};
+use crate::{configuration, units};
 
 /// Tolerance within which two joint positions are equal, in degrees or mm.
 const SAME_JOINTS: f64 = 1e-6;
@@ -33,23 +33,33 @@ pub(super) fn solve(
         return Ok(Solved { solutions: vec![of_joint(datum, controller)] });
     }
     let memory = &controller.vm.space.memory;
-    let pose = Poses::new(memory).of_point(PointRef(datum.place));
+    let pose = units::poses(controller).of_point(PointRef(datum.place));
     let pose = pose.map_err(|fault| CommandError(format!("the point has no frame (error {})", fault.0)))?;
-    let flange = Trsf::isometry(&pose) * tool_pose(tool, controller)?.inverse();
+    let flange = pose * tool_pose(tool, controller)?.inverse();
     let config = configuration::of_point(memory, datum.place, is_scara).unwrap_or(ConfigValue([0.0; 3]));
     Ok(Solved { solutions: of_pose(&flange, &config, controller) })
 }
 
-/// Lists the points and joint positions that `movej` cannot reach, with the reasons: out of reach, no frame, or for
-/// another kind of arm.
+/// Lists the points and joint positions out of reach of a tool.
 pub(super) fn unreachable(tool: Option<ToolName>, controller: &Controller) -> Result<Reached, CommandError> {
-    let tool = tool_pose(tool, controller)?.inverse();
-    let mut poses = Poses::new(&controller.vm.space.memory);
-    let unreachable = positions::data(controller).into_iter().filter_map(|datum| {
-        let reason = obstacle(&datum, &tool, &mut poses, controller)?;
-        Some(UnreachableValue { name: datum.name, key: datum.key, reason })
+    let tool = tool_pose(tool, controller)?;
+    Ok(Reached { unreachable: out_of_reach(&tool, &positions::data(controller), controller) })
+}
+
+/// Lists the points and joint positions to which `movej` with a tool cannot move the arm, with the reasons: out of
+/// reach, no frame, or for another kind of arm. `tool` is the pose of the tool centre point on the flange.
+pub(crate) fn out_of_reach(
+    tool: &IsometryMatrix3<f64>,
+    data: &[GlobalValue],
+    controller: &Controller,
+) -> Vec<UnreachableValue> {
+    let tool = tool.inverse();
+    let mut poses = units::poses(controller);
+    let unreachable = data.iter().filter_map(|datum| {
+        let reason = obstacle(datum, &tool, &mut poses, controller)?;
+        Some(UnreachableValue { name: datum.name.clone(), key: datum.key.clone(), reason })
     });
-    Ok(Reached { unreachable: unreachable.collect() })
+    unreachable.collect()
 }
 
 /// Reason why `movej` cannot move the arm to a value; `None` if it can. `tool` is the inverse pose of the tool.
@@ -73,8 +83,7 @@ fn obstacle(
             let Some(config) = configuration::of_point(memory, datum.place, model.is_scara()) else {
                 return Some(NO_VALUE.to_owned());
             };
-            let flange = Trsf::isometry(&pose) * tool;
-            let solved = model.solve(&Trsf::from(flange), &controller.arm().joint(), config.requested());
+            let solved = model.solve(&Trsf::from(pose * tool), &controller.arm().joint(), config.requested());
             solved.err().map(|reason| reason.to_string())
         }
         _ => None,
@@ -86,14 +95,11 @@ fn of_joint(datum: &GlobalValue, controller: &Controller) -> ArmSolution {
     let Some(values) = positions::all_nums(&controller.vm.space.memory, datum.place) else {
         return ArmSolution { config: None, joints: None, reason: Some(NO_VALUE.to_owned()), is_chosen: false };
     };
-    let mut joints = Joints::default();
-    for (joint, value) in joints.iter_mut().zip(&values) {
-        *joint = *value;
-    }
+    let joints = units::joints_of_data(&values, controller);
     let violation = model.violations(&joints).next();
     ArmSolution {
         config: None,
-        joints: violation.is_none().then_some(values),
+        joints: violation.is_none().then(|| joints.into_iter().take(model.axes()).collect()),
         reason: violation.map(|violation| violation.to_string()),
         is_chosen: violation.is_none(),
     }

@@ -12,7 +12,7 @@ use super::lookup::tool_pose;
 use super::store::write;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, ToolName};
-use crate::{configuration, coordinates};
+use crate::{configuration, units};
 
 /// Sets a point to the pose of a tool centre point with the configuration of the arm, or a joint position to the joints
 /// of the arm. A `movej` to the new value does not change the joints.
@@ -32,9 +32,8 @@ pub(super) fn teach(
 }
 
 fn teach_joint(joint: &GlobalValue, controller: &mut Controller) -> Result<(), CommandError> {
-    let axes = controller.arm().model().axes();
-    let joints = controller.arm().joint();
-    write(joint, (0..).zip(joints.into_iter().take(axes)), controller)
+    let joints = units::data_of_joints(controller.arm().joint(), controller);
+    write(joint, (0..).zip(joints), controller)
 }
 
 fn teach_point(
@@ -47,15 +46,15 @@ fn teach_point(
     let (joints, model) = (arm.joint(), arm.model());
     let here = model.flange(&joints) * tool_pose(tool, controller)?;
     let frame = references::frame_of(memory, PointRef(point.place));
-    let frame = frame.and_then(|FrameRef(frame)| references::Poses::new(memory).of_frame(FrameRef(frame)));
+    let frame = frame.and_then(|FrameRef(frame)| units::poses(controller).of_frame(FrameRef(frame)));
     let frame = frame.map_err(|fault| CommandError(format!("the point has no frame (error {})", fault.0)))?;
-    let local = coordinates(&(Trsf::isometry(&frame).inverse() * here));
+    let local = units::data_of_pose(&Trsf::from(frame.inverse() * here), controller);
     let present = configuration::of_point(memory, point.place, is_scara).unwrap_or(ConfigValue([0.0; 3]));
     let config = configuration::taught(present, ConfigValue::at(model, &joints), is_scara);
     write(point, (0..).zip(local).chain(config), controller)
 }
 
-/// Joints from a command, which must be within the limits of the axes.
+/// Joints from a command, in degrees and mm, which must be within the limits of the axes.
 pub(super) fn joints_of(numbers: &[f64], controller: &Controller) -> Result<Joints, CommandError> {
     let model = controller.arm().model();
     if numbers.len() != model.axes() {

@@ -2,14 +2,14 @@
 
 use val3_geometry::{FrameError, Trsf, set_frame};
 use val3_lang::call::FrameRef;
-use val3_lang::references::{self, Poses};
+use val3_lang::references;
 use val3_machine::controller::Controller;
 
 use super::lookup::tool_pose;
 use super::store::write;
 use super::teach::joints_of;
-use crate::numbers;
 use crate::positions::GlobalValue;
+use crate::units;
 use crate::wire::{CommandError, ToolName};
 
 /// Minimum distance of taught positions, in mm. An error of 0.1 mm then rotates the frame by less than 1 degree.
@@ -27,9 +27,9 @@ pub(super) fn teach_frame(
     let memory = &controller.vm.space.memory;
     let father = references::reference(memory, frame.place).ok().flatten();
     let father = father.ok_or_else(|| CommandError(format!("the frame `{}` has no father", frame.name)))?;
-    let father = Poses::new(memory).of_frame(FrameRef(father));
+    let father = units::poses(controller).of_frame(FrameRef(father));
     let father = father.map_err(|fault| CommandError(format!("a father has no father (error {})", fault.0)))?;
-    let in_father = Trsf::isometry(&father).inverse();
+    let in_father = father.inverse();
     let mut taught = [Trsf::default(); 3];
     for (position, joints) in taught.iter_mut().zip(joints) {
         let flange = controller.arm().model().flange(&joints_of(joints, controller)?);
@@ -38,7 +38,8 @@ pub(super) fn teach_frame(
     let [origin, on_x, on_plane] = &taught;
     check_distances(origin, on_x, on_plane).map_err(|error| CommandError(too_close(error)))?;
     let found = set_frame(origin, on_x, on_plane).map_err(|error| CommandError(too_close(error)))?;
-    write(frame, (0..).zip(numbers(&found)), controller)
+    let found = units::data_of_pose(&found, controller);
+    write(frame, (0..).zip(found), controller)
 }
 
 fn too_close(error: FrameError) -> String {

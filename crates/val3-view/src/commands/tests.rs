@@ -31,8 +31,7 @@ fn run(controller: &mut Controller, name: &str, arguments: Value) -> Result<(), 
 }
 
 fn shown_point(controller: &Controller) -> Value {
-    let points =
-        PositionComputer::new(&positions::data(controller), &controller.vm.space.memory).of_type(BaseType::Point);
+    let points = PositionComputer::new(&positions::data(controller), controller).of_type(BaseType::Point);
     json!(points.into_iter().find(|point| point.name == "pPick" && point.key.as_deref() == Some("1")).unwrap())
 }
 
@@ -188,4 +187,5 @@ fn unsaved_values_survive_a_new_start() {
 }
 
 mod frames_and_tools;
+mod inches;
 mod laws;

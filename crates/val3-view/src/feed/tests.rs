@@ -210,9 +210,9 @@ fn points_have_their_configuration() {
     assert_eq!(last["config"], "righty esame wpositive");
 }
 
-#[test]
-fn tools_have_the_name_of_their_data() {
-    let mut running = Running::start(LISTING);
+/// All messages of the first two seconds of a run with power.
+fn run_with_power(listing: &str) -> Vec<ViewerMessage> {
+    let mut running = Running::start(listing);
     running.controller.devices.state.robot.set_power(true);
     let mut feed = Feed::new(&running.controller, Role::Operator, text);
     while running.controller.now() < 2_000_000_000 {
@@ -222,7 +222,20 @@ fn tools_have_the_name_of_their_data() {
         }
         feed.see(start, &[], &running.controller);
     }
-    let messages = feed.take();
+    feed.take()
+}
+
+#[test]
+fn values_out_of_reach_are_those_of_the_last_tool() {
+    let messages = run_with_power(&LISTING.replace("tGrip.trsf={0,0,120,", "tGrip.trsf={0,0,3000,"));
+    let is_far = |message: &Value| message["unreachable"].to_string().contains(r#""key":"1","name":"pPick""#);
+    let found: Vec<_> = objects(&messages, "reach").map(|message| (&message["tool"], is_far(message))).collect();
+    assert_eq!(found.last_chunk().unwrap(), &[(&json!(0), false), (&json!(1), true)], "{found:?}");
+}
+
+#[test]
+fn tools_have_the_name_of_their_data() {
+    let messages = run_with_power(LISTING);
     let names: Vec<_> =
         objects(&messages, "tool").map(|tool| (&tool["name"], tool["pose"][2].as_f64().unwrap().round())).collect();
     assert_eq!(names, [(&json!("flange"), 0.0), (&json!("tGrip"), 120.0)]);
@@ -234,7 +247,7 @@ fn tools_have_the_name_of_their_data() {
 fn messages_of_a_run_follow_the_schema() {
     let validator = jsonschema::validator_for(&wire::schema()).unwrap();
     let messages = run(LISTING, text);
-    for kind in ["scene", "tool", "programs", "state", "motion", "page", "data", "end"] {
+    for kind in ["scene", "tool", "programs", "state", "motion", "page", "data", "reach", "end"] {
         assert!(objects(&messages, kind).count() > 0, "{kind}");
         for message in objects(&messages, kind) {
             let errors: Vec<String> = validator.iter_errors(message).map(|error| error.to_string()).collect();

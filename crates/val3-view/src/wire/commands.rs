@@ -125,7 +125,7 @@ pub struct SetPoint {
     pub name: String,
     /// Index or key; `null` for data with a single value.
     pub key: Option<ElementKey>,
-    /// New pose relative to the father.
+    /// New pose relative to the father, in the length unit of the application and degrees.
     pub local: Pose,
 }
 

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use val3_lang::types;
 
 use super::{CellObject, CellPart};
 
@@ -24,6 +25,35 @@ pub enum Role {
     Preview,
 }
 
+/// Length unit of an application, in which its data are. All other lengths of the messages are in mm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum LengthUnit {
+    /// Millimetres.
+    Mm,
+    /// Inches.
+    Inch,
+}
+
+impl LengthUnit {
+    /// Unit in a sentence, after a number.
+    pub(crate) const fn word(self) -> &'static str {
+        match self {
+            Self::Mm => "mm",
+            Self::Inch => "inches",
+        }
+    }
+}
+
+impl From<types::LengthUnit> for LengthUnit {
+    fn from(unit: types::LengthUnit) -> Self {
+        match unit {
+            types::LengthUnit::Millimetre => Self::Mm,
+            types::LengthUnit::Inch => Self::Inch,
+        }
+    }
+}
+
 /// Constant content of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Scene {
@@ -38,6 +68,9 @@ pub struct Scene {
     /// Pose of the arm's base in world.
     #[schemars(with = "Pose")]
     pub base: [u8; 6],
+    /// Length unit of the application's data.
+    #[serde(rename = "lengthUnit")]
+    pub length_unit: LengthUnit,
     /// Things around the arm.
     pub objects: Vec<CellObject>,
     /// Parts, whose places are in `parts` messages.
@@ -145,9 +178,9 @@ pub struct CellPoint {
     pub key: Option<String>,
     /// Name of the data to which the value is relative.
     pub father: Option<String>,
-    /// Pose in world; of a tool, relative to the flange.
+    /// Pose in world, in mm and degrees; of a tool, relative to the flange.
     pub pose: Pose,
-    /// Pose relative to the father.
+    /// Pose relative to the father, in the length unit of the application and degrees.
     #[schemars(with = "Pose")]
     pub local: Option<Vec<f64>>,
     /// Configuration of a point in words.
@@ -161,7 +194,7 @@ pub struct JointValue {
     pub name: String,
     /// Index or key; `null` for data with a single value.
     pub key: Option<String>,
-    /// Positions of the axes, in degrees or mm.
+    /// Positions of the axes, in degrees or the length unit of the application.
     pub values: Vec<f64>,
 }
 

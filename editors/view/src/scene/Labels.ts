@@ -1,6 +1,7 @@
 // Names over the drawing. Names that would cover more important names, buttons or figures are omitted.
 
 import { Vector3 } from "three";
+import { lengthText, type LengthUnit } from "../panels/shared/lengths";
 import type { Lens } from "./Camera";
 import { arrow, directionTo, placesTowards } from "./outside";
 import { textWidth } from "./textWidth";
@@ -34,7 +35,7 @@ export class Labels {
   constructor(private readonly parent: HTMLElement) {}
 
   /** Draws the labels. Names of points do not cover the arm at `obstacles`. */
-  draw(labels: readonly Label[], obstacles: readonly (readonly number[])[], camera: Lens, canvas: HTMLElement): void {
+  draw(labels: readonly Label[], obstacles: readonly (readonly number[])[], camera: Lens, canvas: HTMLElement, unit: LengthUnit): void {
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const taken = this.covered(canvas);
     const onScreen = ([x = 0, y = 0, z = 0]: readonly number[]): Vector3 => {
@@ -50,7 +51,7 @@ export class Labels {
       const isOutside = place.z > 1 || place.x < 0 || place.y < 0 || place.x > width || place.y > height;
       const isFar = isOutside && label.away !== undefined;
       const direction = directionTo(label.at, camera);
-      const text = isFar ? `${label.text}, ${label.away?.toFixed(0) ?? ""} mm away ${arrow(direction)}` : label.text;
+      const text = isFar ? `${label.text}, ${lengthText(label.away ?? 0, 0, unit)} away ${arrow(direction)}` : label.text;
       const wide = textWidth(text, BOLD.includes(label.kind));
       const isFree = ([x, y]: readonly [number, number]): boolean => x >= 0 && y >= 0 && x + wide <= width && y + HEIGHT <= height
         && !avoided.some(([left, top, right, bottom]) => y < bottom && top < y + HEIGHT && x < right && left < x + wide);

@@ -8,6 +8,8 @@ import { isDark } from "../look";
 import { composed, frameOf, poseOf } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import { openingOf } from "../panels/shared/opening";
+import { handTool } from "../panels/points/tools";
+import { lengthFigure, lengthText, type LengthUnit, poseTexts, unitOf } from "../panels/shared/lengths";
 import type { Store } from "../store";
 import { LayerChoice } from "./LayerChoice";
 import { hiddenLayers } from "./layers";
@@ -38,6 +40,7 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
   const [isReach, setReach] = useState(false);
   useEffect(() => (host.current && canvas.current && overlay.current ? begin(host.current, canvas.current, overlay.current, store, setView, setFailure) : undefined), [store]);
   const cell = store.scene.value;
+  const tool = handTool(store.panels.cell).name ?? "the last move's tool";
   const take = (event: TargetedPointerEvent<HTMLCanvasElement>): void => {
     const found = view && pick(event.offsetX, event.offsetY, [event.currentTarget.clientWidth, event.currentTarget.clientHeight], view.camera.lens, store.panels.cell.points.peek(), view.trail);
     setPicked(found);
@@ -87,15 +90,15 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
         <button type="button" title="Show everything" onClick={() => view?.fit()}>Fit</button>
         <button type="button" aria-pressed={isFollowing} title="Keep the tool centre point at its place" onClick={follow}>Follow</button>
         <button type="button" aria-pressed={measured !== undefined} title="Distance between two clicked positions" onClick={measure}>Measure</button>
-        {cell && hasReach(cell.arm) ? <button type="button" aria-pressed={isReach} title="The space that the flange reaches" onClick={showReach}>Reach</button> : null}
+        {cell && hasReach(cell.arm) ? <button type="button" aria-pressed={isReach} title={`The farthest positions of ${tool}`} onClick={showReach}>Reach</button> : null}
         <LayerChoice />
       </div>
       <div class="foot">
-        <Legend store={store} view={view} />
+        <Legend store={store} view={view} reachOf={isReach ? tool : undefined} />
         <Readout store={store} view={view} />
       </div>
       <div class="picked" role="status">
-        {measured === undefined ? <PickedText store={store} picked={picked} /> : <MeasureText ends={measured} />}
+        {measured === undefined ? <PickedText store={store} picked={picked} /> : <MeasureText ends={measured} unit={unitOf(cell)} />}
       </div>
     </section>
   );
@@ -105,7 +108,8 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
   if (picked === undefined) {
     return null;
   }
-  const numbers = picked.at.slice(0, 6).map((value) => value.toFixed(2)).join(", ");
+  const unit = unitOf(store.scene.value);
+  const numbers = poseTexts(picked.at.slice(0, 6), 2, unit).join(", ");
   if ("point" in picked) {
     const { father, config } = picked.point;
     return <><strong>{pointText(picked.point)}</strong> <span>{numbers}{father === null ? "" : `, in ${father}`}{config ? `, ${config}` : ""}</span></>;
@@ -117,18 +121,18 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
   return (
     <>
       {opening ? <button type="button" title={opening.title} onClick={opening.open}>{line}</button> : <strong>{line ?? "No line"}</strong>}
-      {" "}<span>{source?.instruction} at {t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s, limited by {limitName(store, piece.limit) ?? "–"}: {numbers}</span>
+      {" "}<span>{source?.instruction} at {t.toFixed(3)} s, {lengthText(piece.speed, 0, unit)}/s, limited by {limitName(store, piece.limit) ?? "–"}: {numbers}</span>
       {" "}<button type="button" onClick={() => (store.chosen.value = t)}>Show this time</button>
     </>
   );
 }
 
-function MeasureText({ ends: [from, to] }: { ends: readonly (readonly number[])[] }): JSX.Element {
+function MeasureText({ ends: [from, to], unit }: { ends: readonly (readonly number[])[]; unit: LengthUnit }): JSX.Element {
   if (from === undefined || to === undefined) {
     return <span>{from === undefined ? "Click the first position." : "Click the second position."}</span>;
   }
   const way = [0, 1, 2].map((axis) => (to[axis] ?? 0) - (from[axis] ?? 0));
-  return <><strong>{Math.hypot(...way).toFixed(3)} mm</strong> <span>{way.map((value, axis) => `d${"xyz"[axis] ?? ""} ${value.toFixed(3)}`).join("  ")}</span></>;
+  return <><strong>{lengthText(Math.hypot(...way), 3, unit)}</strong> <span>{way.map((value, axis) => `d${"xyz"[axis] ?? ""} ${lengthFigure(value, 3, unit)}`).join("  ")}</span></>;
 }
 
 /** Returns the tool centre point in world at the shown time. */

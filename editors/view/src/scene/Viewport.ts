@@ -1,13 +1,14 @@
 // Drawing of the cell. It is updated only after changes.
 
 import { signal } from "@preact/signals";
-import { Color, Group, type Mesh, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
+import { Color, Group, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import { armFrames, armLength, floorHeight } from "../kinematics";
 import { remember, remembered } from "../memory";
 import { storedView, viewKey } from "./storedView";
 import { nearnessAt } from "../panels/clearance/encounters";
 import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
 import { handTool } from "../panels/points/tools";
+import { lengthText, unitOf } from "../panels/shared/lengths";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
 import { along, armLines } from "./armLines";
@@ -27,7 +28,7 @@ import { NearPairs } from "./NearPairs";
 import { DARK, LIGHT, type Look } from "./palette";
 import { surfaceAt } from "./picking";
 import { PointMarks } from "./PointMarks";
-import { reachShape } from "./reach";
+import { ReachSurface } from "./reach";
 import { isSoftware } from "./software";
 import { stage } from "./stage";
 import { Trail } from "./trail";
@@ -62,7 +63,8 @@ export class Viewport {
   private room = new Group();
   private arm: ArmShape | undefined;
   private objects: CellObjects | undefined;
-  private reach: Mesh | undefined;
+  private readonly reach = new ReachSurface(this.scene);
+  private hasReach = false;
   private cell: Cell | undefined;
   private look: Look = LIGHT;
   private names: Label[] = [];
@@ -144,7 +146,11 @@ export class Viewport {
     const sample = store.panels.cell.sample.value;
     const placed = armFrames(cell.arm, base, sample?.joints ?? []);
     const before = this.tcp.position;
-    this.tcp = composed(placed.flange, frameOf(handTool(store.panels.cell).pose));
+    const tool = handTool(store.panels.cell).pose;
+    this.tcp = composed(placed.flange, frameOf(tool));
+    if (this.hasReach) {
+      this.reach.place(cell.arm, base, tool);
+    }
     this.arm?.place(placed);
     this.placeObjects({ base, arm: placed, frames: store.panels.cell.frames.value, tools: store.panels.cell.tools.value });
     this.obstacles = armLines(cell.arm, base, placed).flatMap(along);
@@ -152,7 +158,7 @@ export class Viewport {
       this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
     }
     const { points, frames, motion, selectedPoint, unreachable } = store.panels.cell;
-    this.points.place(points.value, selectedPoint.value, unreachable.value, this.length * 0.011, this.look);
+    this.points.place(points.value, selectedPoint.value, unreachable.value.reasons, this.length * 0.011, this.look);
     this.motion.place(motion.value);
     const { faults, refused } = store.panels.cell.history;
     const failed = [...failedMoves(motion.value.queue, faults, store.time.value), ...refused.at(store.time.value)];
@@ -248,12 +254,9 @@ export class Viewport {
   }
 
   showReach(isShown: boolean): void {
-    this.reach?.removeFromParent();
-    this.reach = isShown && this.cell !== undefined ? reachShape(this.cell.arm, frameOf(this.cell.base)) : undefined;
-    if (this.reach !== undefined) {
-      this.scene.add(this.reach);
-    }
-    this.request();
+    this.hasReach = isShown;
+    this.reach.remove();
+    this.update();
   }
 
   request(): void {
@@ -274,7 +277,7 @@ export class Viewport {
   private draw(): void {
     this.renderer.render(this.scene, this.camera.lens);
     this.frames += 1;
-    this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas);
+    this.labels.draw(this.names, this.obstacles, this.camera.lens, this.canvas, unitOf(this.cell));
     if (this.isFirst && !contains(this.free(), this.area)) {
       this.fitAgain();
     }
@@ -291,7 +294,7 @@ export class Viewport {
     if (from !== undefined && to !== undefined) {
       const { r, g, b } = new Color(this.look.selected);
       this.ruler.segments.add(from, to, [r, g, b]);
-      this.names.push({ text: `${distance(from, to).toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
+      this.names.push({ text: lengthText(distance(from, to), 2, unitOf(this.cell)), at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
     }
     this.ruler.show();
   }

@@ -3,6 +3,7 @@
 import { computed } from "@preact/signals";
 import type { JSX, TargetedWheelEvent } from "preact";
 import { useEffect, useMemo } from "preact/hooks";
+import { hasFailed } from "../panels/pendant/robotState";
 import { Button } from "../panels/shared/Button";
 import { Notice } from "../panels/shared/cell";
 import { NoticeLine } from "../panels/shared/NoticeLine";
@@ -67,11 +68,12 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
 }
 
 /** Returns a word about the newest time. */
-function presentText({ readPast, end, isPaused, isStopped }: Store): string {
+function presentText({ readPast, end, isPaused, isStopped, lost, panels }: Store): string {
   if (readPast.value !== undefined) {
     return `Reading: ${readPast.value} %`;
   }
-  return end.value !== undefined ? "End" : isStopped.value ? "Stopped" : isPaused.value ? "Paused" : "Live";
+  const isOver = end.value !== undefined || hasFailed(panels.cell.state.value);
+  return isOver ? "End" : lost.value !== undefined ? "Lost" : isStopped.value ? "Stopped" : isPaused.value ? "Paused" : "Live";
 }
 
 /** The time as a slider. The wheel zooms into it. */

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { type ArmChain, flangeAt, jointsNear } from "../../src/panels/pendant/armModel";
-import { cartesianStep, fraction, goStep, jointStep, mayContinue } from "../../src/panels/pendant/jogSteps";
+import { cartesianStep, fraction, goStep, jointStep, mayContinue, stepsIn } from "../../src/panels/pendant/jogSteps";
+import { INCHES, MILLIMETRES } from "../../src/panels/shared/lengths";
 import { composed, frameOf, IDENTITY, poseOf } from "../../src/panels/pendant/pose";
 
 const SIX: ArmChain = {
@@ -94,4 +95,10 @@ test("a way in joints has steps of 5 degrees and ends at its target", () => {
   assert.deepEqual(step([0, 0]), { joints: [5, -2] });
   assert.deepEqual(step([6, -3]), { joints: [10, -4] });
   assert.deepEqual(step([10, -4]), { refusal: "The arm is there.", isArrival: true });
+});
+
+test("lengths of steps are in mm, and their texts in the length unit", () => {
+  const [millimetres, inches] = [stepsIn(MILLIMETRES)[2], stepsIn(INCHES)[2]];
+  assert.deepEqual(millimetres, { length: 5, angle: 5, text: "5 mm, 5°" });
+  assert.deepEqual(inches, { length: 0.2 * 25.4, angle: 5, text: "0.2 in, 5°" });
 });

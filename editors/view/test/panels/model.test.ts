@@ -20,7 +20,7 @@ function model(executed = signal<MovingLine | undefined>(undefined)): { model: P
   const time = signal(0);
   const around: Surroundings = {
     time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), canRestart: signal(true), blocked: signal(undefined),
-    sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12, file: "/cell/start.pgx" } : undefined),
+    sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], toolOf: (index) => (index === 2 ? "tGripper" : undefined), sourceOf: (index) => (index === 3 ? { program: "start", line: 12, file: "/cell/start.pgx" } : undefined),
     applicationName: signal("cell"), executed, showPrograms: () => undefined,
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
   };
@@ -126,4 +126,20 @@ test("a slow signal shows the last value in the end", (context) => {
   context.mock.timers.tick(500);
   source.value = 3;
   assert.equal(slow.value, 3);
+});
+
+test("values out of reach are those of the last move's tool at the shown time, or of the chosen tool", () => {
+  const { model: panels, cell, show } = model();
+  const far = { name: "pA", key: null, reason: "too far" };
+  panels.addReach({ t: 0, tool: 1, unreachable: [] });
+  panels.addReach({ t: 4, tool: 2, unreachable: [far] });
+  const shown = (): string => `${cell.unreachable.value.tool ?? "unknown"}: ${[...cell.unreachable.value.reasons.keys()].join()}`;
+  show(3);
+  assert.equal(shown(), "unknown: ");
+  show(5);
+  assert.equal(shown(), "tGripper: pA");
+  cell.chosenReach.value = { tool: "flange", reasons: new Map() };
+  assert.equal(shown(), "flange: ");
+  panels.addScene(SCENE);
+  assert.equal(shown(), "unknown: ");
 });

@@ -5,6 +5,7 @@ import { firstChoice, solutionsOf, solutionText } from "../../src/panels/points/
 import { reasonsOf } from "../../src/panels/points/reachQuery";
 import { FLANGE, handTool, taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
 import { shownTools } from "../../src/scene/FrameMarks";
+import { MILLIMETRES } from "../../src/panels/shared/lengths";
 import { editedTrsf, fatherText, fieldTexts, pointText } from "../../src/panels/points/edits";
 
 test("points have the names that programs write", () => {
@@ -13,14 +14,14 @@ test("points have the names that programs write", () => {
 
 test("a field that was not edited keeps its exact value", () => {
   const before = [1.23456, -0.00001, 3, 0, 0, 0];
-  const texts = fieldTexts(before);
+  const texts = fieldTexts(before, MILLIMETRES);
   assert.deepEqual(texts, ["1.235", "0", "3", "0", "0", "0"]);
-  assert.deepEqual(editedTrsf([...texts.slice(0, 2), "7,5", ...texts.slice(3)], before), { trsf: [1.23456, -0.00001, 7.5, 0, 0, 0] });
+  assert.deepEqual(editedTrsf([...texts.slice(0, 2), "7,5", ...texts.slice(3)], before, MILLIMETRES), { trsf: [1.23456, -0.00001, 7.5, 0, 0, 0] });
 });
 
 test("a field without a number is named", () => {
-  assert.deepEqual(editedTrsf(["1", "", "3", "0", "0", "0"], [1, 2, 3, 0, 0, 0]), { wrong: "y needs a number, not \"\"." });
-  assert.deepEqual(editedTrsf(["1", "2", "3", "0", "0", "x"], [1, 2, 3, 0, 0, 0]), { wrong: "rz needs a number, not \"x\"." });
+  assert.deepEqual(editedTrsf(["1", "", "3", "0", "0", "0"], [1, 2, 3, 0, 0, 0], MILLIMETRES), { wrong: "y needs a number, not \"\"." });
+  assert.deepEqual(editedTrsf(["1", "2", "3", "0", "0", "x"], [1, 2, 3, 0, 0, 0], MILLIMETRES), { wrong: "rz needs a number, not \"x\"." });
 });
 
 test("frames are listed up to world, even in a circle", () => {
@@ -58,11 +59,11 @@ test("the arm goes to the joints of movej, or to others in reach", () => {
   const near = { config: "righty", joints: [1, -0.04], reason: null, isChosen: false };
   assert.deepEqual(solutionsOf({ error: null, solutions: [far, near, 1] }), [far, near]);
   assert.deepEqual([firstChoice([far, near]), firstChoice([near, { ...near, isChosen: true }]), firstChoice([far])], [1, 1, -1]);
-  assert.deepEqual([solutionText(far), solutionText(near)], ["too far", "1.0  0.0"]);
+  assert.deepEqual([far, near].map((solution) => solutionText(solution, [], MILLIMETRES)), ["too far", "1.0  0.0"]);
 });
 
 test("values out of reach have their reasons by name", () => {
   const unreachable = [{ name: "pA", key: "2", reason: "too far" }, { name: "pB" }];
-  assert.deepEqual([...reasonsOf({ error: null, unreachable })], [["pA[2]", "too far"]]);
-  assert.equal(reasonsOf({ error: "`reach` is not a command" }).size, 0);
+  assert.deepEqual([...reasonsOf(unreachable)], [["pA[2]", "too far"]]);
+  assert.equal(reasonsOf(undefined).size, 0);
 });

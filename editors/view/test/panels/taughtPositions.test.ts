@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { enteredJoints } from "../../src/panels/pendant/enteredJoints";
+import { INCHES, MILLIMETRES } from "../../src/panels/shared/lengths";
 import { taughtText, teachingCommand } from "../../src/panels/points/taughtPositions";
 import { chosenPose, FLANGE } from "../../src/panels/points/tools";
 
@@ -16,8 +17,8 @@ test("a frame needs three positions, a tool four", () => {
 });
 
 test("a taught tool shows its residual", () => {
-  assert.equal(taughtText("tool", { error: null, residual: 0.12345 }), "Computed; the tip is at most 0.123 mm from the touched place.");
-  assert.equal(taughtText("frame", { error: null }), "Computed.");
+  assert.equal(taughtText("tool", { error: null, residual: 0.12345 }, MILLIMETRES), "Computed; the tip is at most 0.123 mm from the touched place.");
+  assert.equal(taughtText("frame", { error: null }, MILLIMETRES), "Computed.");
 });
 
 test("jogging uses the chosen tool", () => {
@@ -28,8 +29,10 @@ test("jogging uses the chosen tool", () => {
 
 test("entered joints are numbers within the limits", () => {
   const axes = [{ isLinear: false, min: -180, max: 180 }, { isLinear: true, min: 0, max: 200 }];
-  assert.deepEqual(enteredJoints(axes, ["-10,5", " 200 "]), { joints: [-10.5, 200] });
-  assert.deepEqual(enteredJoints(axes, ["0", ""]), { refusal: "J2 needs a number, not \"\"." });
-  assert.deepEqual(enteredJoints(axes, ["-180.1", "0"]), { refusal: "J1 is -180.1, outside the range from -180 to 180 degrees." });
-  assert.deepEqual(enteredJoints(axes, ["0", "201"]), { refusal: "J2 is 201, outside the range from 0 to 200 mm." });
+  assert.deepEqual(enteredJoints(axes, ["-10,5", " 200 "], MILLIMETRES), { joints: [-10.5, 200] });
+  assert.deepEqual(enteredJoints(axes, ["0", ""], MILLIMETRES), { refusal: "J2 needs a number, not \"\"." });
+  assert.deepEqual(enteredJoints(axes, ["-180.1", "0"], MILLIMETRES), { refusal: "J1 is -180.1, outside the range from -180 to 180 degrees." });
+  assert.deepEqual(enteredJoints(axes, ["0", "201"], MILLIMETRES), { refusal: "J2 is 201, outside the range from 0 to 200 mm." });
+  assert.deepEqual(enteredJoints(axes, ["25.4", "2"], INCHES), { joints: [25.4, 50.8] });
+  assert.deepEqual(enteredJoints(axes, ["0", "8"], INCHES), { refusal: "J2 is 8, outside the range from 0 to 7.874 in." });
 });

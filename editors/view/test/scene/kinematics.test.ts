@@ -48,7 +48,7 @@ test("jogging and drawing agree about the flange", () => {
 
 test("the reach ends at the stretched arm", () => {
   assert.equal(armLength(SIX), 690);
-  const outline = reachOutline(SIX);
+  const outline = reachOutline(SIX, []);
   const farthest = Math.max(...outline.map(([distance, height]) => Math.hypot(distance, height - 375)));
   assert.ok(Math.abs(farthest - Math.hypot(670, 20)) < 1, String(farthest));
   assert.ok(outline.every(([distance]) => distance >= 0));

@@ -4,13 +4,17 @@ use proptest::prelude::*;
 use val3_kinematics::{Arm, Joints};
 use val3_machine::arm::RobotArm;
 use val3_machine::controller::Controller;
+use val3_test::Fixture;
 
 use super::*;
 
+/// Teaches during the delay, then moves to the taught values.
 const LISTING: &str = r#"
 frame fTable
 point pPick
+joint jPick
 tool tGripper
+mdesc mSlow
 
 program start()
 begin
@@ -21,11 +25,16 @@ begin
   link(tGripper,flange)
   tGripper.trsf={TOOL}
   delay(1)
+  enablePower()
+  wait(isPowered())
+  movej(pPick,tGripper,mSlow)
+  movej(jPick,tGripper,mSlow)
+  waitEndMove()
 end
 "#;
 
-/// Listing for a kind of arm. Frames and tools of SCARA arms turn around z.
-fn listing(is_scara: bool, has_config: bool, x: f64, angle: f64) -> String {
+/// Application in inches or mm for a kind of arm. Frames and tools of SCARA arms turn around z.
+fn listing(is_scara: bool, has_config: bool, is_inch: bool, x: f64, angle: f64) -> String {
     let (frame, tool) = if is_scara {
         (format!("{x:.3},-200,300,0,0,{angle:.3}"), format!("10,{x:.3},120,0,0,{angle:.3}"))
     } else {
@@ -37,13 +46,19 @@ fn listing(is_scara: bool, has_config: bool, x: f64, angle: f64) -> String {
         (false, true) => "{sfree,efree,wfree}",
         (false, false) => "{righty,enegative,wsame}",
     };
-    let point = if is_scara { "pointRs pPick" } else { "point pPick" };
-    let listing = LISTING.replace("point pPick", point).replace("CONFIG", config);
-    listing.replace("FRAME", &frame).replace("TOOL", &tool)
+    let mut listing = LISTING.replace("CONFIG", config).replace("FRAME", &frame).replace("TOOL", &tool);
+    if is_scara {
+        listing = listing.replace("point pPick", "pointRs pPick").replace("joint jPick", "jointRs jPick");
+    }
+    if is_inch { Fixture::in_inches(&listing) } else { listing }
 }
 
-fn solved(controller: &mut Controller) -> Vec<Value> {
-    let arguments = json!({ "name": "pPick", "tool": { "name": "tGripper" } });
+fn is_near(joints: &[f64], taught: &Joints) -> bool {
+    joints.iter().zip(taught).all(|(joint, taught)| (joint - taught).abs() < 1e-6)
+}
+
+fn solved(name: &str, controller: &mut Controller) -> Vec<Value> {
+    let arguments = json!({ "name": name, "tool": { "name": "tGripper" } });
     let solved = Operator::default().execute("solve", arguments.as_object().unwrap(), controller).unwrap();
     solved["solutions"].as_array().unwrap().clone()
 }
@@ -69,24 +84,32 @@ fn joints(arm: &Arm, fractions: [f64; 6]) -> Option<Joints> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// A `movej` to a taught point does not change the joints.
+    /// A `movej` to a taught point or joint position does not change the joints, and `solve` predicts it.
     #[test]
-    fn a_move_to_a_taught_point_keeps_the_joints(
-        fractions in prop::array::uniform6(0.05..0.95_f64), x in -300.0..300.0_f64, angle in -80.0..80.0_f64, has_config: bool,
+    fn a_move_to_a_taught_value_keeps_the_joints(
+        fractions in prop::array::uniform6(0.05..0.95_f64), x in -300.0..300.0_f64, angle in -80.0..80.0_f64,
+        has_config: bool, is_inch: bool,
     ) {
         for name in Arm::names() {
             let arm = Arm::by_name(name).unwrap();
             let Some(taught) = joints(&arm, fractions) else { continue };
-            let listing = listing(arm.is_scara(), has_config, x, angle);
-            let mut controller = Running::start(&listing).controller;
+            let listing = listing(arm.is_scara(), has_config, is_inch, x, angle);
+            let mut running = Running::start(&listing);
+            let controller = &mut running.controller;
             controller.step();
             controller.devices.state.arm = RobotArm::new(arm);
             controller.devices.state.arm.start_at(taught).unwrap();
-            run(&mut controller, "teach", json!({ "name": "pPick", "tool": { "name": "tGripper" } })).unwrap();
-            let solutions = solved(&mut controller);
-            let kept = chosen(&solutions);
-            let is_near = kept.iter().zip(&taught).all(|(kept, taught)| (kept - taught).abs() < 1e-6);
-            prop_assert!(is_near, "{name}: {kept:?} is not {taught:?}");
+            run(controller, "teach", json!({ "name": "pPick", "tool": { "name": "tGripper" } })).unwrap();
+            run(controller, "teach", json!({ "name": "jPick" })).unwrap();
+            for value in ["pPick", "jPick"] {
+                let kept = chosen(&solved(value, controller));
+                prop_assert!(is_near(&kept, &taught), "{name}: {kept:?} is not {taught:?}");
+            }
+            let (running, samples) = running.sampled();
+            prop_assert_eq!(running.printed(), "");
+            for sample in samples {
+                prop_assert!(is_near(&sample.joints, &taught), "{name}: {:?} is not {taught:?}", sample.joints);
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { type Cell, Notice } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
-import { NoticeLine } from "../shared/NoticeLine";
+import { MessageLine } from "../shared/NoticeLine";
 import { LinesTable } from "./LinesTable";
 import { SignalCells } from "./SignalCells";
 import { longestName, rowsOf, type SignalFilter, type SignalRow, sorted } from "./signalRows";
@@ -24,7 +24,7 @@ export function IoPanel({ cell }: { cell: Cell }): JSX.Element {
   const count = rows.filter((row) => "signal" in row).length;
   return (
     <section class="panel io" aria-label="Inputs and outputs" style={{ "--names": longest }}>
-      {cell.blocked.value === undefined ? null : <p class="blocked">{cell.blocked.value}</p>}
+      <MessageLine cell={cell} notice={notice} />
       <div class="row tools">
         <input type="search" aria-label="Filter signals by link or data" placeholder="Filter: link or data" value={filter.text} onInput={({ currentTarget }) => setFilter({ ...filter, text: currentTarget.value })} />
         <select aria-label="Direction" value={filter.direction} onChange={({ currentTarget }) => setFilter({ ...filter, direction: currentTarget.value as SignalFilter["direction"] })}>
@@ -35,13 +35,12 @@ export function IoPanel({ cell }: { cell: Cell }): JSX.Element {
         <label><input type="checkbox" checked={filter.isMarkedOnly} onChange={({ currentTarget }) => setFilter({ ...filter, isMarkedOnly: currentTarget.checked })} /> Locked, simulated, protected or faulty</label>
         <span class="count" role="status">{count} of {signals.length}</span>
       </div>
-      <NoticeLine notice={notice} />
       <LongTable<SignalRow>
         label="Signals" className="signals" columns={COLUMNS} rows={rows} empty={signals.length === 0 ? "The cell has no inputs or outputs." : "No signal matches the filter."}
         keyOf={(row) => ("board" in row ? `board ${row.board}` : row.signal.link)}
         rowClass={(row) => ("board" in row ? "board" : undefined)}
         cells={(row) => ("board" in row
-          ? <th scope="rowgroup" colSpan={COLUMNS.length}>{row.board} <span class="count">{row.count}</span></th>
+          ? <th scope="rowgroup" colSpan={COLUMNS.length}><span class="board-name">{row.board} <span class="count">{row.count}</span></span></th>
           : <SignalCells cell={cell} notice={notice} signal={row.signal} />)}
       />
       <LinesTable cell={cell} />

@@ -2,8 +2,9 @@
 
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
-import { shortNumber } from "../points/edits";
+import { fieldText } from "../points/edits";
 import type { Cell, Notice } from "../shared/cell";
+import { unitOf } from "../shared/lengths";
 import type { ArmChain } from "./armModel";
 import { HoldButton } from "./HoldButton";
 import type { Holder } from "./Holder";
@@ -21,17 +22,18 @@ interface Props {
 
 export function JointEntry({ cell, notice, holder, axes, reason }: Props): JSX.Element {
   const [texts, setTexts] = useState<readonly string[]>();
-  const present = (): string[] => axes.map((_, axis) => shortNumber(cell.sample.peek()?.joints[axis] ?? 0));
+  const unit = unitOf(cell.scene.value);
+  const present = (): string[] => axes.map(({ isLinear }, axis) => fieldText((cell.sample.peek()?.joints[axis] ?? 0) / (isLinear ? unit.mm : 1), isLinear, unit));
   if (texts === undefined) {
     return <button type="button" class="enter-joints" onClick={() => setTexts(present())}>Enter joints…</button>;
   }
-  const entered = enteredJoints(axes, texts);
+  const entered = enteredJoints(axes, texts, unit);
   const refusal = "refusal" in entered ? entered.refusal : undefined;
   return (
     <div class="joint-entry" role="group" aria-label="Joints to go to">
       <div class="row">
-        {axes.map((_, axis) => (
-          <label key={axis}>J{axis + 1}{" "}
+        {axes.map(({ isLinear }, axis) => (
+          <label key={axis}>J{axis + 1}{isLinear && unit.mm !== 1 ? ` (${unit.short})` : ""}{" "}
             <input inputMode="decimal" value={texts[axis]} onInput={({ currentTarget }) => setTexts(texts.with(axis, currentTarget.value))} />
           </label>
         ))}

@@ -1,10 +1,29 @@
 // Targets of jogging: by joint, and along or around the axes of a frame.
 
+import type { LengthUnit } from "../shared/lengths";
 import { type ArmChain, flangeAt, jointsNear, type Refusal } from "./armModel";
 import { add, aroundAxis, composed, type Frame, inverse, multiplied, scaled, turned, type Vector } from "./pose";
 
-/** Available steps, in mm or degrees. */
-export const STEPS = [0.1, 1, 5, 10, 30] as const;
+/** Size of a step: of a length in mm, and of an angle in degrees. */
+export interface JogStep {
+  length: number;
+  angle: number;
+}
+
+/** Angles of the available steps, in degrees, and their lengths in mm or inches. */
+const ANGLES = [0.1, 1, 5, 10, 30] as const;
+const INCH_LENGTHS = [0.005, 0.05, 0.2, 0.5, 1] as const;
+
+/** Index of the step of a new page. */
+export const FIRST_STEP = 2;
+
+/** Returns the available steps in the length unit. */
+export function stepsIn(unit: LengthUnit): (JogStep & { text: string })[] {
+  return ANGLES.map((angle, index) => {
+    const length = unit.mm === 1 ? angle : INCH_LENGTHS[index] ?? 1;
+    return { length: length * unit.mm, angle, text: `${length} ${unit.short}, ${angle}°` };
+  });
+}
 
 /** Time between two steps while a button is held, in ms. */
 export const REPEAT = 150;
@@ -25,7 +44,7 @@ export function mayContinue(present: readonly number[], target: readonly number[
   });
 }
 
-/** Returns the target of a step by one axis, at most to its limit. */
+/** Returns the target of a step by one axis in degrees or mm, at most to its limit. */
 export function jointStep(arm: ArmChain, joints: readonly number[], axis: number, step: number): JogTarget {
   const limits = arm.axes[axis];
   const present = joints[axis];
@@ -42,6 +61,7 @@ export function jointStep(arm: ArmChain, joints: readonly number[], axis: number
 /** Cartesian step. Directions 0 to 2 are along x, y, z, and 3 to 5 around x, y, z. */
 export interface CartesianStep {
   direction: number;
+  /** Length in mm, or angle in degrees. */
   step: number;
   /** Frame in world along whose axes the step is; `undefined` for the tool's axes. */
   frame: Frame | undefined;

@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { Button } from "../shared/Button";
 import type { Cell, Notice } from "../shared/cell";
+import { unitOf } from "../shared/lengths";
 import { type PointName, pointText } from "./edits";
 import { HINTS, POSITIONS, type TaughtJoints, type TaughtKind, taughtText, teachingCommand } from "./taughtPositions";
 import { type ChosenTool, toolText } from "./tools";
@@ -29,7 +30,7 @@ export function FrameTeaching({ cell, notice, kind, value, tool }: Props): JSX.E
   const compute = async (): Promise<void> => {
     if ("command" in next) {
       const answer = await notice.send(cell, next.command, next.args);
-      setResult(answer === undefined ? "" : taughtText(kind, answer));
+      setResult(answer === undefined ? "" : taughtText(kind, answer, unitOf(cell.scene.value)));
     }
   };
   const details = kind === "frame" ? ` with tool ${toolText(tool, cell.sample.value?.toolName)}` : "";

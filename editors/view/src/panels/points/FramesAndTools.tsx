@@ -3,7 +3,8 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { Cell, CellPoint, Notice } from "../shared/cell";
-import { COORDINATES, pointText, shortNumber } from "./edits";
+import { unitOf } from "../shared/lengths";
+import { COORDINATES, fieldTexts, pointText } from "./edits";
 import { FrameTeaching } from "./FrameTeaching";
 import type { TaughtKind } from "./taughtPositions";
 import type { ChosenTool } from "./tools";
@@ -16,6 +17,7 @@ interface Props {
 
 export function FramesAndTools({ cell, notice, tool }: Props): JSX.Element | null {
   const [text, setText] = useState("");
+  const unit = unitOf(cell.scene.value);
   const [frames, tools] = [cell.frames.value, cell.tools.value];
   const choices: readonly { kind: TaughtKind; value: CellPoint }[] = [
     ...frames.map((value) => ({ kind: "frame" as const, value })),
@@ -37,7 +39,7 @@ export function FramesAndTools({ cell, notice, tool }: Props): JSX.Element | nul
       </label>
       {chosen === undefined ? null : (
         <>
-          <p class="coordinates">{COORDINATES.map((name, at) => `${name} ${shortNumber(chosen.value.local[at] ?? 0)}`).join("  ")} in {chosen.value.father ?? (chosen.kind === "frame" ? "world" : "flange")}</p>
+          <p class="coordinates">{fieldTexts(chosen.value.local, unit).map((field, at) => `${COORDINATES[at] ?? ""} ${field}`).join("  ")}{unit.mm === 1 ? "" : ` (lengths: ${unit.long})`} in {chosen.value.father ?? (chosen.kind === "frame" ? "world" : "flange")}</p>
           <FrameTeaching key={text} cell={cell} notice={notice} kind={chosen.kind} value={chosen.value} tool={tool} />
         </>
       )}

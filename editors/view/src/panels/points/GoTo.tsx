@@ -7,6 +7,7 @@ import { Holder } from "../pendant/Holder";
 import { goStep } from "../pendant/jogSteps";
 import { endReason, jogReason } from "../pendant/robotState";
 import type { Cell, Notice } from "../shared/cell";
+import { unitOf } from "../shared/lengths";
 import { type PointName, pointText } from "./edits";
 import { type ArmSolution, firstChoice, solutionsOf, solutionText } from "./solutions";
 import { type ChosenTool, toolArguments } from "./tools";
@@ -51,7 +52,7 @@ export function GoTo({ cell, notice, point: { name, key }, tool }: Props): JSX.E
       {solutions.map((solution, at) => (
         <label key={solution.config ?? "joints"}>
           <input type="radio" name="solution" checked={at === index} disabled={solution.joints === null} onChange={() => setIndex(at)} />
-          {" "}{solution.config ?? "joints"}{solution.isChosen && solution.config !== null ? " (movej)" : ""}: {solutionText(solution)}
+          {" "}{solution.config ?? "joints"}{solution.isChosen && solution.config !== null ? " (movej)" : ""}: {solutionText(solution, cell.scene.value?.arm.axes ?? [], unitOf(cell.scene.value))}
         </label>
       ))}
     </fieldset>

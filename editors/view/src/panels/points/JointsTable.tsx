@@ -2,7 +2,8 @@
 
 import type { JSX } from "preact";
 import type { Cell, JointValue, Notice } from "../shared/cell";
-import { pointText, samePoint, shortNumber } from "./edits";
+import { unitOf } from "../shared/lengths";
+import { fieldText, pointText, samePoint } from "./edits";
 import { GoTo } from "./GoTo";
 import { ReachMark } from "./ReachMark";
 import { TeachButton } from "./TeachButton";
@@ -21,13 +22,14 @@ export function JointsTable({ cell, notice, joints, reach }: Props): JSX.Element
   }
   const selected = cell.selectedPoint.value;
   const present = selected && joints.find((joint) => samePoint(joint, selected));
-  const axes = cell.scene.value?.arm.axes.length ?? 6;
+  const axes = cell.scene.value?.arm.axes ?? [];
+  const unit = unitOf(cell.scene.value);
   return (
     <>
       <div class="joint-table" tabIndex={0} role="region" aria-label="Joint positions of the application">
         <table aria-label="Joint positions of the application">
           <thead>
-            <tr><th scope="col">Joint position</th>{Array.from({ length: axes }, (_, axis) => <th class="figure" scope="col" key={axis}>J{axis + 1}</th>)}</tr>
+            <tr><th scope="col">Joint position</th>{axes.map(({ isLinear }, axis) => <th class="figure" scope="col" key={axis}>J{axis + 1}{isLinear && unit.mm !== 1 ? ` (${unit.short})` : ""}</th>)}</tr>
           </thead>
           <tbody>
             {joints.map((joint) => <JointRow key={pointText(joint)} cell={cell} joint={joint} reason={reach.get(pointText(joint))} isSelected={joint === present} />)}
@@ -46,12 +48,13 @@ export function JointsTable({ cell, notice, joints, reach }: Props): JSX.Element
 }
 
 function JointRow({ cell, joint, reason, isSelected }: { cell: Cell; joint: JointValue; reason: string | undefined; isSelected: boolean }): JSX.Element {
+  const [axes, unit] = [cell.scene.value?.arm.axes ?? [], unitOf(cell.scene.value)];
   const isEdited = cell.unsaved.value.has(pointText(joint));
   const select = (): void => cell.selectPoint({ name: joint.name, key: joint.key });
   return (
     <tr class={isEdited ? "changed" : undefined} aria-current={isSelected ? true : undefined} onClick={select}>
       <th scope="row"><button type="button" class="place" onClick={select}>{pointText(joint)}</button>{isEdited ? <span class="edited"> changed</span> : null}<ReachMark reason={reason} /></th>
-      {joint.values.map((value, axis) => <td class="figure" key={axis}>{shortNumber(value)}</td>)}
+      {joint.values.map((value, axis) => <td class="figure" key={axis}>{fieldText(value, axes[axis]?.isLinear ?? false, unit)}</td>)}
     </tr>
   );
 }

@@ -3,7 +3,8 @@
 import type { JSX, TargetedSubmitEvent } from "preact";
 import { useState } from "preact/hooks";
 import type { Cell, CellPoint, Notice } from "../shared/cell";
-import { COORDINATES, editedTrsf, fieldTexts, pointText } from "./edits";
+import { unitOf } from "../shared/lengths";
+import { COORDINATES, coordinateTitle, editedTrsf, fieldTexts, pointText } from "./edits";
 import { GoTo } from "./GoTo";
 import { TeachButton } from "./TeachButton";
 import { type ChosenTool, taughtConfig, toolText } from "./tools";
@@ -17,14 +18,15 @@ interface Props {
 }
 
 export function PointEditor({ cell, notice, point, tool, fathers }: Props): JSX.Element {
-  const [texts, setTexts] = useState(() => fieldTexts(point.local));
+  const unit = unitOf(cell.scene.value);
+  const [texts, setTexts] = useState(() => fieldTexts(point.local, unit));
   const { name, key } = point;
   const blocked = cell.blocked.value;
   const config = taughtConfig(point.config, cell.state.value?.config).join("/");
   const details = `tool ${toolText(tool, cell.sample.value?.toolName)}${config === "" ? "" : `, ${config}`}`;
   const refused = (reason: string): void => void (notice.text.value = reason);
   const apply = (): void => {
-    const edited = editedTrsf(texts, point.local);
+    const edited = editedTrsf(texts, point.local, unit);
     if ("wrong" in edited) {
       notice.text.value = edited.wrong;
     } else {
@@ -44,7 +46,7 @@ export function PointEditor({ cell, notice, point, tool, fathers }: Props): JSX.
       <p><strong>{pointText(point)}</strong> in {fathers}{point.config ? `, ${point.config}` : ""}</p>
       <div class="row">
         {COORDINATES.map((coordinate, at) => (
-          <label key={coordinate}>{coordinate}{" "}
+          <label key={coordinate}>{coordinateTitle(at, unit)}{" "}
             <input inputMode="decimal" value={texts[at]} readOnly={blocked !== undefined} title={blocked} onInput={({ currentTarget }) => setTexts(texts.with(at, currentTarget.value))} />
           </label>
         ))}
@@ -52,7 +54,7 @@ export function PointEditor({ cell, notice, point, tool, fathers }: Props): JSX.
       <div class="row">
         <button type="submit" aria-disabled={blocked === undefined ? undefined : true} title={blocked}>Apply</button>
         <TeachButton cell={cell} notice={notice} point={point} tool={tool} details={details} />
-        <button type="button" onClick={() => setTexts(fieldTexts(point.local))}>Reset fields</button>
+        <button type="button" onClick={() => setTexts(fieldTexts(point.local, unit))}>Reset fields</button>
       </div>
       <GoTo cell={cell} notice={notice} point={point} tool={tool} />
     </form>

@@ -5,21 +5,21 @@ import { useMemo, useState } from "preact/hooks";
 import { type Cell, type CellPoint, Notice } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
 import { MessageLine } from "../shared/NoticeLine";
-import { COORDINATES, fatherText, pointText, samePoint, shortNumber } from "./edits";
+import { COORDINATES, coordinateTitle, fatherText, fieldTexts, pointText, samePoint } from "./edits";
 import { FramesAndTools } from "./FramesAndTools";
 import { JointsTable } from "./JointsTable";
 import { PointEditor } from "./PointEditor";
 import { SaveBar } from "./SaveBar";
 import { ToolChoice } from "./ToolChoice";
 import { ReachMark } from "./ReachMark";
-import { fixed } from "../shared/fixed";
-
-const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
+import { poseTexts, unitOf } from "../shared/lengths";
 
 export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const [text, setText] = useState("");
-  const [tool, reach, frames] = [cell.chosenTool.value, cell.unreachable.value, cell.frames.value];
+  const [tool, reach, frames] = [cell.chosenTool.value, cell.unreachable.value.reasons, cell.frames.value];
+  const unit = unitOf(cell.scene.value);
+  const columns = ["Point", "Father", ...COORDINATES.map((_, at) => coordinateTitle(at, unit)), "In world"];
   const points = cell.points.value;
   const fathers = useMemo(() => new Map(frames.map((frame) => [pointText(frame), frame.father])), [frames]);
   const unsaved = cell.unsaved.value;
@@ -38,15 +38,15 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
         <SaveBar cell={cell} notice={notice} changed={unsaved.size} />
       </div>
       <LongTable<CellPoint>
-        label="Points of the application" className="point-table" columns={COLUMNS} rows={shown} empty={points.length === 0 ? "The application has no points." : "No point matches the filter."}
+        label="Points of the application" className="point-table" columns={columns} rows={shown} empty={points.length === 0 ? "The application has no points." : "No point matches the filter."}
         keyOf={pointText} rowClass={(point) => (isEdited(point) ? "changed" : undefined)} onRowClick={(point) => cell.selectPoint(point)}
         isSelected={(point) => selected !== undefined && samePoint(point, selected)}
         cells={(point) => (
           <>
             <th scope="row"><button type="button" class="place" onClick={() => cell.selectPoint(point)}>{pointText(point)}</button>{isEdited(point) ? <span class="edited"> changed</span> : null}<ReachMark reason={reach.get(pointText(point))} /></th>
             <td title={fatherText(point.father, fathers)}>{point.father ?? "world"}</td>
-            {COORDINATES.map((name, at) => <td class="figure" key={name}>{shortNumber(point.local[at] ?? 0)}</td>)}
-            <td class="coordinates">{point.pose.map((part) => fixed(part, 1)).join("  ")}</td>
+            {fieldTexts(point.local, unit).map((field, at) => <td class="figure" key={at}>{field}</td>)}
+            <td class="coordinates">{poseTexts(point.pose, 1, unit).join("  ")}</td>
           </>
         )}
       />

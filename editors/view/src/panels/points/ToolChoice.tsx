@@ -17,7 +17,7 @@ export function ToolChoice({ cell }: { cell: Cell }): JSX.Element {
   return (
     <label>Tool{" "}
       <select value={tool === undefined ? LAST : pointText(tool)} onChange={({ currentTarget }) => choose(currentTarget.value)}>
-        <option value={LAST}>of the last move{last == null ? "" : ` (${last})`}</option>
+        <option value={LAST}>{last == null ? "last move's tool" : `${last} (last move)`}</option>
         {tools.map((candidate) => <option key={pointText(candidate)} value={pointText(candidate)}>{pointText(candidate)}</option>)}
       </select>
     </label>

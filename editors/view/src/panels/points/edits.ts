@@ -1,6 +1,7 @@
 // Changed values of points, until they are saved.
 
 import type * as wire from "../../wire";
+import type { LengthUnit } from "../shared/lengths";
 
 export const COORDINATES = ["x", "y", "z", "rx", "ry", "rz"] as const;
 
@@ -15,24 +16,34 @@ export function samePoint(left: PointName, right: PointName): boolean {
   return left.name === right.name && left.key === right.key;
 }
 
-/** Formats values for fields: at most 3 decimals, as on controllers. */
-export function fieldTexts(trsf: readonly number[]): string[] {
-  return COORDINATES.map((_, index) => shortNumber(trsf[index] ?? 0));
+/** Number of decimals of fields, as on controllers. */
+const DIGITS = 3;
+
+/** Formats values of the application for fields: at most 3 decimals, of lengths in inches 4. */
+export function fieldTexts(trsf: readonly number[], unit: LengthUnit): string[] {
+  return COORDINATES.map((_, index) => fieldText(trsf[index] ?? 0, index < 3, unit));
 }
 
-export function shortNumber(value: number): string {
-  return String(Number(value.toFixed(3)) + 0);
+/** Formats a value of the application for a field. */
+export function fieldText(value: number, isLength: boolean, unit: LengthUnit): string {
+  return String(Number(value.toFixed(DIGITS + (isLength ? unit.decimals : 0))) + 0);
+}
+
+/** Returns the name of a coordinate with its unit, unless that is mm or degrees. */
+export function coordinateTitle(index: number, unit: LengthUnit): string {
+  const name = COORDINATES[index] ?? "";
+  return index < 3 && unit.mm !== 1 ? `${name} (${unit.short})` : name;
 }
 
 /**
  * Parses the values of fields. A field that was not edited keeps its exact value. For an invalid field, returns its
  * name.
  */
-export function editedTrsf(texts: readonly string[], before: readonly number[]): { trsf: number[] } | { wrong: string } {
+export function editedTrsf(texts: readonly string[], before: readonly number[], unit: LengthUnit): { trsf: number[] } | { wrong: string } {
   const trsf: number[] = [];
   for (const [index, name] of COORDINATES.entries()) {
     const [text, old] = [texts[index] ?? "", before[index] ?? 0];
-    const value = text === shortNumber(old) ? old : Number(text.trim().replace(",", ".") || NaN);
+    const value = text === fieldText(old, index < 3, unit) ? old : Number(text.trim().replace(",", ".") || NaN);
     if (!Number.isFinite(value)) {
       return { wrong: `${name} needs a number, not "${text}".` };
     }

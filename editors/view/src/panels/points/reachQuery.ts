@@ -1,36 +1,51 @@
-// Reasons why the arm cannot reach points and joint positions with the chosen tool, for the tables and the picture.
+// Reasons why the arm cannot reach points and joint positions, for the tables and the picture: with the last move's tool
+// from the messages of the run, and with a tool that an operator has chosen from the server.
 
 import { effect } from "@preact/signals";
 import type { Answer, Cell } from "../shared/cell";
 import { pointText } from "./edits";
 import { toolArguments } from "./tools";
 
-/** Time without changes after which the reach is computed again, in ms. */
+/** Reasons by name. */
+export type Reasons = ReadonlyMap<string, string>;
+
+/** Reach of a tool. */
+export interface ToolReach {
+  /** Name of the tool; `undefined` if no data have its pose. */
+  tool: string | undefined;
+  reasons: Reasons;
+}
+
+/** Time without changes after which the reach of the chosen tool is computed again, in ms. */
 const QUIET = 300;
 
-/** Requests the reasons after each change, until the returned function is called. Runs that cannot be operated or are of an earlier version have no reasons. */
+/** Requests the reasons for the chosen tool after each change, until the returned function is called. */
 export function followReach(cell: Cell): () => void {
   let newest = 0;
   const request = async (): Promise<void> => {
     newest += 1;
     const own = newest;
-    const reasons = reasonsOf(await cell.send("reach", toolArguments(cell.chosenTool.peek())));
-    if (own === newest) {
-      cell.unreachable.value = reasons;
+    const tool = cell.chosenTool.peek();
+    const reasons = reasonsOf((await cell.send("reach", toolArguments(tool)))["unreachable"]);
+    if (own === newest && tool !== undefined) {
+      cell.chosenReach.value = { tool: pointText(tool), reasons };
     }
   };
   return effect(() => {
-    const { points, joints, tools, chosenTool, toolName, blocked } = cell;
-    [points, joints, tools, chosenTool, toolName].forEach((changing) => changing.valueOf());
-    const hasPositions = points.value.length + joints.value.length > 0;
-    const timer = hasPositions && blocked.value === undefined ? setTimeout(() => void request().catch(() => undefined), QUIET) : undefined;
+    const { points, joints, tools, chosenTool, blocked } = cell;
+    [points, joints, tools].forEach((changing) => changing.valueOf());
+    if (chosenTool.value === undefined || blocked.value !== undefined) {
+      newest += 1;
+      cell.chosenReach.value = undefined;
+      return undefined;
+    }
+    const timer = setTimeout(() => void request().catch(() => undefined), QUIET);
     return () => clearTimeout(timer);
   });
 }
 
-/** Returns the reasons in a response of `reach`. */
-export function reasonsOf(answer: Answer): ReadonlyMap<string, string> {
-  const values = answer["unreachable"];
+/** Returns the reasons in a list of unreachable values. */
+export function reasonsOf(values: Answer[string]): Reasons {
   return new Map((Array.isArray(values) ? values.filter(isUnreachable) : []).map((value) => [pointText(value), value.reason]));
 }
 

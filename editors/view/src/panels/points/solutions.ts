@@ -2,7 +2,7 @@
 
 import type * as wire from "../../wire";
 import type { Answer } from "../shared/cell";
-import { fixed } from "../shared/fixed";
+import { jointTexts, type LengthUnit } from "../shared/lengths";
 
 export type ArmSolution = wire.ArmSolution;
 
@@ -23,6 +23,6 @@ export function firstChoice(solutions: readonly ArmSolution[]): number {
 }
 
 /** Text of a solution: its joints, or the reason why there are none. */
-export function solutionText({ joints, reason }: ArmSolution): string {
-  return joints === null ? reason ?? "out of reach" : joints.map((joint) => fixed(joint, 1)).join("  ");
+export function solutionText({ joints, reason }: ArmSolution, axes: readonly { isLinear: boolean }[], unit: LengthUnit): string {
+  return joints === null ? reason ?? "out of reach" : jointTexts(joints, axes, 1, unit).join("  ");
 }

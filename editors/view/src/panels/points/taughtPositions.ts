@@ -1,7 +1,7 @@
 // Positions of the arm from which a frame or the centre point of a tool is computed.
 
 import type { Answer } from "../shared/cell";
-import { fixed } from "../shared/fixed";
+import { lengthText, type LengthUnit } from "../shared/lengths";
 import type { PointName } from "./edits";
 import { type ChosenTool, toolArguments } from "./tools";
 
@@ -33,7 +33,7 @@ export function teachingCommand(kind: TaughtKind, { name, key }: PointName, tool
 }
 
 /** Returns the sentence about a computed value. */
-export function taughtText(kind: TaughtKind, answer: Answer): string {
+export function taughtText(kind: TaughtKind, answer: Answer, unit: LengthUnit): string {
   const residual = answer["residual"];
-  return kind === "tool" && typeof residual === "number" ? `Computed; the tip is at most ${fixed(residual, 3)} mm from the touched place.` : "Computed.";
+  return kind === "tool" && typeof residual === "number" ? `Computed; the tip is at most ${lengthText(residual, 3, unit)} from the touched place.` : "Computed.";
 }

@@ -7,10 +7,11 @@ import type { MovingLine } from "../program/marks";
 import type { CodeLine } from "../program/programs";
 import { ProgramView } from "../program/ProgramView";
 import { DataValues } from "../points/pointsAt";
+import { reasonsOf, type ToolReach } from "../points/reachQuery";
 import type { TimedPhases } from "../tasks/times";
 import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellPoint, CellScene, JointValue, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
-import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, ProgramsMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
+import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, ProgramsMessage, QueueEntry, ReachMessage, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
 import { latest, TimedLevels } from "./timed";
 
@@ -37,6 +38,8 @@ export interface Surroundings {
   executed: ReadonlySignal<MovingLine | undefined>;
   /** Shows the tab Program. */
   showPrograms: () => void;
+  /** Returns the name of a tool. */
+  toolOf: (index: number) => string | undefined;
   seek: (t: number) => void;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
@@ -54,6 +57,7 @@ export class PanelModel {
   private readonly motions: MotionMessage[] = [];
   private readonly pages: PageMessage[] = [];
   private readonly placed: PartsMessage[] = [];
+  private readonly reaches: ReachMessage[] = [];
   private readonly levels = new TimedLevels<SignalState>();
   private readonly points = new DataValues<CellPoint>(({ points }) => points);
   private readonly joints = new DataValues<JointValue>(({ joints }) => joints ?? []);
@@ -65,7 +69,7 @@ export class PanelModel {
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
   private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
   /** Number of messages by kind, so that only their readers are drawn again. */
-  private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), parts: signal(0), io: signal(0), data: signal(0) };
+  private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), parts: signal(0), reach: signal(0), io: signal(0), data: signal(0) };
 
   constructor(private readonly surroundings: Surroundings) {
     this.cell = this.build(surroundings);
@@ -76,7 +80,7 @@ export class PanelModel {
     this.scene.value = scene;
     this.clear();
     this.code.clear();
-    this.cell.unreachable.value = new Map();
+    this.cell.chosenReach.value = undefined;
     this.unsaved.value = new Set();
     this.undo.value = undefined;
     this.chosenRange.value = undefined;
@@ -89,6 +93,7 @@ export class PanelModel {
     this.motions.length = 0;
     this.pages.length = 0;
     this.placed.length = 0;
+    this.reaches.length = 0;
     this.levels.clear();
     const scene = this.scene.peek();
     this.points.restart(scene?.points ?? []);
@@ -130,6 +135,11 @@ export class PanelModel {
     this.counts.parts.value += 1;
   }
 
+  addReach(message: ReachMessage): void {
+    this.reaches.push(message);
+    this.counts.reach.value += 1;
+  }
+
   addEvents({ events }: EventsMessage): void {
     this.past.addEvents(events);
   }
@@ -146,12 +156,15 @@ export class PanelModel {
 
   private build(around: Surroundings): Cell {
     const { time, newest, oldest } = around;
-    const { state, motion, page, parts, io, data } = this.counts;
+    const { state, motion, page, parts, reach, io, data } = this.counts;
     const after = <Value>(count: ReadonlySignal<number>, at: (t: number) => Value): ReadonlySignal<Value> => computed(() => {
       count.valueOf();
       return at(time.value);
     });
     const shownMotion = after(motion, (t) => latest(this.motions, t));
+    const chosenReach = signal<ToolReach | undefined>(undefined);
+    const shownReach = after(reach, (t) => latest(this.reaches, t));
+    const reached = computed(() => this.asReach(shownReach.value));
     const slowTime = throttled(time, SLOW);
     const whole = computed((): readonly [number, number] => [oldest.value, Math.max(newest.value, oldest.value + 0.05)]);
     const slowWhole = throttled(whole, SLOW);
@@ -183,7 +196,8 @@ export class PanelModel {
       tools: after(data, (t) => this.tools.at(t)),
       toolName: computed(() => around.sample.value?.toolName),
       chosenTool: signal(undefined),
-      unreachable: signal(new Map()),
+      chosenReach,
+      unreachable: computed(() => chosenReach.value ?? reached.value),
       history,
       unsaved: this.unsaved,
       undo: this.undo,
@@ -194,6 +208,10 @@ export class PanelModel {
         around.showPrograms();
       },
     };
+  }
+
+  private asReach(message: ReachMessage | undefined): ToolReach {
+    return { tool: message && this.surroundings.toolOf(message.tool), reasons: reasonsOf(message?.unreachable) };
   }
 
   private asMotion(message: MotionMessage | undefined): CellMotion {

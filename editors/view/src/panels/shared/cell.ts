@@ -7,6 +7,7 @@ import type { SignalHistory } from "../io/sparkline";
 import type { Transfer } from "../io/lineBytes";
 import type { ArmChain } from "../pendant/armModel";
 import type { PointName } from "../points/edits";
+import type { ToolReach } from "../points/reachQuery";
 import type { ChosenTool } from "../points/tools";
 import type { TaskSegments, TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
@@ -29,6 +30,8 @@ export type CellPoint = Omit<wire.CellPoint, "config"> & { config?: string | nul
 export type JointValue = wire.JointValue;
 
 export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
+  /** Length unit of the application's data. Runs of earlier versions have none. */
+  lengthUnit?: wire.LengthUnit;
   arm: ArmChain;
   /** Frames with their initial values. */
   frames: readonly CellPoint[];
@@ -125,8 +128,10 @@ export interface Cell {
   toolName: ReadonlySignal<string | null | undefined>;
   /** Tool with which the operator jogs, teaches and checks the reach. */
   chosenTool: Signal<ChosenTool>;
-  /** Reasons why the arm cannot reach points and joint positions with this tool, by name. */
-  unreachable: Signal<ReadonlyMap<string, string>>;
+  /** Reach of the chosen tool; `undefined` without one. */
+  chosenReach: Signal<ToolReach | undefined>;
+  /** Points and joint positions out of reach of the chosen tool, otherwise of the last move's tool. */
+  unreachable: ReadonlySignal<ToolReach>;
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;

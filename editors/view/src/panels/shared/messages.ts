@@ -29,4 +29,6 @@ export type PartsMessage = wire.PartsMessage;
 
 export type ProgramsMessage = wire.ProgramsMessage;
 
+export type ReachMessage = wire.ReachMessage;
+
 export type EventsMessage = wire.EventsMessage;

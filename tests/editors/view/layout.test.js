@@ -1,0 +1,51 @@
+// Buttons keep their places while an operator uses the panels.
+const assert = require("node:assert/strict");
+const { test } = require("node:test");
+const { served } = require("./served.js");
+
+const SIZES = [[1280, 800], [900, 500], [390, 844]];
+
+/** Returns the places of all visible controls of the panel, by name. Values and pressed marks are not part of a name. */
+const places = (page) => page.evaluate(() => [...document.querySelectorAll(".panel.io :is(button, select, input)")].map((control) => {
+  const { left, top, width, height } = control.getBoundingClientRect();
+  const name = (control.getAttribute("aria-label") ?? "").replace(/ is .*/, "");
+  return `${name}: ${[left, top, width, height].map(Math.round).join()}`;
+}).filter((place) => !place.startsWith("Hide this message")));
+
+test("the buttons of the inputs and outputs keep their places", () => served([], async (run) => {
+  const page = await run.open();
+  await page.getByRole("tab", { name: "Inputs and outputs" }).click();
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(300);
+    const before = await places(page);
+    assert.ok(before.length > 8, before.join("\n"));
+    const lock = page.getByRole("button", { name: /^Lock / }).first();
+    const value = page.getByRole("button", { name: / is / }).first();
+    const sim = page.getByRole("button", { name: /^Sim / }).first();
+    const fault = page.getByRole("combobox", { name: /^Fault of / }).first();
+    const presses = [() => lock.click(), () => value.click(), () => value.click(), () => lock.click(), () => sim.click(), () => sim.click(), () => fault.selectOption("-3"), () => fault.selectOption("0")];
+    for (const [index, press] of presses.entries()) {
+      await press();
+      await page.waitForTimeout(300);
+      assert.deepEqual(await places(page), before, `press ${index} in ${width}x${height}`);
+    }
+  }
+}));
+
+test("a rejection covers the panel and moves nothing", () => served([], async (run) => {
+  const page = await run.open();
+  await page.getByRole("tab", { name: "Inputs and outputs" }).click();
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(300);
+    const before = await places(page);
+    const refused = await page.evaluate(async () => {
+      const notice = document.querySelector(".panel.io .notice");
+      notice.textContent = "This is a sentence about a rejected command that is longer than a line of the panel. ".repeat(3);
+      return notice.getBoundingClientRect().height;
+    });
+    assert.ok(refused > 20, `the sentence has ${refused} px`);
+    assert.deepEqual(await places(page), before, `${width}x${height}`);
+  }
+}));
