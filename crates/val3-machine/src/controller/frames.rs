@@ -18,7 +18,8 @@ impl Controller {
     }
 
     /// Length unit of the application, in which it uses the data of its libraries, too.
-    pub(super) fn length_unit(&self) -> LengthUnit {
+    #[must_use]
+    pub fn length_unit(&self) -> LengthUnit {
         let application = self.vm.space.instance(self.application);
         application.map(|application| application.image.unit).unwrap_or_default()
     }
