@@ -129,7 +129,7 @@ fn run(
     if !settings.is_plain_run {
         settings.session.apply(&mut course.debugger);
     }
-    session.begin(&mut DebuggedRun { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
+    session.begin(&mut course.target());
     let end = course.run(session, signals)?;
     let code = course.exit_code(end);
     course.close(end)?;
