@@ -30,13 +30,14 @@ const SQUARE = app.line("start", "nSquare=l_nAt");
 async function opens(user, name) {
   const row = user.page.locator(".debug-variables .monaco-list-row", { hasText: `${name} =` }).first();
   const item = user.page.locator(".monaco-menu .action-label", { hasText: "Show History of Variable" });
-  // The list may be redrawn some time after a stop, which closes the menu.
-  for (let attempt = 0; attempt < 5 && !(await item.isVisible()); attempt += 1) {
+  const tab = user.page.locator(`.tab[aria-label^="History of counter:${name}"]`);
+  // The list may be redrawn some time after a stop, which closes the menu, and a new menu ignores clicks.
+  for (let attempt = 0; attempt < 5 && !(await tab.isVisible()); attempt += 1) {
+    await user.keys("Escape");
     await row.click({ button: "right" });
-    await item.waitFor({ timeout: 5000 }).catch(() => {});
+    await item.click({ timeout: 5000, delay: 100 }).catch(() => {});
+    await tab.waitFor({ timeout: 10_000 }).catch(() => {});
   }
-  await item.click();
-  await user.page.waitForSelector(`.tab[aria-label^="History of counter:${name}"]`);
   const frame = await user.frameWith(`counter:${name}`);
   await frame.waitForSelector("[role=grid]");
   return frame;

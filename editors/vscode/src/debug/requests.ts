@@ -153,7 +153,10 @@ export interface HistoryBody {
   now: number;
   /** Numbers in each value; empty for strings, arrays, collections and user types. */
   series: readonly Series[];
-  /** Time since which the value is `initial`, in seconds. */
+  /**
+   * Time since which the value is `initial`, in seconds: the beginning of the history, or of a local variable's
+   * program.
+   */
   since: number | null;
   /** Type, including array sizes; empty if the value was never in memory. */
   type: string;
@@ -312,7 +315,7 @@ export interface Series {
   isDigital: boolean;
   /** Field name, for example `j1` or `x`; empty for the value itself. */
   name: string;
-  /** Unit. */
+  /** Unit: `mm`, `in`, `degrees`, `s`, `%`, `mm/s`, `in/s` or `degrees/s`; `null` for a number without a unit. */
   unit: string | null;
 }
 
@@ -378,7 +381,10 @@ export interface ViewArguments {
 
 /** Write that has changed a value. */
 export interface Write {
-  /** Numbers of the value, in the order of `series`; empty if the value is not in memory. */
+  /**
+   * Numbers of the value, in the order of `series`; empty if the value is not in memory. `null` stands for a number
+   * that is not finite or cannot be read.
+   */
   numbers: readonly (number | null)[];
   /** Line that wrote. */
   source: WriteLine | null;
