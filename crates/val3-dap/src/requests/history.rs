@@ -253,6 +253,12 @@ mod tests {
         assert_eq!(input["series"], json!([{ "name": "", "unit": null, "isDigital": true }]));
     }
 
+    /// Formats a series: `j1:degrees`.
+    fn series_text(series: &Value) -> String {
+        let digital = if series["isDigital"] == true { " digital" } else { "" };
+        format!("{}:{}{digital}", series["name"].as_str().unwrap(), series["unit"].as_str().unwrap_or(""))
+    }
+
     #[test]
     fn values_have_numbers_with_units() {
         let listing = "num nCount = 2\njoint jHome\npoint pPick\nbool bDone\nstring sName\nnum nList[2]\n\n\
@@ -263,10 +269,7 @@ mod tests {
         let mut shown = String::new();
         for name in ["nCount", "jHome", "jHome.j2", "pPick", "pPick.trsf.x", "bDone", "sName", "nList", "nList[1]"] {
             let body = client.body("val3/history", json!({ "name": name }));
-            let series: Vec<String> = body["series"].as_array().unwrap().iter().map(|series| {
-                let digital = if series["isDigital"] == true { " digital" } else { "" };
-                format!("{}:{}{digital}", series["name"].as_str().unwrap(), series["unit"].as_str().unwrap_or(""))
-            }).collect();
+            let series: Vec<String> = body["series"].as_array().unwrap().iter().map(series_text).collect();
             let (numbers, initial) = (&body["writes"][0]["numbers"], &body["initialNumbers"]);
             let kind = body["type"].as_str().unwrap();
             shown += &format!("{name} {kind} [{}] {initial} -> {numbers}\n", series.join(" "));

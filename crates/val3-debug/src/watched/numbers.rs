@@ -70,9 +70,7 @@ impl WatchedData {
         }
         let numbers = self.look(controller, |memory, devices, found| {
             let (kind, place) = single(memory, found)?;
-            let read = |number: NumberPlace| {
-                finite(read(memory, devices, number.base, place.after(number.offset)))
-            };
+            let read = |number: NumberPlace| finite(read(memory, devices, number.base, place.after(number.offset)));
             Some(number_places(&kind, NumberUnit::None).into_iter().map(read).collect())
         });
         numbers.unwrap_or_default()
