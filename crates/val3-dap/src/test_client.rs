@@ -161,7 +161,11 @@ impl TestClient {
         let evaluator = FrameEvaluator::new(application(listing));
         let validator = SchemaValidator::new().unwrap();
         let mut this = Self { session, debugger, evaluator, inbox, output, validator };
-        this.session.begin(&mut DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator, lines: line });
+        this.session.begin(&mut DebuggedRun {
+            debugger: &mut this.debugger,
+            evaluator: &mut this.evaluator,
+            lines: line,
+        });
         this.received();
         this
     }
@@ -170,7 +174,11 @@ impl TestClient {
     pub(crate) fn open_again(&mut self, listing: &str) -> Vec<(String, Value)> {
         self.debugger = debugger(listing, &self.session.start);
         self.evaluator = FrameEvaluator::new(application(listing));
-        self.session.begin(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator, lines: line });
+        self.session.begin(&mut DebuggedRun {
+            debugger: &mut self.debugger,
+            evaluator: &mut self.evaluator,
+            lines: line,
+        });
         self.received().into_iter().filter_map(event).collect()
     }
 
@@ -200,7 +208,11 @@ impl TestClient {
     /// Sends a request, and returns the next action of the run.
     pub(crate) fn action(&mut self, command: &str, arguments: Value) -> NextAction {
         self.send(1, command, arguments);
-        self.session.attend(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator, lines: line })
+        self.session.attend(&mut DebuggedRun {
+            debugger: &mut self.debugger,
+            evaluator: &mut self.evaluator,
+            lines: line,
+        })
     }
 
     /// Sends a request, and returns the messages of the session.
