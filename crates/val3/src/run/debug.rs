@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use val3_dap::{AttachServer, DebugSession, DebuggedRun, NextAction, RunState, SessionSettings};
+use val3_dap::{AttachServer, DebugSession, NextAction, RunState, SessionSettings};
 
 use super::course::Course;
 use super::end::End;
