@@ -152,7 +152,7 @@ const STEPS = {
     await user.focusEditor();
     await user.keys("Shift+F5");
     await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
-    await number.getByText("This is the history of an earlier debug session.").waitFor();
+    await number.getByText("This is the history of another debug session.").waitFor();
   },
 };
 

@@ -11,6 +11,9 @@ const TYPE = "val3.history";
 /** Number of requested writes at first, and factor for each request of more writes. */
 export const [COUNT, GROWTH] = [1000, 10];
 
+/** Milliseconds after a stop until the history is searched, so that the search does not delay quick steps. */
+const PAUSE = 200;
+
 /** Message from the page. */
 type FromPage = { command: "ready" } | { command: "openLine"; source: WriteLine; isFinal: boolean } | { command: "earlier" };
 
@@ -27,6 +30,9 @@ export class HistoryPanel implements vscode.Disposable {
   /** Number of the last request. Responses to earlier ones are ignored. */
   private request = 0;
   private note: string | null = null;
+  private pause: NodeJS.Timeout | undefined;
+  /** Whether the run has stopped elsewhere while the tab was hidden. A hidden history is not searched. */
+  private isStale = false;
 
   constructor(
     private readonly run: DebuggedRun,
@@ -39,12 +45,14 @@ export class HistoryPanel implements vscode.Disposable {
     const options = { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [] };
     this.panel = vscode.window.createWebviewPanel(TYPE, `History of ${history.name}`, vscode.ViewColumn.Beside, options);
     this.subscription = vscode.Disposable.from(
-      run.onDidStop(() => void this.refresh().catch(report)),
-      run.onDidResume(() => this.setNote("The run continues. The history is updated at the next stop.")),
-      run.onDidChangeSession(() => this.setNote(run.session === this.session ? this.note : "This is the history of an earlier debug session.")),
+      run.onDidStop(() => this.refreshSoon()),
+      run.onDidResume(() => this.resume()),
+      this.panel.onDidChangeViewState(() => this.isStale && this.refreshSoon()),
+      run.onDidChangeSession(() => this.changeSession()),
       this.panel.webview.onDidReceiveMessage((message: FromPage) => void this.take(message).catch(report)),
     );
     this.panel.onDidDispose(() => {
+      clearTimeout(this.pause);
       this.subscription.dispose();
       onDispose();
     });
@@ -74,6 +82,28 @@ export class HistoryPanel implements vscode.Disposable {
       await this.refresh();
     } else {
       await vscode.commands.executeCommand("val3.openLine", message.source, !message.isFinal);
+    }
+  }
+
+  private changeSession(): void {
+    if (this.run.session === this.session) {
+      this.refreshSoon();
+    } else {
+      this.setNote("This is the history of another debug session.");
+    }
+  }
+
+  private resume(): void {
+    clearTimeout(this.pause);
+    this.isStale = false;
+    this.setNote("The run continues. The history is updated at the next stop.");
+  }
+
+  private refreshSoon(): void {
+    clearTimeout(this.pause);
+    this.isStale = !this.panel.visible;
+    if (this.panel.visible) {
+      this.pause = setTimeout(() => void this.refresh().catch(this.report), PAUSE);
     }
   }
 
