@@ -1,5 +1,5 @@
-// Creates the pictures in the README: `node tests/editors/pictures.js` after `tests/editors/run debug`, with the
-// variables of `run`.
+// Creates the pictures in the README and the book: `node tests/editors/pictures.js` after `tests/editors/run debug
+// history`, with the variables of `run`.
 const { readFileSync, readdirSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
@@ -44,10 +44,15 @@ test("the gripper comes near to the belt", () => served(BOXES, async (run) => {
   await page.screenshot(picture("cell.jpg"));
 }, widen));
 
-test("the robot is next to the code", async () => {
+/** Copies the screenshot of a step in the workbench. */
+async function copy(step, name) {
   const output = process.env.VAL3_OUTPUT;
-  const shot = readdirSync(output).find((name) => name.includes("the-robot-is-shown-next-to-the-code"));
+  const shot = readdirSync(output).find((file) => file.includes(step));
   const page = await openFile(join(output, shot));
   await page.setViewportSize({ width: 1400, height: 900 });
-  await page.screenshot(picture("robot-code.jpg"));
-});
+  await page.screenshot(picture(name));
+}
+
+test("the robot is next to the code", () => copy("the-robot-is-shown-next-to-the-code", "robot-code.jpg"));
+
+test("the history of a joint is next to the code", () => copy("the-history-of-a-joint", "history.jpg"));

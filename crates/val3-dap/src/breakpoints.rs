@@ -204,6 +204,11 @@ impl BreakpointTable {
         id
     }
 
+    /// Returns stored data.
+    pub(crate) fn known_data(&self, id: &str) -> Option<&WatchedData> {
+        self.known_data.get(id)
+    }
+
     /// Chooses the run-time errors that stop the run.
     pub(crate) fn set_errors(
         &mut self,

@@ -2,6 +2,7 @@
 
 use val3_debug::Debugger;
 use val3_session::FrameEvaluator;
+use val3_view::FileReader;
 
 /// Run that a session debugs.
 pub struct DebuggedRun<'a> {
@@ -9,4 +10,6 @@ pub struct DebuggedRun<'a> {
     pub debugger: &'a mut Debugger,
     /// Evaluator of code in stack frames.
     pub evaluator: &'a mut FrameEvaluator,
+    /// Reader of program files, for the code of lines in messages to pages.
+    pub files: FileReader,
 }

@@ -12,6 +12,7 @@ use val3_view::wire::{self, Role, UnsavedMessage};
 use val3_view::{Feed, Operator, ViewerMessage};
 use val3_vm::CYCLE;
 
+use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::moves::ArmSample;
 use crate::user_page::ShownUserPage;
@@ -74,15 +75,14 @@ impl Subscriptions {
     pub(crate) fn subscribe(
         &mut self,
         arguments: &SubscribeArguments,
-        controller: &Controller,
+        run: &DebuggedRun<'_>,
     ) -> Result<(), RequestFailure> {
         let SubscribeArguments { motion, io, user_page, view } = *arguments;
         self.motion = motion.map_or(Ok(self.motion), MotionSampling::interval)?;
         self.has_io = io.unwrap_or(self.has_io);
         self.has_user_page = user_page.unwrap_or(self.has_user_page);
         if let Some(is_shown) = view {
-            // The client shows the code itself.
-            self.view = is_shown.then(|| Feed::new(controller, Role::Debugger, |_| None));
+            self.view = is_shown.then(|| Feed::new(&run.debugger.controller, Role::Debugger, run.files));
             (self.unsaved, self.is_stopped) = (None, None);
         }
         Ok(())

@@ -90,6 +90,12 @@ pub(crate) fn source(program: &str) -> Value {
     json!({ "name": format!("{program}.pgx"), "path": format!("/cell/usr/usrapp/main/{program}.pgx") })
 }
 
+/// Reader of program files. A line contains its own position, such as `start.pgx 7`.
+fn text(file: &str) -> Option<String> {
+    let name = file.rsplit('/').next()?;
+    Some((1..=99).map(|row| format!("{name} {row}\n")).collect())
+}
+
 /// Client of a run.
 pub(crate) struct TestClient {
     session: DebugSession,
@@ -130,7 +136,7 @@ impl TestClient {
     /// Starts the program `start` of a listing with `stopOnExit`, at a time at which the run ends.
     pub(crate) fn stopped_at_time(listing: &str, end: TimeEnd) -> Self {
         let mut this = Self::launched(listing, json!({ "stopOnExit": true }));
-        let mut run = DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator };
+        let mut run = DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator, files: text };
         assert!(this.session.stop_at_time(end, &mut run));
         this
     }
@@ -156,7 +162,11 @@ impl TestClient {
         let evaluator = FrameEvaluator::new(application(listing));
         let validator = SchemaValidator::new().unwrap();
         let mut this = Self { session, debugger, evaluator, inbox, output, validator };
-        this.session.begin(&mut DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator });
+        this.session.begin(&mut DebuggedRun {
+            debugger: &mut this.debugger,
+            evaluator: &mut this.evaluator,
+            files: text,
+        });
         this.received();
         this
     }
@@ -165,7 +175,11 @@ impl TestClient {
     pub(crate) fn open_again(&mut self, listing: &str) -> Vec<(String, Value)> {
         self.debugger = debugger(listing, &self.session.start);
         self.evaluator = FrameEvaluator::new(application(listing));
-        self.session.begin(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator });
+        self.session.begin(&mut DebuggedRun {
+            debugger: &mut self.debugger,
+            evaluator: &mut self.evaluator,
+            files: text,
+        });
         self.received().into_iter().filter_map(event).collect()
     }
 
@@ -195,7 +209,11 @@ impl TestClient {
     /// Sends a request, and returns the next action of the run.
     pub(crate) fn action(&mut self, command: &str, arguments: Value) -> NextAction {
         self.send(1, command, arguments);
-        self.session.attend(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator })
+        self.session.attend(&mut DebuggedRun {
+            debugger: &mut self.debugger,
+            evaluator: &mut self.evaluator,
+            files: text,
+        })
     }
 
     /// Sends a request, and returns the messages of the session.
@@ -225,7 +243,7 @@ impl TestClient {
         while self.session.is_running() {
             let progress = self.debugger.advance();
             let events = self.debugger.controller.devices.take_events();
-            let mut run = DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator };
+            let mut run = DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator, files: text };
             self.session.report(&events, &mut run);
             match progress {
                 AdvanceResult::Stopped(stop) => {

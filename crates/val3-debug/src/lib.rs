@@ -57,5 +57,5 @@ pub use values::{
     DebugValue, DisplayFormat, Inside, NamedFragment, Scope, ScopeKind, count, data, row_of_data, scopes,
     string_of_data, subscript, values,
 };
-pub use watched::WatchedData;
-pub use writes::{DataWrite, DataWrites};
+pub use watched::{DataForm, NumberSeries, WatchedData};
+pub use writes::{DataWrite, DataWrites, InitialValue};

@@ -23,6 +23,7 @@ use names::AccessNames;
 pub use names::subscript;
 
 pub use text::DisplayFormat;
+pub(crate) use text::type_name;
 
 /// A variable, a field, or an array or collection element.
 #[derive(Debug, Clone, PartialEq)]
@@ -289,6 +290,14 @@ pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> Str
     let text =
         |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number), DisplayFormat::EXACT);
     listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
+}
+
+/// Formats the type of a container, with its sizes: `num[4]`. The type of an array with one element has no size.
+pub(crate) fn type_of_all(memory: &Memory, view: View) -> Option<String> {
+    let (store, count) = (memory.store(view.store).ok()?, memory.len(view).ok()?);
+    let is_single = count == 1 && matches!(store.shape, ContainerShape::Array { .. });
+    let sizes = if is_single { String::new() } else { text::sizes(&store.shape, count) };
+    Some(type_name(&store.kind) + &sizes)
 }
 
 /// Joins the first of `count` elements, given as texts.

@@ -1,5 +1,7 @@
 //! Watched data: variables, elements, fields and signals that are looked up again after each line.
 
+mod numbers;
+
 use std::sync::Arc;
 
 use rustc_hash::FxHashSet;
@@ -17,6 +19,8 @@ use val3_vm::{FragmentContext, Frame, FrameOwner, InstanceId, Space, Vm, Watched
 
 use crate::reads::{ExecutedLine, Extent};
 use crate::values;
+
+pub use numbers::{DataForm, NumberSeries};
 
 /// A variable, element, field or signal that a data breakpoint watches. It is looked up by its name after each line, so
 /// it stays valid while the run continues. A local variable no longer exists after its program has ended.

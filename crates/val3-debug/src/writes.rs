@@ -14,10 +14,10 @@ use crate::backwards::{Watcher, fraction};
 use crate::debugger::Debugger;
 use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
-use crate::watched::{Digest, WatchedData};
+use crate::watched::{DataForm, Digest, WatchedData};
 
 /// A write that has changed watched data.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DataWrite {
     /// Controller clock after the write, in ns.
     pub time: Time,
@@ -27,16 +27,32 @@ pub struct DataWrite {
     pub line: Option<TaskFrame>,
     /// New value, or a text for data that are no longer in memory.
     pub value: String,
+    /// Numbers of the new value, in the order of [`DataForm::series`]; empty for data that are no longer in memory. A
+    /// number is `None` if it is not finite, or if the signal of an input or output cannot be read.
+    pub numbers: Vec<Option<f64>>,
+}
+
+/// Value of the data before the first write.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InitialValue {
+    /// Controller clock since which the value is known, in ns: the beginning of the history, or of a local variable's
+    /// program.
+    pub time: Time,
+    /// The value.
+    pub value: String,
+    /// Numbers of the value, as in [`DataWrite::numbers`].
+    pub numbers: Vec<Option<f64>>,
 }
 
 /// Recorded writes of watched data.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct DataWrites {
     /// Writes, the newest first.
     pub writes: Vec<DataWrite>,
-    /// Value before the first write: at the beginning of the history, or of a local variable's program. `None` if there
-    /// are writes before [`writes`](Self::writes).
-    pub initial: Option<String>,
+    /// Value before the first write. `None` if there are writes before [`writes`](Self::writes).
+    pub initial: Option<InitialValue>,
+    /// Type and numbers of the data; `None` if the data were never in memory at a write.
+    pub form: Option<DataForm>,
 }
 
 /// Value of watched data at a moment.
@@ -45,6 +61,7 @@ struct MomentValue {
     /// The value; `None` if it is not in memory.
     digest: Option<Digest>,
     text: String,
+    numbers: Vec<Option<f64>>,
     /// Whether the stack frame of a local variable exists; `true` for other data.
     exists: bool,
 }
@@ -55,7 +72,9 @@ struct PartWrites {
     writes: VecDeque<DataWrite>,
     limit: usize,
     /// Value before the first write.
-    initial: String,
+    initial: InitialValue,
+    /// Type and numbers of the data, as soon as they are in memory.
+    form: Option<DataForm>,
     /// Present value; `None` if it is not in memory.
     seen: Option<Digest>,
     /// Whether the stack frame of a local variable exists.
@@ -85,20 +104,24 @@ impl Debugger {
     /// Returns the present value.
     fn present(&mut self, data: &WatchedData) -> MomentValue {
         let exists = data.has_frame(&self.controller);
-        MomentValue { digest: data.digest(&mut self.controller), text: data.text(&mut self.controller), exists }
+        let controller = &mut self.controller;
+        let (digest, text, numbers) = (data.digest(controller), data.text(controller), data.numbers(controller));
+        MomentValue { digest, text, numbers, exists }
     }
 
     fn search_writes(&mut self, data: &WatchedData, count: usize, watcher: Watcher<'_>) -> Option<DataWrites> {
         let present = Moment::of(&self.controller);
         let past = present.time - self.first_moment().map_or(0, |first| first.time);
         let mut later = self.present(data);
-        let mut all = DataWrites { initial: Some(later.text.clone()), ..DataWrites::default() };
+        let form = data.form(&mut self.controller);
+        let initial = Some(InitialValue::new(present.time, &later));
+        let mut all = DataWrites { initial, form, ..DataWrites::default() };
         let mut end = present;
         while all.writes.len() <= count
             && let Some(start) = self.restore_earlier(end)
         {
             let first = self.present(data);
-            let mut part = PartWrites::new(first.clone(), count + 1);
+            let mut part = PartWrites::new(start.time, &first, count + 1, all.form.take());
             part.keep_names(&self.controller.vm);
             self.watch_return(data);
             while let Some(task) = self.replay_line(end) {
@@ -110,11 +133,12 @@ impl Debugger {
             }
             // A change by the debugger at the end of the part is not repeated by a replay.
             if (&part.seen, part.exists) != (&later.digest, later.exists) {
-                let write = DataWrite { time: end.time, task: None, line: None, value: later.text };
+                let MomentValue { text: value, numbers, .. } = later;
+                let write = DataWrite { time: end.time, task: None, line: None, value, numbers };
                 part.add(write, later.digest, later.exists);
             }
             all.writes.extend(part.writes.into_iter().rev());
-            all.initial = Some(part.initial);
+            (all.initial, all.form) = (Some(part.initial), part.form);
             if part.has_begun {
                 break;
             }
@@ -154,10 +178,25 @@ impl Debugger {
     }
 }
 
+impl InitialValue {
+    fn new(time: Time, MomentValue { text, numbers, .. }: &MomentValue) -> Self {
+        Self { time, value: text.clone(), numbers: numbers.clone() }
+    }
+}
+
 impl PartWrites {
-    fn new(MomentValue { digest, text, exists }: MomentValue, limit: usize) -> Self {
-        let names = BTreeMap::new();
-        Self { writes: VecDeque::new(), limit, initial: text, seen: digest, exists, has_begun: false, names }
+    /// `first` is the value at the beginning of the part.
+    fn new(time: Time, first: &MomentValue, limit: usize, form: Option<DataForm>) -> Self {
+        Self {
+            writes: VecDeque::new(),
+            limit,
+            initial: InitialValue::new(time, first),
+            form,
+            seen: first.digest.clone(),
+            exists: first.exists,
+            has_begun: false,
+            names: BTreeMap::new(),
+        }
     }
 
     /// Stores the name of each task.
@@ -177,10 +216,13 @@ impl PartWrites {
         if now == self.seen && exists == self.exists {
             return;
         }
-        let value = data.text(controller);
+        if self.form.is_none() {
+            self.form = data.form(controller);
+        }
+        let (value, numbers) = (data.text(controller), data.numbers(controller));
         let line = line.and_then(|line| task_frame(&controller.vm, &line.frame, line.op));
         let task = task.and_then(|task| self.names.get(&task).cloned());
-        self.add(DataWrite { time: controller.now(), task, line, value }, now, exists);
+        self.add(DataWrite { time: controller.now(), task, line, value, numbers }, now, exists);
     }
 
     fn add(&mut self, write: DataWrite, now: Option<Digest>, exists: bool) {
@@ -189,7 +231,7 @@ impl PartWrites {
             // The local variable begins to exist here. The earlier writes were to another call's variable in its place.
             self.writes.clear();
             self.has_begun = true;
-            self.initial = write.value;
+            self.initial = InitialValue { time: write.time, value: write.value, numbers: write.numbers };
             return;
         }
         self.writes.push_back(write);

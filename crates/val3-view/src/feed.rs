@@ -69,7 +69,8 @@ pub struct Feed {
     reach: ReachState,
     signals: SignalStates,
     lines: Lines,
-    programs: Programs,
+    /// Programs that readers have; `None` if their editor shows the code itself.
+    programs: Option<Programs>,
     /// Latest time in the messages.
     seen: Time,
     messages: Vec<ViewerMessage>,
@@ -100,7 +101,7 @@ impl Feed {
             reach: ReachState::default(),
             signals: SignalStates::default(),
             lines: Lines::new(files),
-            programs: Programs::default(),
+            programs: (role != Role::Debugger).then(Programs::default),
             seen: 0,
             messages: Vec::new(),
         };
@@ -190,7 +191,8 @@ impl Feed {
     }
 
     fn see_programs(&mut self, controller: &Controller) {
-        for programs in self.programs.news(&controller.vm.space, &mut self.lines) {
+        let programs = self.programs.as_mut().map(|programs| programs.news(&controller.vm.space, &mut self.lines));
+        for programs in programs.into_iter().flatten() {
             self.tell(&wire::Message::Programs(programs));
         }
     }

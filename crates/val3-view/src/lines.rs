@@ -5,7 +5,7 @@ use val3_machine::event::{Event, EventKind};
 
 use crate::wire::PageEvent;
 
-/// Reads the text of a program's file; `None` if the file cannot be read, or if the pages need no code.
+/// Reads the text of a program's file; `None` if the file cannot be read.
 pub type FileReader = fn(&str) -> Option<String>;
 
 /// Texts of program files, by path. Each file is read once, and again when its application or library is loaded.

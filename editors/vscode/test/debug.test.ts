@@ -6,7 +6,6 @@ import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
 import { Mapping } from "../src/codeView/mapping";
 import { frame, MessageReader } from "../src/debug/frames";
-import { historyRows } from "../src/debug/historyRows";
 import { keyArgument, levelFrom } from "../src/debug/robot/input";
 import { type Item, merge } from "../src/debug/robot/items";
 import { SourceTranslator, type View, type Views } from "../src/debug/sources";
@@ -99,19 +98,6 @@ test("targets and places of breakpoints are those of the code view", async () =>
   assert.deepEqual([args.line, (args.source as Protocol.Source).path], [5, FILE]);
   const { targets } = shown(sources, response(4, "gotoTargets", { targets: [{ id: 1, label: "b", line: 5 }] })) as Protocol.GotoTargetsResponse["body"];
   assert.equal(targets[0]?.line, 3);
-});
-
-test("a history is a list of values with their lines", () => {
-  const source = { application: "cell", program: "count", line: 7, file: FILE };
-  const writes = [{ t: 1.25, value: "3", task: null, source: null }, { t: 0.5, value: "2", task: "main~", source }];
-  assert.deepEqual(historyRows({ name: "cell:nCount", writes, more: false, initial: "0" }), [
-    { label: "3", description: "1.250 s, changed from outside" },
-    { label: "2", description: "0.500 s, cell:count() line 7, main~", source },
-    { label: "0", description: "before these writes" },
-  ]);
-  assert.deepEqual(historyRows({ name: "cell:nCount", writes: [], more: true, initial: null }), [
-    { label: "Earlier Writes…", description: "", isMore: true },
-  ]);
 });
 
 test("keys are typed as characters or pressed by name", () => {

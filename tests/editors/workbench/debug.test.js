@@ -5,6 +5,7 @@ const { spawn } = require("node:child_process");
 const { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { basename, join } = require("node:path");
+const { Application } = require("../dap/application");
 const { runSteps } = require("./steps");
 
 const folder = mkdtempSync(join(tmpdir(), "val3-debug-"));
@@ -37,6 +38,21 @@ function addressOf(run) {
 
 /** A box lies between the rails. The test activates the sensor. */
 const SCRIPT = "[[at]]\nt = 0.1\nio = { 'BasicIO-1\\%I4' = true, 'BasicIO-1\\%I5' = true }\n";
+
+/** An application with a division by zero. */
+const BROKEN = {
+  data: { "num nShare": "", "num nWhole": "", "num nParts": "" },
+  programs: `
+program start()
+begin
+  call divide()
+end
+program divide()
+begin
+  nShare=nWhole/nParts
+end
+`,
+};
 
 const STEPS = {
   async "programs that can be started have lenses"(user) {
@@ -206,6 +222,21 @@ const STEPS = {
     await user.page.waitForSelector('.debug-call-stack .monaco-list-row:has-text("production")');
     await user.keys("Shift+F5");
     await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
+  },
+
+  async "a fault is shown with the code of its line"(user) {
+    cpSync(new Application("broken", BROKEN).folder(), join(cell, "usr/usrapp/broken"), { recursive: true });
+    await user.openFile("divide.pgx");
+    await user.command("VAL 3: Show Robot");
+    await user.leavesWebview("Robot");
+    await user.keys("F5");
+    await user.page.waitForSelector(".editor-instance .debug-top-stack-frame-line, .editor-instance .debug-focused-stack-frame-line");
+    const bar = (await user.frame(".fault-bar code")).locator(".fault-bar");
+    assert.match(await bar.innerText(), /^Error 10: .* in task broken~ at divide:\d+/);
+    assert.equal(await bar.locator("code").innerText(), "nShare=nWhole/nParts");
+    await user.keys("Shift+F5");
+    await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
+    await user.closesTab("Robot");
   },
 
   async "among several applications the user picks one"(user) {

@@ -2,7 +2,8 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use val3_debug::{DataWrite, TaskFrame};
+use val3_debug::{DataForm, DataWrite, NumberSeries, TaskFrame, WatchedData};
+use val3_lang::types::{LengthUnit, NumberUnit};
 use val3_machine::event::seconds;
 
 use crate::debugged_run::DebuggedRun;
@@ -26,29 +27,85 @@ impl DebugRequest for History {
         run: &mut DebuggedRun<'_>,
         arguments: HistoryArguments,
     ) -> Result<HistoryBody, RequestFailure> {
-        let HistoryArguments { name, variables_reference, frame_id, count } = &arguments;
-        let named = NamedData { name, variables_reference: *variables_reference, frame: *frame_id };
-        let data = session.named_data(&named, run)?.map_err(RequestFailure::Rejected)?;
-        let count = count.map_or(COUNT, |count| count as usize);
+        let data = data_of(&arguments, session, run)?;
+        let count = arguments.count.map_or(COUNT, |count| count as usize);
         let found = session.search_writes(&data, count, run)?;
+        let (type_name, series) = described(found.form);
+        let initial = found.initial;
         Ok(HistoryBody {
-            name: data.id().to_owned(),
+            name: session.breakpoints.know_data(data),
+            type_name,
+            series,
+            now: seconds(run.debugger.controller.now()),
             writes: found.writes.into_iter().map(Write::from).collect(),
-            more: found.initial.is_none(),
-            initial: found.initial,
+            more: initial.is_none(),
+            since: initial.as_ref().map(|initial| seconds(initial.time)),
+            initial_numbers: initial.as_ref().map(|initial| initial.numbers.clone()),
+            initial: initial.map(|initial| initial.value),
         })
+    }
+}
+
+/// Returns the data that the arguments name.
+///
+/// # Errors
+/// The arguments have neither a name nor a data id, or there are no such data.
+fn data_of(
+    arguments: &HistoryArguments,
+    session: &DebugSession,
+    run: &mut DebuggedRun<'_>,
+) -> Result<WatchedData, RequestFailure> {
+    let HistoryArguments { name, variables_reference, frame_id, data_id, .. } = arguments;
+    match (data_id, name) {
+        (Some(id), _) => {
+            let known = session.breakpoints.known_data(id);
+            known.cloned().ok_or_else(|| RequestFailure::Rejected(format!("`{id}` is not known in this run")))
+        }
+        (None, Some(name)) => {
+            let named = NamedData { name, variables_reference: *variables_reference, frame: *frame_id };
+            session.named_data(&named, run)?.map_err(RequestFailure::Rejected)
+        }
+        (None, None) => Err(RequestFailure::Rejected("`name` or `dataId` is required".to_owned())),
+    }
+}
+
+/// Returns the type and the numbers of data; both are empty if the data were never in memory.
+fn described(form: Option<DataForm>) -> (String, Vec<Series>) {
+    let Some(DataForm { type_name, length_unit, series }) = form else { return (String::new(), Vec::new()) };
+    let series = series.into_iter().map(|NumberSeries { name, unit, is_digital }| Series {
+        name: name.to_owned(),
+        unit: unit_text(unit, length_unit),
+        is_digital,
+    });
+    (type_name, series.collect())
+}
+
+/// Formats a unit; `None` for numbers without a unit.
+const fn unit_text(unit: NumberUnit, length: LengthUnit) -> Option<&'static str> {
+    match (unit, length) {
+        (NumberUnit::None, _) => None,
+        (NumberUnit::Length, LengthUnit::Millimetre) => Some("mm"),
+        (NumberUnit::Length, LengthUnit::Inch) => Some("in"),
+        (NumberUnit::LengthPerSecond, LengthUnit::Millimetre) => Some("mm/s"),
+        (NumberUnit::LengthPerSecond, LengthUnit::Inch) => Some("in/s"),
+        (NumberUnit::Degrees, _) => Some("degrees"),
+        (NumberUnit::DegreesPerSecond, _) => Some("degrees/s"),
+        (NumberUnit::Percent, _) => Some("%"),
+        (NumberUnit::Seconds, _) => Some("s"),
     }
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct HistoryArguments {
-    /// Name of the variable, element, field or signal, as for `dataBreakpointInfo`.
-    name: String,
+    /// Name of the variable, element, field or signal, as for `dataBreakpointInfo`. Required without `dataId`.
+    name: Option<String>,
     /// Handle of the value or scope that contains it.
     variables_reference: Option<i32>,
     /// Stack frame in which the name is evaluated.
     frame_id: Option<i32>,
+    /// Full name from an earlier response, also at a later stop.
+    data_id: Option<String>,
     /// Largest number of writes; 100 by default.
     count: Option<u32>,
 }
@@ -58,12 +115,36 @@ pub(crate) struct HistoryArguments {
 pub(crate) struct HistoryBody {
     /// Full name of the value, as in `dataId`.
     name: String,
+    /// Type, including array sizes; empty if the value was never in memory.
+    #[serde(rename = "type")]
+    type_name: String,
+    /// Numbers in each value; empty for strings, arrays, collections and user types.
+    series: Vec<Series>,
+    /// Present time since the start of the run, in seconds.
+    now: f64,
     /// Writes that have changed the value, the newest first.
     writes: Vec<Write>,
     /// Whether there are earlier writes.
     more: bool,
     /// Value before the first write; `null` if there are earlier writes.
     initial: Option<String>,
+    /// Numbers of `initial`, in the order of `series`.
+    initial_numbers: Option<Vec<Option<f64>>>,
+    /// Time since which the value is `initial`, in seconds: the beginning of the history, or of a local variable's
+    /// program.
+    since: Option<f64>,
+}
+
+/// A number in each value of a variable.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+struct Series {
+    /// Field name, for example `j1` or `x`; empty for the value itself.
+    name: String,
+    /// Unit: `mm`, `in`, `degrees`, `s`, `%`, `mm/s`, `in/s` or `degrees/s`; `null` for a number without a unit.
+    unit: Option<&'static str>,
+    /// Whether the number is 0 or 1 because the value is a `bool` or a digital input or output.
+    is_digital: bool,
 }
 
 /// Write that has changed a value.
@@ -74,6 +155,9 @@ struct Write {
     t: f64,
     /// Value after the write.
     value: String,
+    /// Numbers of the value, in the order of `series`; empty if the value is not in memory. `null` stands for a number
+    /// that is not finite or cannot be read.
+    numbers: Vec<Option<f64>>,
     /// Task name; `null` for a change from outside, for example by an input or the debugger.
     task: Option<String>,
     /// Line that wrote.
@@ -95,8 +179,8 @@ struct WriteLine {
 }
 
 impl From<DataWrite> for Write {
-    fn from(DataWrite { time, task, line, value }: DataWrite) -> Self {
-        Self { t: seconds(time), value, task, source: line.map(WriteLine::from) }
+    fn from(DataWrite { time, task, line, value, numbers }: DataWrite) -> Self {
+        Self { t: seconds(time), value, numbers, task, source: line.map(WriteLine::from) }
     }
 }
 
@@ -164,7 +248,66 @@ mod tests {
         let input = client.body("val3/history", json!({ "name": "start", "variablesReference": signals }));
         let write = &input["writes"][0];
         assert_eq!((&write["value"], &write["task"], &write["source"]), (&json!("true"), &json!(null), &json!(null)));
-        assert_eq!(input["initial"], "false");
+        assert_eq!((&input["initial"], &input["type"]), (&json!("false"), &json!("dio")));
+        assert_eq!((&write["numbers"], &input["initialNumbers"]), (&json!([1.0]), &json!([0.0])));
+        assert_eq!(input["series"], json!([{ "name": "", "unit": null, "isDigital": true }]));
+    }
+
+    /// Formats a series: `j1:degrees`.
+    fn series_text(series: &Value) -> String {
+        let digital = if series["isDigital"] == true { " digital" } else { "" };
+        format!("{}:{}{digital}", series["name"].as_str().unwrap(), series["unit"].as_str().unwrap_or(""))
+    }
+
+    #[test]
+    fn values_have_numbers_with_units() {
+        let listing = "num nCount = 2\njoint jHome\npoint pPick\nbool bDone\nstring sName\nnum nList[2]\n\n\
+                       program start()\nbegin\n  jHome.j2=90\n  pPick.trsf.x=1.5\n  bDone=true\n  sName=\"a\"\n  \
+                       nList[1]=3\n  nCount=1/3\nend\n";
+        let mut client = TestClient::launched(listing, json!({ "stopOnExit": true }));
+        client.run();
+        let mut shown = String::new();
+        for name in ["nCount", "jHome", "jHome.j2", "pPick", "pPick.trsf.x", "bDone", "sName", "nList", "nList[1]"] {
+            let body = client.body("val3/history", json!({ "name": name }));
+            let series: Vec<String> = body["series"].as_array().unwrap().iter().map(series_text).collect();
+            let (numbers, initial) = (&body["writes"][0]["numbers"], &body["initialNumbers"]);
+            let kind = body["type"].as_str().unwrap();
+            shown += &format!("{name} {kind} [{}] {initial} -> {numbers}\n", series.join(" "));
+            assert_eq!(body["since"], 0.0);
+        }
+        let axes = "j1:degrees j2:degrees j3:degrees j4:degrees j5:degrees j6:degrees";
+        let pose = "x:mm y:mm z:mm rx:degrees ry:degrees rz:degrees";
+        let expected = format!(
+            "nCount num [:] [2.0] -> [0.3333333333333333]\n\
+             jHome joint [{axes}] [0.0,0.0,0.0,0.0,0.0,0.0] -> [0.0,90.0,0.0,0.0,0.0,0.0]\n\
+             jHome.j2 num [:degrees] [0.0] -> [90.0]\n\
+             pPick point [{pose}] [0.0,0.0,0.0,0.0,0.0,0.0] -> [1.5,0.0,0.0,0.0,0.0,0.0]\n\
+             pPick.trsf.x num [:mm] [0.0] -> [1.5]\n\
+             bDone bool [: digital] [0.0] -> [1.0]\n\
+             sName string [] [] -> []\n\
+             nList num[2] [] [] -> []\n\
+             nList[1] num [:] [0.0] -> [3.0]\n"
+        );
+        assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn the_history_is_requested_again_at_a_later_stop() {
+        let listing = "program start()\nbegin\n  call work()\n  delay(1)\nend\n\nprogram work()\n  num l_nAt\nbegin\n  \
+                       delay(0.5)\n  l_nAt=1\n  l_nAt=2\nend\n";
+        let mut client = TestClient::stopped(listing);
+        client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+        let (_, frame) = client.thread_and_frame();
+        let first = client.body("val3/history", json!({ "name": "l_nAt", "frameId": frame }));
+        assert_eq!((&first["writes"], &first["initial"], &first["type"]), (&json!([]), &json!("0"), &json!("num")));
+        client.stop_after("stepOut", json!({ "threadId": MAIN_THREAD }));
+        let again = client.body("val3/history", json!({ "dataId": first["name"] }));
+        let values: Vec<_> = again["writes"].as_array().unwrap().iter().map(|write| &write["value"]).collect();
+        assert_eq!(values, ["not in memory", "2", "1"]);
+        assert_eq!((&again["writes"][0]["numbers"], &again["type"]), (&json!([]), &json!("num")));
+        assert!(again["since"].as_f64().unwrap() < 0.1 && again["now"].as_f64().unwrap() >= 0.5);
+        assert_eq!(client.failure("val3/history", json!({ "dataId": "nAt" })), "`nAt` is not known in this run");
+        assert_eq!(client.failure("val3/history", json!({})), "`name` or `dataId` is required");
     }
 
     #[test]

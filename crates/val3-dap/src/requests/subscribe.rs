@@ -19,7 +19,7 @@ impl DebugRequest for Subscribe {
         run: &mut DebuggedRun<'_>,
         arguments: SubscribeArguments,
     ) -> Result<Empty, RequestFailure> {
-        session.subscriptions.subscribe(&arguments, &run.debugger.controller)?;
+        session.subscriptions.subscribe(&arguments, run)?;
         Ok(Empty {})
     }
 }
@@ -49,6 +49,21 @@ mod tests {
         let messages = messages.flat_map(|(_, body)| body["messages"].as_array().unwrap());
         let clocks = messages.filter(|message| message["kind"] == "clock");
         clocks.map(|clock| clock["isStopped"].as_bool().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_page_shows_the_code_of_a_failed_line() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  nCount=1/nCount\n  delay(1)\nend\n";
+        let mut client = TestClient::stopped(listing);
+        client.body("val3/subscribe", json!({ "view": true }));
+        let events = client.events("continue", json!({ "threadId": MAIN_THREAD })).into_iter().chain(client.run());
+        let views: Vec<Value> = events.filter(|(event, _)| event == "val3/view").map(|(_, body)| body).collect();
+        let messages = views.iter().flat_map(|body| body["messages"].as_array().unwrap());
+        let events = messages.filter(|message| message["kind"] == "events");
+        let events = events.flat_map(|message| message["events"].as_array().unwrap());
+        let errors: Vec<&Value> = events.filter(|event| event["kind"] == "error").collect();
+        assert_eq!(errors.len(), 1, "{views:?}");
+        assert_eq!(errors[0]["lineCode"], "start.pgx 5");
     }
 
     #[test]

@@ -129,7 +129,7 @@ fn user(memory: &Memory, devices: &Devices, kind: &ValueType, place: Place, form
     Ok(format!("{{{}}}", texts.join(", ")))
 }
 
-pub(super) fn type_name(kind: &ValueType) -> String {
+pub(crate) fn type_name(kind: &ValueType) -> String {
     match &kind.base {
         KindBase::User(name) => name.clone(),
         KindBase::Builtin(base, _) => base.name().to_owned(),

@@ -29,7 +29,7 @@ fn shown(debugger: &Debugger, writes: &DataWrites) -> String {
         });
         shown += &format!("{task}{line} {}\n", write.value);
     }
-    shown + writes.initial.as_deref().unwrap_or("...") + "\n"
+    shown + writes.initial.as_ref().map_or("...", |initial| &initial.value) + "\n"
 }
 
 #[test]

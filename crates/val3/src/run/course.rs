@@ -17,6 +17,7 @@ use super::clients::Clients;
 use super::end::{End, EndedRun};
 use super::export::Export;
 use super::guide::{ATTENTION, Guide};
+use super::missing::program_text;
 use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;
@@ -257,8 +258,9 @@ impl<'a> Course<'a> {
         }
     }
 
-    fn target(&mut self) -> DebuggedRun<'_> {
-        DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
+    /// Returns the run for a debug session.
+    pub(super) fn target(&mut self) -> DebuggedRun<'_> {
+        DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator, files: program_text }
     }
 
     /// Runs to the end of a cycle; `None` if the debugger has stopped the run or if the cycle is not complete.

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use val3_dap::{AttachServer, DebugSession, DebuggedRun, NextAction, RunState, SessionSettings};
+use val3_dap::{AttachServer, DebugSession, NextAction, RunState, SessionSettings};
 
 use super::course::Course;
 use super::end::End;
@@ -129,7 +129,7 @@ fn run(
     if !settings.is_plain_run {
         settings.session.apply(&mut course.debugger);
     }
-    session.begin(&mut DebuggedRun { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
+    session.begin(&mut course.target());
     let end = course.run(session, signals)?;
     let code = course.exit_code(end);
     course.close(end)?;

@@ -1,13 +1,9 @@
-// List of a variable's recorded writes. Selecting a write opens its line.
+// Histories of variables, each in its own tab.
 
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
-import { type HistoryRow, historyRows } from "./historyRows";
-import type { HistoryArguments } from "./requests";
+import { COUNT, historyFault, HistoryPanel } from "./historyPanel";
 import type { DebuggedRun } from "./run";
-
-/** Number of writes in the first list, and factor for the size of each longer list. */
-const [COUNT, GROWTH] = [100, 10];
 
 /** Argument of a command in the context menu of *Variables*. */
 interface VariableContext {
@@ -15,33 +11,29 @@ interface VariableContext {
   variable?: Pick<Protocol.Variable, "name">;
 }
 
-export function registerHistory(run: DebuggedRun): vscode.Disposable {
-  return vscode.commands.registerCommand("val3.showHistory", async ({ container, variable }: VariableContext = {}) => {
-    if (variable !== undefined) {
-      await show(run, { name: variable.name, variablesReference: container?.variablesReference });
-    }
-  });
-}
-
-async function show(run: DebuggedRun, data: HistoryArguments, count = COUNT): Promise<void> {
-  try {
-    const history = await run.request("val3/history", { ...data, count });
+/** `page` is the file of the page; `report` receives the errors of background work. */
+export function registerHistory(run: DebuggedRun, page: vscode.Uri, report: (fault: unknown) => void): vscode.Disposable[] {
+  /** Open tabs by the session and the full name of the variable. */
+  const panels = new Map<string, HistoryPanel>();
+  const show = async (name: string, variablesReference: number | undefined): Promise<void> => {
+    const history = await run.request("val3/history", { name, variablesReference: variablesReference ?? null, count: COUNT });
     if (history === undefined) {
       return;
     }
-    const title = `History of ${history.name}`;
-    const row = await vscode.window.showQuickPick<HistoryRow & vscode.QuickPickItem>(historyRows(history), {
-      title,
-      placeHolder: "Select a write to open its line",
-      matchOnDescription: true,
-    });
-    if (row?.isMore === true) {
-      await show(run, data, count * GROWTH);
-    } else if (row?.source !== undefined) {
-      await vscode.commands.executeCommand("val3.openLine", row.source);
+    const key = JSON.stringify([run.session?.id, history.name]);
+    const open = panels.get(key);
+    if (open === undefined) {
+      panels.set(key, new HistoryPanel(run, page, history, report, () => panels.delete(key)));
+    } else {
+      open.reveal(history);
     }
-  } catch (fault) {
-    const reason = fault instanceof Error ? fault.message : String(fault);
-    void vscode.window.showErrorMessage(reason === "notStopped" ? "The history is available while the run is stopped." : reason);
-  }
+  };
+  return [
+    vscode.commands.registerCommand("val3.showHistory", async ({ container, variable }: VariableContext = {}) => {
+      if (variable !== undefined) {
+        await show(variable.name, container?.variablesReference).catch((fault: unknown) => void vscode.window.showErrorMessage(historyFault(fault)));
+      }
+    }),
+    new vscode.Disposable(() => [...panels.values()].forEach((panel) => panel.dispose())),
+  ];
 }

@@ -45,7 +45,7 @@ export function registerDebugging(
     ...registerSignals(run),
     ...registerMotion(run, views, icons, report),
     ...registerStepsBack(run),
-    registerHistory(run),
+    ...registerHistory(run, vscode.Uri.joinPath(context.extensionUri, "dist/history.html"), report),
     ...registerLenses(),
     vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),
   ];

@@ -130,10 +130,12 @@ export type Empty = Record<string, unknown>;
 export interface HistoryArguments {
   /** Largest number of writes; 100 by default. */
   count?: number | null;
+  /** Full name from an earlier response, also at a later stop. */
+  dataId?: string | null;
   /** Stack frame in which the name is evaluated. */
   frameId?: number | null;
-  /** Name of the variable, element, field or signal, as for `dataBreakpointInfo`. */
-  name: string;
+  /** Name of the variable, element, field or signal, as for `dataBreakpointInfo`. Required without `dataId`. */
+  name?: string | null;
   /** Handle of the value or scope that contains it. */
   variablesReference?: number | null;
 }
@@ -141,10 +143,23 @@ export interface HistoryArguments {
 export interface HistoryBody {
   /** Value before the first write; `null` if there are earlier writes. */
   initial: string | null;
+  /** Numbers of `initial`, in the order of `series`. */
+  initialNumbers: readonly (number | null)[] | null;
   /** Whether there are earlier writes. */
   more: boolean;
   /** Full name of the value, as in `dataId`. */
   name: string;
+  /** Present time since the start of the run, in seconds. */
+  now: number;
+  /** Numbers in each value; empty for strings, arrays, collections and user types. */
+  series: readonly Series[];
+  /**
+   * Time since which the value is `initial`, in seconds: the beginning of the history, or of a local variable's
+   * program.
+   */
+  since: number | null;
+  /** Type, including array sizes; empty if the value was never in memory. */
+  type: string;
   /** Writes that have changed the value, the newest first. */
   writes: readonly Write[];
 }
@@ -294,6 +309,16 @@ export interface QueuedMove {
   type: string | null;
 }
 
+/** A number in each value of a variable. */
+export interface Series {
+  /** Whether the number is 0 or 1 because the value is a `bool` or a digital input or output. */
+  isDigital: boolean;
+  /** Field name, for example `j1` or `x`; empty for the value itself. */
+  name: string;
+  /** Unit: `mm`, `in`, `degrees`, `s`, `%`, `mm/s`, `in/s` or `degrees/s`; `null` for a number without a unit. */
+  unit: string | null;
+}
+
 /** Shown user page. */
 export interface ShownUserPage {
   /** The 14 lines. */
@@ -356,6 +381,11 @@ export interface ViewArguments {
 
 /** Write that has changed a value. */
 export interface Write {
+  /**
+   * Numbers of the value, in the order of `series`; empty if the value is not in memory. `null` stands for a number
+   * that is not finite or cannot be read.
+   */
+  numbers: readonly (number | null)[];
   /** Line that wrote. */
   source: WriteLine | null;
   /** Time since the start of the run, in seconds. */

@@ -37,6 +37,8 @@ export class DebuggedRun implements vscode.Disposable {
   private readonly pages = new vscode.EventEmitter<UserPage | undefined>();
   private readonly views = new vscode.EventEmitter<Message[]>();
   private readonly sessions = new vscode.EventEmitter<void>();
+  private readonly stops = new vscode.EventEmitter<void>();
+  private readonly resumptions = new vscode.EventEmitter<void>();
   /** Fires when something may have changed, or the active session has changed. */
   readonly onDidChange = this.changes.event;
   /** Fires when the arm has moved; with `undefined` if no session is active. */
@@ -47,6 +49,10 @@ export class DebuggedRun implements vscode.Disposable {
   readonly onDidView = this.views.event;
   /** Fires when the active session has changed, or accepts requests from now on. */
   readonly onDidChangeSession = this.sessions.event;
+  /** Fires when the application of the active session has stopped, also at another moment, or was changed there. */
+  readonly onDidStop = this.stops.event;
+  /** Fires when the application of the active session continues. */
+  readonly onDidResume = this.resumptions.event;
   private readonly subscription: vscode.Disposable;
   private readonly poll: NodeJS.Timeout;
   private pause: NodeJS.Timeout | undefined;
@@ -75,7 +81,7 @@ export class DebuggedRun implements vscode.Disposable {
   dispose(): void {
     clearInterval(this.poll);
     clearTimeout(this.pause);
-    vscode.Disposable.from(this.subscription, this.changes, this.samples, this.pages, this.views, this.sessions).dispose();
+    vscode.Disposable.from(this.subscription, this.changes, this.samples, this.pages, this.views, this.sessions, this.stops, this.resumptions).dispose();
   }
 
   /** Returns the active session, if it is a VAL 3 session and accepts requests. */
@@ -125,6 +131,9 @@ export class DebuggedRun implements vscode.Disposable {
       this.running.set(session.id, false);
     }
     if (event === "stopped" || event === "invalidated") {
+      if (session === this.session && !this.isRunning) {
+        this.stops.fire();
+      }
       this.show().catch(this.report);
     } else if (event === "thread") {
       this.changeSoon();
@@ -136,6 +145,9 @@ export class DebuggedRun implements vscode.Disposable {
       this.begin(session).catch(this.report);
     } else if (RESUMING.has(command) && success) {
       this.running.set(session.id, true);
+      if (session === this.session) {
+        this.resumptions.fire();
+      }
     }
   }
 

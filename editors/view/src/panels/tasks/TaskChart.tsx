@@ -3,6 +3,7 @@
 import type { JSX, TargetedPointerEvent, TargetedWheelEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { isDark } from "../../look";
+import { paintCanvas } from "../shared/canvas";
 import type { Cell } from "../shared/cell";
 import { awaitsArm } from "./chart";
 import { type Chart, chartHeight, draw, LABELS, LANE } from "./drawChart";
@@ -27,7 +28,7 @@ export function TaskChart({ cell }: { cell: Cell }): JSX.Element {
   const all = moves.all();
   const chart: Chart = { segments, moves: all, cut: new Set(cutBlends(all, time).map(({ move }) => move.id)), rests: waitsInMoves(cell.history.rests(), all, time), range, time };
   useResize(canvas, setWidth);
-  useEffect(() => paint(canvas.current, width, chart));
+  useEffect(() => paintCanvas(canvas.current, width, chartHeight(names.length), (context, colour) => draw(context, width, chart, colour)));
   const timeAt = (clientX: number): number => {
     const left = canvas.current?.getBoundingClientRect().left ?? 0;
     return range[0] + ((clientX - left - LABELS) / Math.max(1, width - LABELS)) * (range[1] - range[0]);
@@ -87,21 +88,6 @@ function useResize(canvas: { readonly current: HTMLCanvasElement | null }, setWi
     observer.observe(box);
     return () => observer.disconnect();
   }, [canvas, setWidth]);
-}
-
-function paint(element: HTMLCanvasElement | null, width: number, chart: Chart): void {
-  const context = element?.getContext("2d");
-  if (!element || !context) {
-    return;
-  }
-  const height = chartHeight(chart.segments.names().length);
-  const scale = window.devicePixelRatio || 1;
-  element.width = Math.round(width * scale);
-  element.height = Math.round(height * scale);
-  element.style.height = `${height}px`;
-  context.setTransform(scale, 0, 0, scale, 0, 0);
-  const style = getComputedStyle(element);
-  draw(context, width, chart, (name) => style.getPropertyValue(name).trim());
 }
 
 /** Formats the bar at a location of the chart. */

@@ -1,5 +1,6 @@
 // Draws the chart of moves, tasks and waits.
 
+import type { Colour } from "../shared/canvas";
 import type { ArmRest } from "../shared/cell";
 import { awaitsArm, type Segment, type TaskSegments, visible } from "./chart";
 import type { MoveTimes } from "./moves";
@@ -18,9 +19,6 @@ export interface Chart {
   range: Range;
   time: number;
 }
-
-/** Colours of the look, by property name. */
-export type Colour = (name: string) => string;
 
 export function chartHeight(tasks: number): number {
   return (tasks + 1) * LANE + AXIS;

@@ -28,7 +28,7 @@ export function registerMotion(
     vscode.commands.registerCommand("val3.motionStep", () => run.change("val3/motionStep", {})),
     vscode.commands.registerCommand("val3.motionStepwise", () => setMode("step")),
     vscode.commands.registerCommand("val3.motionContinuous", () => setMode("continuous")),
-    vscode.commands.registerCommand("val3.openLine", (source: Line) => openLine(source, views)),
+    vscode.commands.registerCommand("val3.openLine", (source: Line, preserveFocus?: boolean) => openLine(source, views, preserveFocus)),
   ];
 }
 
@@ -95,8 +95,20 @@ function placesOf({ file, line }: Line, views: Views): [...Place[], Place] {
   return [...views.shown(file).flatMap(inView), { uri: vscode.Uri.file(file), line: line - 1 }];
 }
 
-async function openLine(source: Line, views: Views): Promise<void> {
+/** Opens the line beside a web view that is active, not instead of it. */
+async function openLine(source: Line, views: Views, preserveFocus = false): Promise<void> {
   const [{ uri, line }] = placesOf(source, views);
   const at = new vscode.Position(line, 0);
-  await vscode.window.showTextDocument(uri, { selection: new vscode.Range(at, at) });
+  const viewColumn = columnFor(uri);
+  await vscode.window.showTextDocument(uri, { selection: new vscode.Range(at, at), preserveFocus, ...(viewColumn && { viewColumn }) });
+}
+
+/** Returns the group of editors for a document if a web view is active: the group that shows the document, or text. */
+function columnFor(uri: vscode.Uri): vscode.ViewColumn | undefined {
+  const { tabGroups: { activeTabGroup }, visibleTextEditors: editors } = vscode.window;
+  if (!(activeTabGroup.activeTab?.input instanceof vscode.TabInputWebview)) {
+    return undefined;
+  }
+  const shown = editors.find(({ document }) => document.uri.toString() === uri.toString()) ?? editors.find(({ viewColumn }) => viewColumn !== undefined);
+  return shown?.viewColumn;
 }
