@@ -43,10 +43,10 @@ export class Store {
   readonly samples: Samples = this.log.samples;
   /** Changes with each batch of samples. */
   readonly sampleCount = signal(0);
-  /** Sample at the shown time. */
+  /** Sample at the shown time, if it is there. */
   readonly shown: ReadonlySignal<Sample | undefined> = computed(() => {
     this.sampleCount.valueOf();
-    return this.samples.at(this.time.value);
+    return this.isAwaited.value ? undefined : this.samples.at(this.time.value);
   });
   readonly tools = new Map<number, Tool>();
   readonly sources = new Map<number, Source>();

@@ -5,6 +5,7 @@ import { since } from "../src/bounds";
 import type { Chain } from "../src/kinematics";
 import { partOf } from "../src/part";
 import type { Message, RunMessage } from "../src/protocol";
+import { RunLog } from "../src/runLog";
 import { Trail } from "../src/scene/trail";
 import { Store } from "../src/store";
 import { messages, scene } from "./sample.mjs";
@@ -28,17 +29,21 @@ function receive(store: Store, received: readonly Received[]): Store {
   return store;
 }
 
-/** Returns the latest time in messages. */
-function timeOf(run: readonly Received[]): number {
-  const times = run.flatMap((message) => (!Buffer.isBuffer(message) && "t" in message && message.kind !== "rewind" ? [message.t as number] : []));
-  return Math.max(0, ...times);
-}
-
 /** Returns the message with the part of a run between two indices. */
-function block(run: readonly Received[], start: number, end: number, t = timeOf(run.slice(0, start))): Buffer {
-  const objects = run.slice(0, start).filter((message): message is RunMessage => !Buffer.isBuffer(message));
+function block(run: readonly Received[], start: number, end: number): Buffer {
+  const before = new RunLog();
+  for (const message of run.slice(0, start)) {
+    if (Buffer.isBuffer(message)) {
+      before.samples.add(bytes(message));
+    } else if (message.kind === "rewind") {
+      before.cut(message.t);
+    } else {
+      before.add(message as RunMessage);
+    }
+  }
+  const t = Math.max(0, ...before.messages.flatMap((message) => ("t" in message ? [message.t] : [])));
   const sample = run.slice(0, start).findLast((message) => Buffer.isBuffer(message));
-  const state: Received[] = start === 0 ? [] : [...since(objects, t).filter((message) => message.kind !== "events"), ...(sample === undefined ? [] : [sample])];
+  const state: Received[] = start === 0 ? [] : [...since(before.messages, t).filter((message) => message.kind !== "events"), ...(sample === undefined ? [] : [sample])];
   const frames = [...state, ...run.slice(start, end)].map((message) => {
     const content = Buffer.isBuffer(message) ? message : Buffer.from(JSON.stringify(message));
     const head = Buffer.alloc(5);
