@@ -6,6 +6,7 @@
 
 mod at_end;
 mod control;
+mod end_progress;
 mod evaluation;
 mod named_data;
 mod search;
@@ -16,7 +17,7 @@ use std::time::Duration;
 
 use val3_debug::{Goal, Stop};
 use val3_lang::ports::Time;
-use val3_machine::event::Event as MachineEvent;
+use val3_machine::event::{Event as MachineEvent, seconds};
 
 use crate::breakpoint_hits::ShownHits;
 use crate::breakpoints::BreakpointTable;
@@ -34,6 +35,7 @@ use crate::protocol::{
 use crate::session_start::SessionStart;
 use crate::stop_event;
 
+use end_progress::EndProgress;
 use step_wait::StepWait;
 
 pub use at_end::TimeEnd;
@@ -90,6 +92,8 @@ pub struct DebugSession {
     is_configured: bool,
     /// Whether the run goes to its end without stops (`startAtEnd`).
     runs_to_end: bool,
+    /// Progress on this way.
+    end_progress: EndProgress,
     /// Whether the run has stopped at the end of its recording or at its time limit, and is still at this moment.
     is_at_recorded_end: bool,
     /// Whether the run has stopped after the failure of all its tasks, and is still at this moment.
@@ -127,6 +131,7 @@ impl DebugSession {
             run,
             is_configured: false,
             runs_to_end: false,
+            end_progress: EndProgress::default(),
             is_at_recorded_end: false,
             is_at_failed_end: false,
             request: 0,
@@ -201,6 +206,9 @@ impl DebugSession {
 
     /// Sends samples and messages at the end of a cycle that began at `start`.
     pub fn see(&mut self, start: Time, run: &DebuggedRun<'_>) {
+        if self.conventions.knows_progress && self.is_running_to_end() {
+            self.end_progress.pass(seconds(start), &mut self.client);
+        }
         if let Some(batch) = self.subscriptions.see(start, &run.debugger.controller) {
             self.client.custom_event("val3/motion", batch);
         }
@@ -336,6 +344,7 @@ impl DebugSession {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);
         }
+        self.end_progress.end(&mut self.client);
         self.client.event(&StandardEvent::Exited(ExitedEvent { exit_code: exit_code.into() }));
         self.client.event(&StandardEvent::Terminated(TerminatedEvent::default()));
         self.phase = SessionState::Over;

@@ -194,6 +194,12 @@ impl TestClient {
         self
     }
 
+    /// Lets the client support progress.
+    pub(crate) fn knowing_progress(mut self) -> Self {
+        self.session.conventions.knows_progress = true;
+        self
+    }
+
     /// Removes the inputs and outputs of the cell.
     pub(crate) fn without_signals(mut self) -> Self {
         self.debugger.controller.devices.state.io = IoTable::default();
@@ -241,10 +247,12 @@ impl TestClient {
     /// Runs to the next stop or the end of the application, and returns the events: name and body.
     pub(crate) fn run(&mut self) -> Vec<(String, Value)> {
         while self.session.is_running() {
+            let start = self.debugger.controller.now();
             let progress = self.debugger.advance();
             let events = self.debugger.controller.devices.take_events();
             let mut run = DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator, files: text };
             self.session.report(&events, &mut run);
+            self.session.see(start, &run);
             match progress {
                 AdvanceResult::Stopped(stop) => {
                     self.session.stop(&stop, &mut run);

@@ -137,11 +137,26 @@ impl Feed {
         }
     }
 
-    /// Sends the complete state once more, for readers that have missed earlier messages.
-    pub fn repeat(&mut self, controller: &Controller) {
+    /// Sends the pending changes, then returns the complete state at the present time: messages with which a page can
+    /// begin that receives only later messages. For other pages, they contain nothing new. A sample of the arm, which
+    /// may have been at rest since long, is the last message.
+    pub fn complete_state(&mut self, controller: &Controller) -> Vec<ViewerMessage> {
+        let now = controller.now();
+        self.look(now, controller);
+        self.see_positions(now, controller);
+        let arm = controller.arm();
+        let (sample, limit) = self.last.map_or((*arm.sample(), arm.speed_limit()), |(_, sampled, _)| sampled);
+        let origin = self.origin(&sample, limit, controller);
+        self.flush_samples();
+        let pending = self.take();
         self.forget();
-        self.look(controller.now(), controller);
-        self.see_positions(controller.now(), controller);
+        self.look(now, controller);
+        self.see_positions(now, controller);
+        let mut batch = Batch::new(arm.model().axes(), false);
+        batch.add(now, &sample, origin);
+        let mut state = std::mem::replace(&mut self.messages, pending);
+        state.extend(batch.take().map(ViewerMessage::Samples));
+        state
     }
 
     fn forget(&mut self) {
@@ -318,6 +333,12 @@ impl Feed {
         if self.batch.is_full(time) {
             self.flush_samples();
         }
+        let origin = self.origin(sample, *limit, controller);
+        self.batch.add(time, sample, origin);
+    }
+
+    /// Returns the origin of a sample. Its tool and its line are sent to the pages if they are new.
+    fn origin(&mut self, sample: &Sample, limit: SpeedLimit, controller: &Controller) -> SampleOrigin {
         let tool = controller.arm().model().flange(&sample.joints).inverse() * sample.pose;
         let tool = self.tool(&tool, controller);
         let source = match sample.phase {
@@ -327,8 +348,7 @@ impl Feed {
                 self.number_of(piece.and_then(|piece| piece.source).as_ref())
             }
         };
-        let origin = SampleOrigin { phase: sample.phase as u8, tool, source, limit: samples::number_of(*limit) };
-        self.batch.add(time, sample, origin);
+        SampleOrigin { phase: sample.phase as u8, tool, source, limit: samples::number_of(limit) }
     }
 
     /// Number of a tool. A new tool is sent to the pages.

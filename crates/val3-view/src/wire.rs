@@ -67,9 +67,7 @@ pub enum Message {
     End(End),
     /// A debugger has gone back: the page discards all later messages.
     Rewind(Rewind),
-    /// Messages before this one were dropped.
-    Gap,
-    /// Number of messages before the present of the run.
+    /// Part of the run whose messages are not sent yet.
     Past(Past),
     /// Response to a command.
     Answer(Answer),
@@ -226,11 +224,14 @@ pub struct Rewind {
     pub t: f64,
 }
 
-/// Number of messages before the present of the run, for a reader that connects to a run in progress.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+/// Part of the run whose messages are not sent yet, for a reader that connects to a run in progress. They follow in
+/// blocks, the latest first.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Past {
-    /// Number of messages that follow. 0: the messages of the past were sent, and the next ones are of the present.
-    pub messages: u64,
+    /// Time in s from which messages will be sent: the start of the run, unless its first messages were dropped.
+    pub from: f64,
+    /// Time in s from which messages were sent. If it equals `from`, no block follows.
+    pub to: f64,
 }
 
 /// Response to a command, with further keys of the command.

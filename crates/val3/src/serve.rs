@@ -5,9 +5,11 @@
 
 mod access;
 pub(crate) mod address;
+mod block;
 pub(crate) mod browser;
 mod command;
 mod connections;
+pub(crate) mod frames;
 mod limits;
 mod log;
 mod page;
@@ -106,6 +108,12 @@ impl Server {
     /// Begins a new run: viewers receive no more messages of the previous run.
     pub(crate) fn begin_run(&self) {
         self.log.lock().begin_run();
+    }
+
+    /// Begins a part of the run at a time in seconds with the complete state. Viewers that have received all messages up
+    /// to now do not receive this state.
+    pub(crate) fn begin_part(&self, start: f64, state: Vec<StoredMessage>) {
+        self.log.lock().begin_part(start, state);
     }
 
     /// Adds messages to the log.

@@ -13,6 +13,12 @@ type Of<Kind extends RunMessage["kind"]> = Extract<RunMessage, { kind: Kind }>;
 /** Kinds of messages that replace the previous message of the same kind. */
 const WHOLE: readonly RunMessage["kind"][] = ["state", "motion", "page", "parts", "reach", "unsaved", "clock"];
 
+/** Returns the messages up to a time, for a run that has gone back to it. */
+export function upTo(log: readonly RunMessage[], t: number): RunMessage[] {
+  const cut = (message: RunMessage): RunMessage => (message.kind === "events" ? { ...message, events: message.events.filter((event) => event.t <= t) } : message);
+  return log.filter((message) => !("t" in message) || message.t <= t).map(cut);
+}
+
 /** Returns messages that show the same as `log` at `t` and later. */
 export function since(log: readonly RunMessage[], t: number): RunMessage[] {
   const lasting: RunMessage[] = [];
@@ -41,7 +47,7 @@ export function since(log: readonly RunMessage[], t: number): RunMessage[] {
       changed.tools?.forEach((tool) => tools.set(pointText(tool), tool));
     } else if (WHOLE.includes(message.kind)) {
       whole.set(message.kind, "t" in message ? { ...message, t } : message);
-    } else if (message.kind !== "gap") {
+    } else {
       lasting.push(message);
     }
   }

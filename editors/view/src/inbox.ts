@@ -32,7 +32,7 @@ export class Inbox {
     batch(() => {
       for (const message of waiting) {
         if (message instanceof ArrayBuffer || message instanceof Uint8Array) {
-          store.takeSamples(message);
+          store.takeBytes(message instanceof ArrayBuffer ? new Uint8Array(message) : message);
         } else {
           const read = typeof message === "string" ? messageFrom(message) : message;
           if (read !== undefined) {

@@ -1,5 +1,5 @@
-// Recorded run in the page: frames, compressed with gzip, in base64. A frame is `u8 type` (0 text, 1 samples), `u32
-// length`, and its bytes.
+// Messages in sequence, as recordings and blocks contain them. A frame is `u8 type` (0 text, 1 samples), `u32 length`, and
+// its bytes. The recording in a page is compressed with gzip, in base64.
 
 export type Frame = { text: string } | { samples: Uint8Array };
 
@@ -8,11 +8,12 @@ const DECODER = new TextDecoder();
 /** Returns the frames of a recording. Samples are views of one buffer, so that they need no memory of their own. */
 export async function framesOf(encoded: string): Promise<Generator<Frame>> {
   const stream = new Blob([decoded(encoded.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return split(new Uint8Array(await new Response(stream).arrayBuffer()));
+  return framesIn(new Uint8Array(await new Response(stream).arrayBuffer()));
 }
 
-function* split(bytes: Uint8Array): Generator<Frame> {
-  const view = new DataView(bytes.buffer);
+/** Returns the frames in a sequence of bytes. */
+export function* framesIn(bytes: Uint8Array): Generator<Frame> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let at = 0;
   while (at + 5 <= bytes.length) {
     const [type, length] = [view.getUint8(at), view.getUint32(at + 1, true)];

@@ -35,15 +35,26 @@ export class Samples {
   /** Changes when samples are discarded, so that results computed from them are computed again. */
   epoch = 0;
 
-  /** Adds a batch, and returns its last time. Messages without samples are ignored. */
-  add(message: ArrayBuffer | Uint8Array): number | undefined {
+  /**
+   * Adds a batch, and returns its last time. Messages without samples are ignored. `isState` marks the batch of a complete
+   * state, which stands for all earlier samples.
+   */
+  add(message: ArrayBuffer | Uint8Array, isState = false): number | undefined {
     const batch = Batch.from(message instanceof ArrayBuffer ? new Uint8Array(message) : message);
     if (batch === undefined || batch.count === 0) {
       return undefined;
     }
+    batch.isState = isState;
     this.batches.push(batch);
     this.count += batch.count;
     return batch.end;
+  }
+
+  /** Inserts earlier samples, which replace the batch of a complete state. */
+  prepend(earlier: Samples): void {
+    const replaced = this.batches[0]?.isState === true ? 1 : 0;
+    this.batches.splice(0, replaced, ...earlier.batches);
+    this.recount();
   }
 
   clear(): void {
@@ -59,8 +70,12 @@ export class Samples {
       this.batches.pop();
     }
     this.batches.at(-1)?.cut(t);
-    this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
-    this.epoch += 1;
+    this.recount();
+  }
+
+  /** Returns the time of the last sample; 0 without samples. */
+  end(): number {
+    return this.batches.at(-1)?.end ?? 0;
   }
 
   /** Returns the time in the middle of the samples. */
@@ -72,8 +87,7 @@ export class Samples {
   drop(t: number): void {
     const first = this.batches.findIndex((_, index) => (this.batches[index + 1]?.start ?? Infinity) > t);
     this.batches.splice(0, first);
-    this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
-    this.epoch += 1;
+    this.recount();
   }
 
   /** Returns the sample at a time: the last one up to it, otherwise the first one. */
@@ -119,6 +133,11 @@ export class Samples {
       }
       left = Math.max(0, left - batch.count);
     }
+  }
+
+  private recount(): void {
+    this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
+    this.epoch += 1;
   }
 
   /** Returns the index of the batch that is valid at a time: the last one that begins up to it, otherwise the first one. */
@@ -168,6 +187,7 @@ class Batch {
   count: number;
   /** Rests between the samples, if they were computed. */
   rests: Rest[] | undefined;
+  isState = false;
 
   /** `encodedCount` is the number of samples in the bytes, which decoding needs also after samples were discarded. */
   private constructor(private readonly bytes: Uint8Array, private readonly axes: number, private readonly encodedCount: number) {

@@ -1,30 +1,26 @@
 // State of the run in the page, and the shown time.
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { MOST_MESSAGES, MOST_SAMPLES, since } from "./bounds";
 import { showPanels } from "./layout/layout";
 import type { PointName } from "./panels/points/edits";
 import type { Answer, ArmRest, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
 import { CELL_TABS, showTab } from "./panels/shared/tabChoice";
 import type { TimedPhase } from "./panels/tasks/times";
+import { Past } from "./past";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
-import { type Sample, Samples } from "./samples";
-import { shared } from "./sharing";
-import type { MotionMessage } from "./wire";
+import { RunLog } from "./runLog";
+import type { Sample, Samples } from "./samples";
 
 /** Selected object, which the drawing and the panels highlight. */
 export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
-
-/** Reason why nothing can be operated before the page has reached the present. */
-const READING = "The past of the run is being read. Wait until the present is shown.";
 
 export type Send = (command: object) => void;
 
 export class Store {
   readonly scene = signal<Scene | undefined>(undefined);
   readonly newest = signal(0);
-  /** Oldest time with data: the start of the run, unless the run is long. */
+  /** Oldest time with data: the start of the run, unless the run is long, or the page was opened late. */
   readonly oldest = signal(0);
   /** Time that the user has chosen; `undefined` for the newest time. */
   readonly chosen = signal<number | undefined>(undefined);
@@ -36,23 +32,23 @@ export class Store {
   readonly isSilent = signal(false);
   readonly speed = signal<number | "max">(1);
   readonly end = signal<string | undefined>(undefined);
-  /** Number of messages of the past, and the messages read since, until a page that was opened late has reached the present. */
-  readonly past = signal<{ count: number; read: number } | undefined>(undefined);
-  /** Read part of the past in %. */
-  readonly readPast: ReadonlySignal<number | undefined> = computed(() => {
-    const past = this.past.value;
-    return past && Math.min(99, Math.floor((past.read / past.count) * 100));
-  });
+  /** Past of a run that is received after its present. */
+  readonly past: Past = new Past({ insert: (parts) => this.insert(parts), chosen: this.chosen, oldest: this.oldest, end: () => this.showAtLeast(this.oldest.peek()) });
+  /** Oldest time that has or will have data. */
+  readonly earliest: ReadonlySignal<number> = computed(() => Math.min(this.past.from.value ?? Infinity, this.oldest.value));
+  /** Whether the shown time has no data yet. */
+  readonly isAwaited: ReadonlySignal<boolean> = computed(() => this.past.from.value !== undefined && this.time.value < this.oldest.value);
   /** Sentence about a lost connection. */
   readonly lost = signal<string | undefined>(undefined);
   readonly selection = signal<Selection | undefined>(undefined);
-  readonly samples = new Samples();
+  private readonly log = new RunLog();
+  readonly samples: Samples = this.log.samples;
   /** Changes with each batch of samples. */
   readonly sampleCount = signal(0);
-  /** Sample at the shown time. */
+  /** Sample at the shown time, if it is there. */
   readonly shown: ReadonlySignal<Sample | undefined> = computed(() => {
     this.sampleCount.valueOf();
-    return this.samples.at(this.time.value);
+    return this.isAwaited.value ? undefined : this.samples.at(this.time.value);
   });
   readonly tools = new Map<number, Tool>();
   readonly sources = new Map<number, Source>();
@@ -70,12 +66,10 @@ export class Store {
   readonly launch = signal<((noDebug: boolean) => void) | undefined>(undefined);
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
-  private readonly log: RunMessage[] = [];
-  private lastMotion: MotionMessage | undefined;
 
   constructor() {
     this.panels = new PanelModel({
-      time: this.time, newest: this.newest, oldest: this.oldest, isPaused: this.isPaused, blocked: this.blocked,
+      time: this.time, newest: this.newest, oldest: this.earliest, isPaused: this.isPaused, blocked: this.blocked,
       hasEnded: computed(() => this.end.value !== undefined),
       canRestart: computed(() => this.scene.value?.role === "operator"),
       sample: computed(() => {
@@ -104,54 +98,50 @@ export class Store {
   }
 
   /** Processes a message. Messages of the run are stored, so that a step back can repeat them. */
-  take(received: Message): void {
-    const message: Message = received.kind === "motion" ? { ...received, ...shared(received, this.lastMotion) } : received;
-    if (message.kind === "motion") {
-      this.lastMotion = message;
+  take(message: Message): void {
+    switch (message.kind) {
+      case "answer": this.answer(message); break;
+      case "rewind": this.rewind(message.t); break;
+      case "select": this.select(message.name); break;
+      case "past": this.past.announce(message); break;
+      // These messages hold for all times, also for those that are read later.
+      case "scene": case "programs": case "source": case "tool": this.apply(message); break;
+      default:
+        this.apply(this.log.add(message));
+        this.bound();
     }
-    if (message.kind === "answer") {
-      this.answer(message);
-    } else if (message.kind === "rewind") {
-      this.rewind(message.t);
-    } else if (message.kind === "select") {
-      this.select(message.name);
-    } else if (message.kind === "past") {
-      this.past.value = message.messages === 0 ? undefined : { count: message.messages, read: 0 };
-    } else {
-      this.countPast();
-      if (message.kind === "scene") {
-        this.log.length = 0;
-      }
-      this.log.push(message);
-      this.apply(message);
-      if (this.log.length > MOST_MESSAGES) {
-        const middle = this.log.slice(this.log.length >> 1).find((kept) => "t" in kept);
-        this.forgetBefore(middle !== undefined && "t" in middle ? middle.t : this.newest.peek());
-      }
+  }
+
+  /** Processes a binary message: samples, or a part of the run. */
+  takeBytes(bytes: Uint8Array): void {
+    if (!this.past.take(bytes)) {
+      this.takeSamples(bytes);
     }
   }
 
   takeSamples(bytes: ArrayBuffer | Uint8Array): void {
-    this.countPast();
     const t = this.samples.add(bytes);
     if (t !== undefined) {
       this.sampleCount.value += 1;
       this.advance(t);
-      if (this.samples.count > MOST_SAMPLES) {
-        this.forgetBefore(this.samples.middle());
-      }
+      this.bound();
+    }
+  }
+
+  /** Discards the older half of a run that is too long. */
+  private bound(): void {
+    const t = this.log.surplus();
+    if (t !== undefined) {
+      this.forgetBefore(Math.min(t, this.newest.peek()));
     }
   }
 
   /** Discards the state before a time. */
-  forgetBefore(t: number): void {
-    this.samples.drop(t);
-    this.sampleCount.value += 1;
-    this.repeat(since(this.log, t));
-    this.oldest.value = t;
-    if ((this.chosen.peek() ?? t) < t) {
-      this.chosen.value = t;
-    }
+  private forgetBefore(t: number): void {
+    this.log.dropBefore(t);
+    this.repeat();
+    this.past.stop();
+    this.showAtLeast(t);
   }
 
   /** Sends a command and waits for its response. */
@@ -166,7 +156,7 @@ export class Store {
 
   /** Handles a lost connection: all pending commands fail. */
   lose(reason: string): void {
-    this.past.value = undefined;
+    this.past.stop();
     this.lost.value = reason;
     this.waiting.forEach((resolve) => resolve({ error: reason }));
     this.waiting.clear();
@@ -200,12 +190,12 @@ export class Store {
         this.isPaused.value = message.isPaused;
         this.isStopped.value = message.isStopped;
         break;
-      case "gap": break;
     }
   }
 
   private begin(scene: Scene): void {
-    this.samples.clear();
+    this.past.restart();
+    this.log.clear();
     this.sampleCount.value += 1;
     this.tools.clear();
     this.sources.clear();
@@ -218,34 +208,36 @@ export class Store {
     this.panels.addScene(scene);
   }
 
+  /** Inserts parts of the run before all messages. Returns false if there is no room for all of them. */
+  private insert(parts: readonly RunLog[]): boolean {
+    const hasRoom = this.log.prepend(parts);
+    this.repeat();
+    this.advance(this.samples.end());
+    return hasRoom;
+  }
+
+  private showAtLeast(t: number): void {
+    if ((this.chosen.peek() ?? t) < t) {
+      this.chosen.value = t;
+    }
+  }
+
   /** Discards everything after `t`, because a debugger has gone back. */
   private rewind(t: number): void {
-    const upTo = (message: RunMessage): RunMessage => (message.kind === "events" ? { ...message, events: message.events.filter((event) => event.t <= t) } : message);
-    this.samples.cut(t);
-    this.sampleCount.value += 1;
+    this.log.cut(t);
     this.end.value = undefined;
-    this.repeat(this.log.filter((message) => !("t" in message) || message.t <= t).map(upTo));
+    this.repeat();
     this.newest.value = t;
     this.chosen.value = undefined;
   }
 
-  /** Replaces the stored messages of a run, and processes them again. */
-  private repeat(messages: readonly RunMessage[]): void {
-    this.log.length = 0;
+  /** Processes all stored messages again, after they were changed. */
+  private repeat(): void {
+    this.sampleCount.value += 1;
+    this.oldest.value = this.log.start;
     this.panels.clear();
-    for (const message of messages) {
-      this.log.push(message);
-      if (message.kind !== "scene") {
-        this.apply(message);
-      }
-    }
-  }
-
-  private countPast(): void {
-    const past = this.past.peek();
-    if (past !== undefined) {
-      this.past.value = { ...past, read: past.read + 1 };
-    }
+    this.log.state.forEach((message) => this.apply(message));
+    this.log.messages.forEach((message) => this.apply(message));
   }
 
   private advance(t: number): void {
@@ -291,7 +283,7 @@ export class Store {
       case undefined: return this.openLine.value === undefined ? "The run has not begun." : "No application is shown.";
       case "preview": return "The application does not run.";
       default:
-        return this.lost.value ?? (this.past.value === undefined ? undefined : READING) ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+        return this.lost.value ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
     }
   }
 }

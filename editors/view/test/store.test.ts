@@ -115,22 +115,3 @@ test("equal parts of successive motion messages are stored once", () => {
   assert.equal(second.path[0], first.path[1]);
   assert.deepEqual(second, message(piece(2), piece(3)));
 });
-
-test("a page that was opened late operates nothing before it has read the past", () => {
-  const store = new Store();
-  const [scene, ...rest] = messages("operator") as [Message, ...(Message | Buffer)[]];
-  store.take({ kind: "past", messages: 200 });
-  store.take(scene);
-  for (const message of rest.slice(0, 99)) {
-    if (Buffer.isBuffer(message)) {
-      store.takeSamples(bytes(message));
-    } else {
-      store.take(message);
-    }
-  }
-  store.end.value = undefined;
-  assert.equal(store.readPast.value, 50);
-  assert.match(store.blocked.value ?? "", /past of the run is being read/);
-  store.take({ kind: "past", messages: 0 });
-  assert.deepEqual([store.readPast.value, store.blocked.value], [undefined, undefined]);
-});

@@ -53,27 +53,8 @@ test("a program that waits for the power says so", () => served([], async (run) 
   await status(page).getByText(/^palletiser~ waits for time/).waitFor();
 }, (folder) => setProgram(folder, "\n  wait(isPowered())\n  delay(1000)")));
 
-test("a late page reads the past before it operates", () => served(["--time", "virtual", "--until", "60"], async (run) => {
-  const early = await run.open();
-  await early.waitForFunction(() => window.val3View.store.end.value !== undefined);
-  const counts = await early.evaluate(() => new Promise((resolve) => {
-    const socket = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws")));
-    const counts = [];
-    let received = 0;
-    socket.addEventListener("message", ({ data }) => {
-      const { kind, messages } = typeof data === "string" ? JSON.parse(data) : {};
-      if (kind !== "past") {
-        received += 1;
-      } else if (counts.push(messages, received) === 4) {
-        socket.close();
-        resolve(counts);
-      }
-    });
-  }));
-  assert.ok(counts[0] > 100 && counts[1] === 0 && counts[2] === 0 && counts[3] >= counts[0], `${counts}`);
-  const late = await run.open();
-  await late.waitForFunction(() => window.val3View.store.end.value !== undefined && window.val3View.store.past.value === undefined);
-}, (folder) => setProgram(folder, `
+/** Replaces the code by endless moves and output of the palletiser with power. */
+const moveForeverWithPower = (folder) => setProgram(folder, `
   enablePower()
   wait(isPowered())
   while true
@@ -82,4 +63,41 @@ test("a late page reads the past before it operates", () => served(["--time", "v
     jHome.j1=-60
     movej(jHome,tGripper,mFast)
     waitEndMove()
-  endWhile`)));
+  endWhile`);
+
+/** Number of messages and samples by kind, and the state of the page at the end of the run. */
+const content = (page) => page.evaluate(() => {
+  const { store } = window.val3View;
+  const { history, motion, page, state } = store.panels.cell;
+  const segments = history.segments.names().map((name) => [name, history.segments.of(name)]);
+  return JSON.stringify([
+    store.oldest.value, store.newest.value, store.end.value, store.samples.count, [...history.rests()], history.events, history.faults,
+    history.states, history.moves.all(), segments, motion.value, page.value, state.value,
+  ]);
+});
+
+test("a late page operates the present, and has in the end the content of an early one", () => served(["--time", "virtual", "--until", "120"], async (run) => {
+  const early = await run.open();
+  await early.waitForFunction(() => window.val3View.store.end.value !== undefined);
+  const kinds = await early.evaluate(() => new Promise((resolve) => {
+    const socket = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws")));
+    socket.binaryType = "arraybuffer";
+    const kinds = [];
+    socket.addEventListener("message", ({ data }) => {
+      const message = typeof data === "string" ? JSON.parse(data) : undefined;
+      kinds.push(message?.kind ?? new Uint8Array(data)[0]);
+      if (message?.kind === "past" && message.from === message.to) {
+        socket.close();
+        resolve(kinds);
+      }
+    });
+  }));
+  const first = kinds.indexOf("past");
+  assert.deepEqual([kinds[0], kinds[first + 1], kinds[first + 2], kinds.at(-1)], ["scene", 2, 2, "past"], `${kinds}`);
+  assert.ok(kinds.slice(1, first).every((kind) => kind === "tool" || kind === "source"), `${kinds}`);
+  const late = await run.open();
+  await late.waitForFunction(() => window.val3View.store.end.value !== undefined);
+  assert.equal(await late.evaluate(() => window.val3View.store.blocked.value), undefined);
+  await late.waitForFunction(() => window.val3View.store.past.from.value === undefined && window.val3View.store.oldest.value === 0);
+  assert.equal(await content(late), await content(early));
+}, moveForeverWithPower));

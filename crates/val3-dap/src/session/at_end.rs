@@ -86,6 +86,7 @@ impl DebugSession {
     /// Ends the run to the end (`startAtEnd`) at its first stop. From now on, the other stops apply too.
     pub(super) fn end_run_to_end(&mut self, run: &mut DebuggedRun<'_>) {
         if std::mem::take(&mut self.runs_to_end) {
+            self.end_progress.end(&mut self.client);
             self.start.settings.apply_modes(run.debugger);
         }
     }
@@ -276,6 +277,26 @@ mod tests {
             let stops = bodies(&client.run(), "stopped");
             assert_eq!((stops.len(), &stops[0]["description"]), (1, &json!(description)));
         }
+    }
+
+    #[test]
+    fn a_long_way_to_the_end_reports_progress() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  for nCount=1 to 6000\n    delay(0.004)\n  endFor\nend\n";
+        let mut client = TestClient::launching(listing, json!({ "startAtEnd": true })).knowing_progress();
+        client.body("configurationDone", json!({}));
+        let events = client.run();
+        let all: Vec<&str> = events.iter().map(|(event, _)| event.as_str()).collect();
+        assert_eq!(all.iter().rev().take(2).rev().copied().collect::<Vec<_>>(), ["progressEnd", "stopped"]);
+        let start = bodies(&events, "progressStart");
+        assert_eq!((start.len(), &start[0]["title"]), (1, &json!("Going to the end of the run")));
+        let updates = bodies(&events, "progressUpdate");
+        assert!(updates.len() >= 2, "{updates:?}");
+        assert!(updates.iter().all(|update| update["progressId"] == start[0]["progressId"]));
+        let message = updates.last().unwrap()["message"].as_str().unwrap();
+        let time: f64 = message.strip_suffix(" s of the run").unwrap().parse().unwrap();
+        assert!((10.0..25.0).contains(&time), "{message}");
+        let mut other = TestClient::launched(listing, json!({ "startAtEnd": true }));
+        assert_eq!(bodies(&other.run(), "progressStart"), Vec::<Value>::new(), "the client supports no progress");
     }
 
     #[test]

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 use val3_machine::controller::RunStatus;
 use val3_test::{Fixture, ROOT};
@@ -167,6 +169,64 @@ fn tasks_at_rest_and_errors_have_the_code_of_their_line() {
     let error = events.find(|event| event["kind"] == "error").unwrap();
     assert_eq!((&error["lineCode"], &error["task"]), (&json!("nList[7]=1"), &json!("main~")));
     assert!(error["help"].as_str().unwrap().contains("size"), "{error}");
+}
+
+/// What a page shows after messages: the latest message of each kind that contains everything, and the latest values of
+/// signals and data, without times.
+fn shown(messages: &[ViewerMessage]) -> BTreeMap<String, Value> {
+    let mut shown = BTreeMap::new();
+    for message in messages {
+        let ViewerMessage::Object(message) = message else { continue };
+        let kind = message["kind"].as_str().unwrap();
+        match kind {
+            "state" | "motion" | "page" | "parts" => {
+                let mut message = message.clone();
+                message["t"] = Value::Null;
+                shown.insert(kind.to_owned(), message);
+            }
+            "io" => {
+                for change in message["changes"].as_array().unwrap() {
+                    shown.insert(change["link"].to_string(), change.clone());
+                }
+            }
+            "scene" | "data" => {
+                for group in ["points", "joints", "frames", "tools"] {
+                    for value in message[group].as_array().unwrap() {
+                        let name = format!("{group} {} {}", value["name"], value["key"]);
+                        shown.insert(name, value["local"].clone());
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    shown
+}
+
+#[test]
+fn a_complete_state_contains_nothing_new_and_everything() {
+    let mut running = Running::start(LISTING);
+    running.controller.devices.state.robot.set_power(true);
+    let mut feed = Feed::new(&running.controller, Role::Operator, line);
+    let (mut messages, mut next) = (Vec::new(), 50_000_000);
+    while running.controller.now() < 2_000_000_000 {
+        let start = running.controller.now();
+        if let RunStatus::Waiting(Some(wake)) = running.controller.step() {
+            running.controller.jump(wake.min(start + CYCLE));
+        }
+        let events = running.controller.devices.take_events();
+        feed.see(start, &events, &running.controller);
+        if start >= next {
+            next += 130_000_000;
+            let state = feed.complete_state(&running.controller);
+            messages.extend(feed.take());
+            let mut from_state = shown(&messages[..1]);
+            from_state.extend(shown(&state));
+            assert_eq!(from_state, shown(&messages), "{start} ns");
+            assert!(matches!(state.last(), Some(ViewerMessage::Samples(_))));
+            assert!(objects(&state, "tool").chain(objects(&state, "source")).next().is_none());
+        }
+    }
 }
 
 #[test]

@@ -17,6 +17,7 @@ use val3_view::{Feed, ViewerMessage};
 use super::missing::program_text;
 use crate::output::file;
 use crate::output::file_kind::OutputFileKind;
+use crate::serve::frames::{FrameKind, write_frame};
 use crate::serve::PAGE;
 use crate::user_error::UserError;
 
@@ -30,8 +31,7 @@ pub(super) struct Export {
     out: ExportedRecording,
 }
 
-/// Messages, compressed and encoded in base64. Each message is `u8` (0 for an object, 1 for samples), `u32` length, and
-/// its bytes.
+/// Messages as frames, compressed and encoded in base64.
 type ExportedRecording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<OutputFile>>>;
 
 impl Export {
@@ -82,18 +82,10 @@ impl Export {
 }
 
 fn packed(out: &mut ExportedRecording, message: &ViewerMessage) -> io::Result<()> {
-    let text;
-    let (kind, bytes): (u8, &[u8]) = match message {
-        ViewerMessage::Object(object) => {
-            text = object.to_string();
-            (0, text.as_bytes())
-        }
-        ViewerMessage::Samples(bytes) => (1, bytes),
-    };
-    let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
-    out.write_all(&[kind])?;
-    out.write_all(&length.to_le_bytes())?;
-    out.write_all(bytes)
+    match message {
+        ViewerMessage::Object(object) => write_frame(out, FrameKind::Object, object.to_string().as_bytes()),
+        ViewerMessage::Samples(bytes) => write_frame(out, FrameKind::Samples, bytes),
+    }
 }
 
 /// Parts of the page before and after the recording.

@@ -40,9 +40,10 @@ const HEARTBEAT: Duration = Duration::from_secs(1);
 /// Maximum number of commands executed between two cycles. Further commands wait for the next cycle.
 const COMMANDS_PER_CYCLE: usize = 64;
 
-/// Size of messages, in bytes, after which the complete state is sent once more, for viewers that connect after the
-/// first messages were dropped.
-const REPETITION: usize = 8 << 20;
+/// Smallest size of the messages in a part of the run, in bytes, and as a multiple of the complete state with which it
+/// begins. Smaller parts would contain the present earlier, but the states would take more memory.
+const PART: usize = 256 << 10;
+const STATES_IN_PART: usize = 8;
 
 /// Viewers of a run.
 pub(super) struct Viewers {
@@ -50,8 +51,9 @@ pub(super) struct Viewers {
     feed: Feed,
     operator: Operator,
     recorder: ScenarioRecorder,
-    /// Bytes sent since the last complete state.
+    /// Bytes sent in the current part of the run, and the size at which the next part begins.
     sent: usize,
+    part: usize,
     /// Commands that have arrived during a wait.
     arrived: VecDeque<PendingCommand>,
     heartbeat: Heartbeat,
@@ -95,7 +97,7 @@ impl Viewers {
         let recorder = ScenarioRecorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
         let mut viewers =
-            Self { server, feed, operator, recorder, sent: 0, arrived, heartbeat: Heartbeat { last: None } };
+            Self { server, feed, operator, recorder, sent: 0, part: PART, arrived, heartbeat: Heartbeat { last: None } };
         viewers.publish();
         Ok(viewers)
     }
@@ -105,7 +107,7 @@ impl Viewers {
         self.feed = Feed::new(controller, Role::Operator, program_text);
         self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
         self.recorder.restart();
-        (self.sent, self.heartbeat) = (0, Heartbeat { last: None });
+        (self.sent, self.part, self.heartbeat) = (0, PART, Heartbeat { last: None });
         self.server.begin_run();
         self.publish();
     }
@@ -119,12 +121,25 @@ impl Viewers {
     pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.feed.see(start, events, controller);
         self.recorder.add_events(start, events);
-        if self.sent > REPETITION {
-            self.sent = 0;
-            self.feed.repeat(controller);
-            self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
-        }
         self.publish();
+        if self.sent > self.part {
+            self.begin_part(controller);
+        }
+    }
+
+    /// Begins a part of the run, at which late viewers begin.
+    fn begin_part(&mut self, controller: &Controller) {
+        let state = self.feed.complete_state(controller);
+        self.publish();
+        let now = seconds(controller.now());
+        let clock = self.heartbeat.last.as_ref().map(|(_, clock)| wire::Clock { t: now, ..clock.clone() });
+        let unsaved = wire::Message::Unsaved(self.operator.unsaved());
+        let more = clock.map(wire::Message::Clock).into_iter().chain([unsaved]);
+        let more = more.map(|message| val3_view::ViewerMessage::Object(serde_json::json!(message)));
+        let state: Vec<StoredMessage> = state.into_iter().chain(more).map(encoded).collect();
+        let bytes: usize = state.iter().map(StoredMessage::bytes).sum();
+        (self.sent, self.part) = (0, PART.max(STATES_IN_PART * bytes));
+        self.server.begin_part(now, state);
     }
 
     /// Publishes the end of the run.

@@ -7,14 +7,12 @@ use std::time::Instant;
 
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message as Frame, Utf8Bytes, WebSocket, close_code};
-use serde_json::json;
 use tokio::sync::mpsc;
 use tokio::time::{interval, timeout};
-use val3_view::wire;
 
 use super::access::ViewerRole;
 use super::command::{Parsed, PendingCommand, answer};
-use super::log::StoredMessage;
+use super::log::{LogCursor, OlderPart, StoredMessage};
 use super::quota::{Admission, Quota};
 use super::shared::Shared;
 
@@ -38,10 +36,8 @@ pub(super) struct Viewer {
     shared: Arc<Shared>,
     role: ViewerRole,
     socket: WebSocket,
-    /// Cursor in the log.
-    cursor: u64,
-    /// Whether the viewer was told that it reads the past.
-    is_in_past: bool,
+    /// Cursor in the log; `None` before the first message.
+    cursor: Option<LogCursor>,
     quota: Quota,
     /// Time of the last received frame.
     heard: Instant,
@@ -53,7 +49,7 @@ pub(super) async fn attend(socket: WebSocket, role: ViewerRole, shared: Arc<Shar
     let (answers, inbox) = mpsc::channel(OPEN_COMMANDS);
     let now = Instant::now();
     let quota = Quota::new(shared.limits.commands, now);
-    let mut viewer = Viewer { shared, role, socket, cursor: 0, is_in_past: false, quota, heard: now, answers };
+    let mut viewer = Viewer { shared, role, socket, cursor: None, quota, heard: now, answers };
     if let Err(Some((code, reason))) = viewer.run(inbox).await {
         viewer.close(Frame::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
     }
@@ -64,10 +60,10 @@ impl Viewer {
         let mut news = self.shared.log.subscribe();
         let mut is_over = self.shared.is_over.clone();
         let mut pings = interval(self.shared.limits.ping_time);
-        self.announce_past().await?;
         loop {
             news.mark_unchanged();
-            let has_more = self.send_batch(&mut inbox).await?;
+            // Older parts are sent while no new message waits.
+            let has_more = self.send_batch(&mut inbox).await? || self.send_older().await?;
             if !has_more && *is_over.borrow_and_update() {
                 return Err(Some((close_code::AWAY, "the run has ended")));
             }
@@ -82,13 +78,6 @@ impl Viewer {
         }
     }
 
-    /// Tells the viewer the number of the messages of the past, unless they are so few that they are read immediately.
-    async fn announce_past(&mut self) -> Result<(), Departure> {
-        let messages = self.shared.log.lock().count_since(self.cursor);
-        self.is_in_past = messages > BATCH as u64;
-        if self.is_in_past { self.send(past(messages)).await } else { Ok(()) }
-    }
-
     /// Sends the next messages from the log. Each answer is sent before the messages that were published after it.
     /// Returns whether more messages follow.
     async fn send_batch(&mut self, inbox: &mut mpsc::Receiver<Utf8Bytes>) -> Result<bool, Departure> {
@@ -98,17 +87,29 @@ impl Viewer {
             self.send(Frame::Text(answer)).await?;
         }
         for message in messages {
-            self.send(match message {
-                StoredMessage::Text(text) => Frame::Text(text),
-                StoredMessage::Lasting(text) => Frame::Text(self.for_role(text)),
-                StoredMessage::Binary(bytes) => Frame::Binary(bytes),
-            })
-            .await?;
-        }
-        if !has_more && std::mem::take(&mut self.is_in_past) {
-            self.send(past(0)).await?;
+            self.send_stored(message).await?;
         }
         Ok(has_more)
+    }
+
+    /// Sends the next older part of the run. Returns whether the viewer has not received all parts.
+    async fn send_older(&mut self) -> Result<bool, Departure> {
+        let older = self.shared.log.lock().older(&mut self.cursor);
+        match older {
+            Some(OlderPart::Block(block)) => self.send_stored(block.encoded()).await?,
+            Some(OlderPart::End(message)) => self.send_stored(message).await?,
+            None => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    async fn send_stored(&mut self, message: StoredMessage) -> Result<(), Departure> {
+        let frame = match message {
+            StoredMessage::Text(text) => Frame::Text(text),
+            StoredMessage::Lasting(text) => Frame::Text(self.for_role(text)),
+            StoredMessage::Binary(bytes) => Frame::Binary(bytes),
+        };
+        self.send(frame).await
     }
 
     /// Replaces the role in the scene by the role of the viewer.
@@ -193,11 +194,6 @@ impl Viewer {
             TrySendError::Disconnected(_) => "the run has ended",
         })
     }
-}
-
-/// Message about the number of messages of the past.
-fn past(messages: u64) -> Frame {
-    Frame::text(json!(wire::Message::Past(wire::Past { messages })).to_string())
 }
 
 /// Close reason for viewers that exceed the quota.

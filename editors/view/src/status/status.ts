@@ -21,8 +21,8 @@ export interface StatusFacts {
   isStopped: boolean;
   /** Whether the server does not answer. */
   isSilent: boolean;
-  /** Read part of the past in %, until a page that was opened late has reached the present. */
-  readPast: number | undefined;
+  /** Whether the messages of the shown time are not there yet. */
+  isAwaited: boolean;
   /** Whether the page is part of an editor. */
   isInEditor: boolean;
   state: CellState | undefined;
@@ -33,15 +33,15 @@ const NAMED = 2;
 
 const NO_POWER = "The arm has no power. Switch the power on.";
 
-export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, readPast, isInEditor, state }: StatusFacts): Status {
+export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, isAwaited, isInEditor, state }: StatusFacts): Status {
   if (lost !== undefined) {
     return { kind: "fault", text: lost, word: "no connection" };
   }
   if (isSilent && end === undefined) {
     return { kind: "fault", text: "No answer from the server for 3 s. It is stopped or overloaded.", word: "no answer" };
   }
-  if (readPast !== undefined) {
-    return { kind: "waiting", text: `Reading the past of the run: ${readPast} %.`, word: "reading" };
+  if (isAwaited) {
+    return { kind: "waiting", text: "The run up to this time is still being loaded.", word: "loading" };
   }
   if (role === undefined || role === "preview") {
     const missing = isInEditor ? "No application is shown. Open one of its files in the editor." : "The run has not begun.";

@@ -7,6 +7,7 @@ import { hasFailed } from "../panels/pendant/robotState";
 import { Button } from "../panels/shared/Button";
 import { Notice } from "../panels/shared/cell";
 import { NoticeLine } from "../panels/shared/NoticeLine";
+import type { Range } from "../panels/tasks/range";
 import type { Store } from "../store";
 import { jumpFrom, type Target } from "./jumps";
 import { listen } from "./keys";
@@ -24,8 +25,8 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
 export function TimeBar({ store }: { store: Store }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const player = useMemo(() => new Player(store), [store]);
-  const { time, newest, oldest, chosen, isPaused } = store;
-  const zoom = useMemo(() => new TimeZoom(computed(() => [oldest.value, Math.max(newest.value, oldest.value + 0.004)]), time), [store]);
+  const { time, newest, earliest, chosen, isPaused } = store;
+  const zoom = useMemo(() => new TimeZoom(computed(() => [earliest.value, Math.max(newest.value, earliest.value + 0.004)]), time), [store]);
   const isPast = chosen.value !== undefined;
   const isRecording = store.scene.value?.role === "recording";
   const present = (): void => {
@@ -45,7 +46,7 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
       void notice.send(store.panels.cell, "pace", { isPaused: !isPaused.peek() });
     }
   };
-  const bounded = (t: number): number => Math.min(Math.max(oldest.peek(), t), newest.peek());
+  const bounded = (t: number): number => Math.min(Math.max(earliest.peek(), t), newest.peek());
   // An export shows its run without a click.
   useEffect(() => {
     if (isRecording && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
@@ -53,14 +54,14 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
     }
   }, [player, isRecording]);
   useEffect(() => listen({
-    toggle, step: (seconds) => seek(bounded(time.peek() + seconds)), first: () => seek(oldest.peek()), last: () => (isRecording ? seek(newest.peek()) : present()),
+    toggle, step: (seconds) => seek(bounded(time.peek() + seconds)), first: () => seek(earliest.peek()), last: () => (isRecording ? seek(newest.peek()) : present()),
   }), [store, isRecording]);
   return (
     <section class="time-bar" aria-label="Time">
       {isPast || isRecording ? <PastControls store={store} player={player} /> : <LiveControls store={store} notice={notice} />}
       <Track store={store} zoom={zoom} onSeek={seek} onToggle={toggle} />
       <Jumps store={store} onSeek={seek} />
-      <output class="time" title={oldest.value > 0 ? `What was before ${oldest.value.toFixed(0)} s is forgotten` : undefined}>{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
+      <output class="time" title={earliest.value > 0 ? `What was before ${earliest.value.toFixed(0)} s is forgotten` : undefined}>{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
       {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : presentText(store)}</button>}
       <NoticeLine notice={notice} />
     </section>
@@ -68,10 +69,7 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
 }
 
 /** Returns a word about the newest time. */
-function presentText({ readPast, end, isPaused, isStopped, lost, panels }: Store): string {
-  if (readPast.value !== undefined) {
-    return `Reading: ${readPast.value} %`;
-  }
+function presentText({ end, isPaused, isStopped, lost, panels }: Store): string {
   const isOver = end.value !== undefined || hasFailed(panels.cell.state.value);
   return isOver ? "End" : lost.value !== undefined ? "Lost" : isStopped.value ? "Stopped" : isPaused.value ? "Paused" : "Live";
 }
@@ -93,6 +91,7 @@ function Track({ store: { time }, store, zoom, onSeek, onToggle }: { store: Stor
     <>
       <div class="track" title="The wheel zooms, with Shift it moves the shown range" onWheel={wheel}>
         <Marks store={store} zoom={zoom} />
+        <AwaitedPast store={store} range={zoom.range.value} />
         <input
           type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={start} max={end} step={0.004} value={time.value}
           onKeyDown={(event) => {
@@ -107,6 +106,16 @@ function Track({ store: { time }, store, zoom, onSeek, onToggle }: { store: Stor
       {zoom.isZoomed.value ? <button type="button" class="whole" title="Show the entire time" onClick={() => zoom.reset()}>{start.toFixed(1)}–{end.toFixed(1)} s ×</button> : null}
     </>
   );
+}
+
+/** Hatches the part of the shown range whose messages are not there yet. */
+function AwaitedPast({ store: { earliest, oldest }, range: [start, end] }: { store: Store; range: Range }): JSX.Element | null {
+  const share = (Math.min(oldest.value, end) - start) / (end - start);
+  if (earliest.value >= oldest.value || share <= 0) {
+    return null;
+  }
+  const text = `The run before ${oldest.value.toFixed(0)} s is being loaded`;
+  return <div class="awaited" role="img" aria-label={text} title={text} style={{ width: `calc(${share} * (100% - 14px))` }} />;
 }
 
 /** Buttons to the previous and the next move, error, and, in a cell with things, encounter. */

@@ -1,30 +1,29 @@
 //! Viewers with the same messages, and viewers that do not read.
 
-use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
 use serde_json::json;
-use tungstenite::WebSocket;
 
 use super::super::StoredMessage;
 use super::super::limits::ServerLimits;
 use super::client::{next, next_json, open, send, server, text};
 
-/// The next message that is not about the past.
-fn next_of_run(viewer: &mut WebSocket<TcpStream>) -> Option<Vec<u8>> {
-    std::iter::from_fn(|| next(viewer)).find(|message| !message.starts_with(br#"{"kind":"past""#))
-}
-
 #[test]
-fn a_late_viewer_learns_when_it_has_read_the_past() {
+fn a_late_viewer_begins_with_the_present() {
     let server = server(ServerLimits::default());
-    server.publish((0..1000).map(|_| text("{}")));
-    let mut late = open(server.operator_page()).unwrap();
-    assert_eq!(next_json(&mut late), json!({ "kind": "past", "messages": 1000 }));
-    for _ in 0..1000 {
-        assert_eq!(next(&mut late).unwrap(), b"{}");
-    }
-    assert_eq!(next_json(&mut late), json!({ "kind": "past", "messages": 0 }));
+    server.publish([StoredMessage::Lasting(r#"{"kind":"scene","role":"operator"}"#.into()), text("{\"n\":1}")]);
+    server.begin_part(60.0, vec![text("{\"n\":1}")]);
+    server.publish([text("{\"n\":2}")]);
+    let mut late = open(server.guest_page()).unwrap();
+    assert_eq!(next_json(&mut late), json!({ "kind": "scene", "role": "guest" }));
+    assert_eq!(next_json(&mut late), json!({ "kind": "past", "from": 0.0, "to": 60.0 }));
+    let newest = next(&mut late).unwrap();
+    assert!(newest.starts_with(&[2, 0, 0, 0, 1, 0, 0, 0]) && newest.ends_with(b"{\"n\":2}"));
+    let oldest = next(&mut late).unwrap();
+    assert!(oldest.starts_with(&[2, 0, 0, 0, 0, 0, 0, 0]) && oldest.ends_with(b"{\"n\":1}"));
+    assert_eq!(next_json(&mut late), json!({ "kind": "past", "from": 0.0, "to": 0.0 }));
+    server.publish([text("{\"n\":3}")]);
+    assert_eq!(next_json(&mut late), json!({ "n": 3 }));
 }
 
 #[test]
@@ -37,7 +36,7 @@ fn all_viewers_see_the_same() {
     let seen: Vec<Vec<_>> = early
         .into_iter()
         .chain([late])
-        .map(|mut viewer| (0..102).map(|_| next_of_run(&mut viewer).unwrap()).collect())
+        .map(|mut viewer| (0..102).map(|_| next(&mut viewer).unwrap()).collect())
         .collect();
     assert!(seen.windows(2).all(|pair| pair[0] == pair[1]));
     assert_eq!((seen[0][0].as_slice(), seen[0][100].as_slice()), (&b"{\"n\":0}"[..], &[1, 2, 3][..]));
@@ -53,6 +52,7 @@ fn a_viewer_that_never_reads_costs_nothing() {
     let mut longest = Duration::ZERO;
     for _ in 0..1000 {
         let start = Instant::now();
+        server.begin_part(0.0, vec![message.clone()]);
         server.publish([message.clone()]);
         longest = longest.max(start.elapsed());
         assert!(server.log_bytes() <= 1 << 20);
@@ -69,7 +69,7 @@ fn a_viewer_that_never_reads_costs_nothing() {
 
 #[test]
 fn viewers_only_receive_the_current_run() {
-    let server = server(ServerLimits { log_bytes: 30, ..ServerLimits::default() });
+    let server = server(ServerLimits::default());
     let mut early = open(server.operator_page()).unwrap();
     server.publish([
         StoredMessage::Lasting("{\"old\":1}".into()),
@@ -78,6 +78,7 @@ fn viewers_only_receive_the_current_run() {
         text("{}"),
     ]);
     while next(&mut early).unwrap() != b"{}" {}
+    server.begin_part(1.0, vec![text("{}")]);
     server.begin_run();
     server.publish([text("{\"new\":1}"), text("{\"new\":2}")]);
     let late = open(server.guest_page()).unwrap();
@@ -105,7 +106,7 @@ fn viewers_see_the_end() {
     let server = server(ServerLimits::default());
     let mut viewer = open(server.operator_page()).unwrap();
     server.publish((0..1000).map(|_| text("{}")));
-    let reader = std::thread::spawn(move || std::iter::from_fn(|| next_of_run(&mut viewer)).count());
+    let reader = std::thread::spawn(move || std::iter::from_fn(|| next(&mut viewer)).count());
     drop(server);
     assert_eq!(reader.join().unwrap(), 1000);
 }

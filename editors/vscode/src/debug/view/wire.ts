@@ -319,7 +319,6 @@ export type Message =
   | UnsavedMessage & { kind: "unsaved" }
   | End & { kind: "end" }
   | Rewind & { kind: "rewind" }
-  | { kind: "gap" }
   | Past & { kind: "past" }
   | Answer & { kind: "answer" }
   | Samples & { kind: "samples" }
@@ -459,10 +458,15 @@ export interface PartsMessage {
   t: number;
 }
 
-/** Number of messages before the present of the run, for a reader that connects to a run in progress. */
+/**
+ * Part of the run whose messages are not sent yet, for a reader that connects to a run in progress. They follow in
+ * blocks, the latest first.
+ */
 export interface Past {
-  /** Number of messages that follow. 0: the messages of the past were sent, and the next ones are of the present. */
-  messages: number;
+  /** Time in s from which messages will be sent: the start of the run, unless its first messages were dropped. */
+  from: number;
+  /** Time in s from which messages were sent. If it equals `from`, no block follows. */
+  to: number;
 }
 
 /** Point name, with an index or key. */

@@ -1,0 +1,122 @@
+// Past of a run that a page receives after the present, in parts, the latest first.
+
+import { batch, type ReadonlySignal, signal } from "@preact/signals";
+import { isPart, partOf } from "./part";
+import type { RunLog } from "./runLog";
+
+/** State of the page into which parts are inserted. */
+export interface PresentState {
+  /** Inserts successive parts before all messages. Returns false if there is no room for all of them. */
+  insert: (parts: readonly RunLog[]) => boolean;
+  /** Time that the user has chosen. */
+  chosen: ReadonlySignal<number | undefined>;
+  /** Oldest time with data. */
+  oldest: ReadonlySignal<number>;
+  /** Called when no more parts follow. */
+  end: () => void;
+}
+
+/**
+ * Parts are read one after the other, so that messages of the present are processed between them. Inserting parts repeats
+ * all messages, so that parts wait until they are as long as everything before, or until the user waits for their time.
+ */
+export class Past {
+  /** Time from which messages will be there; `undefined` if no part follows. */
+  readonly from = signal<number | undefined>(undefined);
+  private blocks: Uint8Array[] = [];
+  /** Parts that were read and not inserted, the latest first. */
+  private parts: RunLog[] = [];
+  /** Bytes of these parts, and of the inserted ones. */
+  private size = 0;
+  private inserted = 0;
+  private isComplete = true;
+  private isScheduled = false;
+
+  constructor(private readonly present: PresentState) {}
+
+  /** Processes a message about the times of the past. */
+  announce({ from, to }: { from: number; to: number }): void {
+    this.isComplete = from === to;
+    if (this.from.peek() === undefined && this.isComplete) {
+      return;
+    }
+    this.from.value = from;
+    this.schedule();
+  }
+
+  /** Processes a binary message with a part. Returns false for other messages. */
+  take(bytes: Uint8Array): boolean {
+    if (!isPart(bytes)) {
+      return false;
+    }
+    if (this.from.peek() !== undefined) {
+      this.blocks.push(bytes);
+      if (this.inserted === 0) {
+        // Messages of the present follow.
+        this.readNext();
+      } else {
+        this.schedule();
+      }
+    }
+    return true;
+  }
+
+  /** Ignores all further parts, for example because the connection is lost. */
+  stop(): void {
+    if (this.from.peek() !== undefined) {
+      this.restart();
+      this.present.end();
+    }
+  }
+
+  /** Begins another run. */
+  restart(): void {
+    this.blocks = [];
+    this.parts = [];
+    [this.size, this.inserted, this.isComplete] = [0, 0, true];
+    this.from.value = undefined;
+  }
+
+  private schedule(): void {
+    if (!this.isScheduled) {
+      this.isScheduled = true;
+      setTimeout(() => {
+        this.isScheduled = false;
+        batch(() => this.readNext());
+      });
+    }
+  }
+
+  private readNext(): void {
+    const block = this.blocks.shift();
+    if (block !== undefined) {
+      this.parts.push(partOf(block));
+      this.size += block.length;
+    }
+    const isLast = this.isComplete && this.blocks.length === 0;
+    if (isLast || this.size >= this.inserted || this.isAwaited()) {
+      this.insert();
+    }
+    if (isLast) {
+      this.stop();
+    } else if (this.blocks.length > 0) {
+      this.schedule();
+    }
+  }
+
+  /** Whether the user has chosen a time in these parts. */
+  private isAwaited(): boolean {
+    const chosen = this.present.chosen.peek() ?? Infinity;
+    return chosen < this.present.oldest.peek() && chosen >= (this.parts.at(-1)?.start ?? Infinity);
+  }
+
+  private insert(): void {
+    const parts = this.parts.toReversed();
+    this.parts = [];
+    this.inserted += this.size;
+    this.size = 0;
+    if (parts.length > 0 && !this.present.insert(parts)) {
+      this.stop();
+    }
+  }
+}
