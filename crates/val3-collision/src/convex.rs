@@ -15,6 +15,10 @@ use parry3d_f64::shape::SupportMap;
 /// Largest accepted difference between a distance and its gap, in mm.
 const PRECISION: f64 = 1e-4;
 
+/// Smallest accepted volume in mm³ between the origin and a face of a tetrahedron, times six. It is far above rounding
+/// errors.
+const VOLUME: f64 = 1e-3;
+
 /// Result for two convex shapes, with points in the frame of the first shape.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Found {
@@ -40,7 +44,11 @@ impl ConvexPair<'_> {
     pub(crate) fn nearest(&self, limit: f64) -> Found {
         let mut best: Option<Proof> = None;
         for direction in self.directions() {
-            let Some(proof) = self.search(direction, limit) else { continue };
+            let proof = match self.search(direction, limit) {
+                Search::Bounded(proof) => proof,
+                Search::CommonPoint => return Found::Overlap,
+                Search::Undecided => continue,
+            };
             if proof.gap > limit {
                 return Found::Beyond;
             }
@@ -59,9 +67,15 @@ impl ConvexPair<'_> {
     /// Returns the depth of an overlap: the length of the shortest shift that separates the shapes, with its end
     /// points.
     pub(crate) fn overlap(&self) -> (f64, [Vector; 2]) {
-        let found = self.directions().filter_map(|direction| self.penetration(direction));
-        let shifts = self.directions().chain(found);
-        let normal = shifts.max_by(|a, b| self.gap(*a).total_cmp(&self.gap(*b))).unwrap_or(Vector::Z);
+        let mut shifts: Vec<Vector> = self.directions().collect();
+        for direction in self.directions() {
+            let Some(Penetration { normal, depth }) = self.penetration(direction) else { continue };
+            shifts.push(normal);
+            if -self.gap(normal) - depth <= PRECISION {
+                break;
+            }
+        }
+        let normal = shifts.into_iter().max_by(|a, b| self.gap(*a).total_cmp(&self.gap(*b))).unwrap_or(Vector::Z);
         (-self.gap(normal), self.extremes(normal))
     }
 
@@ -73,31 +87,35 @@ impl ConvexPair<'_> {
         centres.into_iter().chain(axes).flat_map(|direction| [direction, -direction])
     }
 
-    /// Searches for the nearest points; `None` if the search found an overlap or failed.
-    fn search(&self, direction: Vector, limit: f64) -> Option<Proof> {
+    /// Searches for the nearest points.
+    fn search(&self, direction: Vector, limit: f64) -> Search {
         let mut simplex = VoronoiSimplex::new();
         let ConvexPair { first, second, pose } = *self;
         let begin = Some(-direction);
         match closest_points_support_map_support_map_with_params(pose, first, second, limit, &mut simplex, begin) {
             GJKResult::ClosestPoints(on_first, on_second, _) => {
                 let normal = (on_second - on_first).try_normalize().unwrap_or(direction);
-                Some(Proof { points: [on_first, on_second], gap: self.gap(normal) })
+                Search::Bounded(Proof { points: [on_first, on_second], gap: self.gap(normal) })
             }
             GJKResult::NoIntersection(normal) | GJKResult::Proximity(normal) => {
                 // The library's normal may point at either shape.
                 let normal = if self.gap(normal) > self.gap(-normal) { normal } else { -normal };
-                Some(Proof { points: self.extremes(normal), gap: self.gap(normal) })
+                Search::Bounded(Proof { points: self.extremes(normal), gap: self.gap(normal) })
             }
-            GJKResult::Intersection => None,
+            GJKResult::Intersection if encloses_origin(&simplex) => Search::CommonPoint,
+            GJKResult::Intersection => Search::Undecided,
         }
     }
 
-    /// Returns the library's direction of the shortest shift that separates both shapes.
-    fn penetration(&self, direction: Vector) -> Option<Vector> {
+    /// Returns the library's result for the shortest shift that separates both shapes.
+    fn penetration(&self, direction: Vector) -> Option<Penetration> {
         let mut simplex = VoronoiSimplex::new();
         let ConvexPair { first, second, pose } = *self;
         match contact_support_map_support_map_with_params(pose, first, second, 0.0, &mut simplex, Some(direction)) {
-            GJKResult::ClosestPoints(_, _, normal) => normal.try_normalize(),
+            GJKResult::ClosestPoints(on_first, on_second, normal) => {
+                let normal = normal.try_normalize()?;
+                Some(Penetration { normal, depth: normal.dot(on_first - on_second) })
+            }
             _ => None,
         }
     }
@@ -114,6 +132,36 @@ impl ConvexPair<'_> {
     fn extremes(&self, normal: Vector) -> [Vector; 2] {
         [self.first.local_support_point(normal), self.second.support_point(self.pose, -normal)]
     }
+}
+
+/// Shortest shift that separates two shapes, as the library has found it.
+struct Penetration {
+    /// Direction of the shift of the second shape.
+    normal: Vector,
+    /// Distance in mm between the origin and the nearest face of a polytope inside the difference of both shapes. It is
+    /// a lower bound of the depth; a gap is an upper bound.
+    depth: f64,
+}
+
+/// Result of a search for the nearest points.
+enum Search {
+    /// Bounds of the distance.
+    Bounded(Proof),
+    /// The shapes have a common point.
+    CommonPoint,
+    /// The library reports an overlap without a proof, or has failed.
+    Undecided,
+}
+
+/// Whether the origin is inside the tetrahedron at which a search has ended. Its corners are differences of points of
+/// both shapes, so the shapes then have a common point.
+fn encloses_origin(simplex: &VoronoiSimplex) -> bool {
+    if simplex.dimension() != 3 {
+        return false;
+    }
+    let [a, b, c, d] = [0, 1, 2, 3].map(|corner| simplex.point(corner).point);
+    let volumes = [b.cross(c).dot(d), -a.cross(c).dot(d), a.cross(b).dot(d), -a.cross(b).dot(c)];
+    volumes.iter().all(|volume| *volume > VOLUME) || volumes.iter().all(|volume| *volume < -VOLUME)
 }
 
 /// Upper and lower bound of a distance: a point on each shape, and a gap between the shapes.

@@ -66,8 +66,9 @@ const post = (page, list) => page.evaluate((values) => globalThis.postMessage(va
   list.map((message) => (Buffer.isBuffer(message) ? message.toString("base64") : message)));
 const sent = (page) => page.evaluate(() => globalThis.sent.splice(0).filter(({ command }) => command !== "ready" && command !== "reach").map(({ id: _, ...message }) => message));
 
-for (const [width, height] of [[1280, 800], [1920, 1080]]) {
-  for (const theme of ["light", "dark"]) {
+// Colours do not depend on the size, so the large window has one theme.
+for (const [width, height, themes] of [[1280, 800, ["light", "dark"]], [1920, 1080, ["dark"]]]) {
+  for (const theme of themes) {
     const page = await open(pathToFileURL(recording).href, { width, height }, theme);
     await page.waitForFunction(() => document.querySelector(".time")?.textContent.includes("of 20.000 s"));
     await page.waitForFunction(() => globalThis.val3View.store.time.value > 0.1);

@@ -197,6 +197,29 @@ proptest! {
         }
     }
 
+    /// The watch omits measurements that cannot change an encounter.
+    #[test]
+    fn an_encounter_lasts_as_long_as_the_measured_distances(path in path(), clearance in 0.0..200.0) {
+        let arm = arm("tx2-60l");
+        let mut watch = Watch::new(scene(&format!("clearance = {clearance}\n{CELL}"), &arm));
+        let scene = Arc::clone(watch.scene());
+        for (cycle, joints) in (0u32..).zip(&path) {
+            let sight = sight(&arm, *joints, f64::from(cycle) * CYCLE);
+            watch.see(&sight, &());
+            let step = Step::new(&scene, None, &sight);
+            for (pair, watched) in scene.pairs.iter().zip(&watch.pairs) {
+                let distance = step.measure(pair, 1.0, 1e4).at_least();
+                let least = pair.clearance.max(TOUCHING);
+                let smallest = watched.nearest.as_ref().map(|nearest| nearest.measured.distance);
+                let agrees = match smallest {
+                    Some(smallest) => distance < least + EXACT + 1e-3 && smallest < distance + 1e-3,
+                    None => distance > least - 1e-3,
+                };
+                prop_assert!(agrees, "{:?} in cycle {cycle}: {distance}, {smallest:?}", scene.names(pair));
+            }
+        }
+    }
+
     #[test]
     fn a_copy_goes_on_in_the_same_way(path in path(), cut in 1usize..100) {
         let arm = arm("tx2-60l");
