@@ -44,7 +44,8 @@ impl Export {
         let (head, _) = halves();
         write!(file, "{head}<script id=\"recording\" type=\"text/plain\">").map_err(|error| refused(path, &error))?;
         let out = GzEncoder::new(EncoderWriter::new(file, &BASE64_STANDARD), Compression::best());
-        let mut export = Self { feed: Feed::new(controller, Role::Recording, program_text), path: path.to_owned(), out };
+        let mut export =
+            Self { feed: Feed::new(controller, Role::Recording, program_text), path: path.to_owned(), out };
         export.write()?;
         Ok(export)
     }
