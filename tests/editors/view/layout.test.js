@@ -5,12 +5,21 @@ const { served } = require("./served.js");
 
 const SIZES = [[1280, 800], [900, 500], [390, 844]];
 
-/** Returns the places of all visible controls of the panel, by name. Values and pressed marks are not part of a name. */
-const places = (page) => page.evaluate(() => [...document.querySelectorAll(".panel.io :is(button, select, input)")].map((control) => {
-  const { left, top, width, height } = control.getBoundingClientRect();
-  const name = (control.getAttribute("aria-label") ?? "").replace(/ is .*/, "");
-  return `${name}: ${[left, top, width, height].map(Math.round).join()}`;
-}).filter((place) => !place.startsWith("Hide this message")));
+/**
+ * Returns the places of all visible controls of the panel, by name. Values are not part of a name. A click may have
+ * scrolled the table to show its button.
+ */
+const places = (page) => page.evaluate(() => {
+  document.querySelector(".signals").scrollTo(0, 0);
+  document.querySelector(".panel.io").scrollTo(0, 0);
+  // The table prepares rows outside the window.
+  const controls = [...document.querySelectorAll(".panel.io :is(button, select, input)")].filter((control) => control.getBoundingClientRect().top < innerHeight);
+  return controls.map((control) => {
+    const { left, top, width, height } = control.getBoundingClientRect();
+    const name = (control.getAttribute("aria-label") ?? "").replace(/ is .*/, "");
+    return `${name}: ${[left, top, width, height].map(Math.round).join()}`;
+  }).filter((place) => !place.startsWith("Hide this message"));
+});
 
 test("the buttons of the inputs and outputs keep their places", () => served([], async (run) => {
   const page = await run.open();

@@ -287,10 +287,14 @@ fn run_with_power(listing: &str) -> Vec<ViewerMessage> {
 
 #[test]
 fn values_out_of_reach_are_those_of_the_last_tool() {
-    let messages = run_with_power(&LISTING.replace("tGrip.trsf={0,0,120,", "tGrip.trsf={0,0,3000,"));
-    let is_far = |message: &Value| message["unreachable"].to_string().contains(r#""key":"1","name":"pPick""#);
-    let found: Vec<_> = objects(&messages, "reach").map(|message| (&message["tool"], is_far(message))).collect();
-    assert_eq!(found.last_chunk().unwrap(), &[(&json!(0), false), (&json!(1), true)], "{found:?}");
+    for (length, is_expected) in [("120", false), ("3000", true)] {
+        let messages = run_with_power(&LISTING.replace("tGrip.trsf={0,0,120,", &format!("tGrip.trsf={{0,0,{length},")));
+        let found: Vec<&Value> = objects(&messages, "reach").collect();
+        let last = *found.last().unwrap();
+        let is_far = last["unreachable"].to_string().contains(r#""key":"1","name":"pPick""#);
+        assert_eq!((&last["tool"], is_far), (&json!(1), is_expected), "{last:#}");
+        assert_eq!((found.len(), &found[0]["tool"]), (2, &json!(0)), "a message for each tool");
+    }
 }
 
 #[test]
