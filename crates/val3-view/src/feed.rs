@@ -20,8 +20,8 @@ use crate::reach::ReachState;
 use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
 use crate::signals::SignalStates;
 use crate::wire::{
-    CellPoint, DataMessage, End, EventsMessage, JointValue, PageMessage, PartsMessage, Rewind, Role, Source,
-    StateMessage, Tool,
+    CellPoint, DataMessage, End, EventsMessage, JointValue, MotionMessage, PageMessage, PartsMessage, Rewind, Role,
+    Source, StateMessage, Tool,
 };
 use crate::{cell, numbers, positions, scene, state, user_page, wire};
 
@@ -59,7 +59,7 @@ pub struct Feed {
     next_look: Time,
     looks: u32,
     state: Option<StateMessage>,
-    motion: Option<MotionKey>,
+    motion: Option<(MotionKey, MotionMessage)>,
     page: Option<PageMessage>,
     parts: Option<PartsMessage>,
     points: Vec<CellPoint>,
@@ -149,7 +149,13 @@ impl Feed {
         let origin = self.origin(&sample, limit, controller);
         self.flush_samples();
         let pending = self.take();
+        let motion = self.motion.take();
         self.forget();
+        if let Some((_, message)) = &motion {
+            // A new message would contain the path from the present place on only.
+            self.tell(&wire::Message::Motion(MotionMessage { t: seconds(now), ..message.clone() }));
+        }
+        self.motion = motion;
         self.look(now, controller);
         self.see_positions(now, controller);
         let mut batch = Batch::new(arm.model().axes(), false);
@@ -239,12 +245,12 @@ impl Feed {
     }
 
     fn see_motion(&mut self, time: Time, controller: &Controller) {
-        let key = Some(MotionKey::of(controller));
-        if key != self.motion {
+        let key = MotionKey::of(controller);
+        if self.motion.as_ref().is_none_or(|(known, _)| *known != key) {
             let number = |queued: &RecordedMove| self.number_of(queued.source.as_ref());
             let motion = motion::message(seconds(time), controller, number);
-            self.tell(&wire::Message::Motion(motion));
-            self.motion = key;
+            self.tell(&wire::Message::Motion(motion.clone()));
+            self.motion = Some((key, motion));
         }
     }
 

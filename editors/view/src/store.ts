@@ -24,7 +24,8 @@ export class Store {
   readonly oldest = signal(0);
   /** Time that the user has chosen; `undefined` for the newest time. */
   readonly chosen = signal<number | undefined>(undefined);
-  readonly time: ReadonlySignal<number> = computed(() => this.chosen.value ?? this.newest.value);
+  /** Shown time: while the chosen time has no data yet, the oldest time with data. */
+  readonly time: ReadonlySignal<number> = computed(() => (this.awaited.value === undefined ? (this.chosen.value ?? this.newest.value) : this.oldest.value));
   readonly isPaused = signal(false);
   /** Whether a debugger has stopped the run. */
   readonly isStopped = signal(false);
@@ -36,8 +37,11 @@ export class Store {
   readonly past: Past = new Past({ insert: (parts) => this.insert(parts), chosen: this.chosen, oldest: this.oldest, end: () => this.showAtLeast(this.oldest.peek()) });
   /** Oldest time that has or will have data. */
   readonly earliest: ReadonlySignal<number> = computed(() => Math.min(this.past.from.value ?? Infinity, this.oldest.value));
-  /** Whether the shown time has no data yet. */
-  readonly isAwaited: ReadonlySignal<boolean> = computed(() => this.past.from.value !== undefined && this.time.value < this.oldest.value);
+  /** Chosen time, if it has no data yet. */
+  readonly awaited: ReadonlySignal<number | undefined> = computed(() => {
+    const chosen = this.chosen.value ?? Infinity;
+    return this.past.from.value !== undefined && chosen < this.oldest.value ? chosen : undefined;
+  });
   /** Sentence about a lost connection. */
   readonly lost = signal<string | undefined>(undefined);
   readonly selection = signal<Selection | undefined>(undefined);
@@ -45,10 +49,10 @@ export class Store {
   readonly samples: Samples = this.log.samples;
   /** Changes with each batch of samples. */
   readonly sampleCount = signal(0);
-  /** Sample at the shown time, if it is there. */
+  /** Sample at the shown time. */
   readonly shown: ReadonlySignal<Sample | undefined> = computed(() => {
     this.sampleCount.valueOf();
-    return this.isAwaited.value ? undefined : this.samples.at(this.time.value);
+    return this.samples.at(this.time.value);
   });
   readonly tools = new Map<number, Tool>();
   readonly sources = new Map<number, Source>();

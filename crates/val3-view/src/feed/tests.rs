@@ -193,7 +193,7 @@ fn shown(messages: &[ViewerMessage]) -> BTreeMap<String, Value> {
                 for group in ["points", "joints", "frames", "tools"] {
                     for value in message[group].as_array().unwrap() {
                         let name = format!("{group} {} {}", value["name"], value["key"]);
-                        shown.insert(name, value["local"].clone());
+                        shown.insert(name, value.clone());
                     }
                 }
             }

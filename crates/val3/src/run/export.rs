@@ -17,8 +17,8 @@ use val3_view::{Feed, ViewerMessage};
 use super::missing::program_text;
 use crate::output::file;
 use crate::output::file_kind::OutputFileKind;
-use crate::serve::frames::{FrameKind, write_frame};
 use crate::serve::PAGE;
+use crate::serve::frames::{FrameKind, write_frame};
 use crate::user_error::UserError;
 
 /// Element of the page after which the recording is inserted.

@@ -96,8 +96,16 @@ impl Viewers {
         let feed = Feed::new(controller, Role::Operator, program_text);
         let recorder = ScenarioRecorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
-        let mut viewers =
-            Self { server, feed, operator, recorder, sent: 0, part: PART, arrived, heartbeat: Heartbeat { last: None } };
+        let mut viewers = Self {
+            server,
+            feed,
+            operator,
+            recorder,
+            sent: 0,
+            part: PART,
+            arrived,
+            heartbeat: Heartbeat { last: None },
+        };
         viewers.publish();
         Ok(viewers)
     }

@@ -43,7 +43,8 @@ mod tests {
     #[test]
     fn a_block_has_the_layout_of_the_protocol() {
         let state = vec![StoredMessage::Text("{}".into())];
-        let messages = vec![StoredMessage::Lasting("{\"kind\":\"tool\"}".into()), StoredMessage::Binary(vec![1, 6].into())];
+        let messages =
+            vec![StoredMessage::Lasting("{\"kind\":\"tool\"}".into()), StoredMessage::Binary(vec![1, 6].into())];
         let StoredMessage::Binary(bytes) = (PartBlock { start: 1.5, state, messages }).encoded() else { panic!() };
         let head = [&[2, 0, 0, 0, 1, 0, 0, 0][..], &1.5_f64.to_le_bytes()].concat();
         assert_eq!(bytes[..16], head);

@@ -10,7 +10,7 @@ export function StatusLine({ store }: { store: Store }): JSX.Element {
   const facts: StatusFacts = {
     lost: store.lost.value, end: store.end.value, role: store.scene.value?.role, isPast: store.chosen.value !== undefined,
     isPaused: store.isPaused.value, isStopped: store.isStopped.value, isSilent: store.isSilent.value,
-    isAwaited: store.isAwaited.value, isInEditor: store.openLine.value !== undefined, state: store.panels.cell.state.value,
+    awaited: store.awaited.value, isInEditor: store.openLine.value !== undefined, state: store.panels.cell.state.value,
   };
   const { kind, text, word } = statusOf(facts);
   const application = store.scene.value?.application;

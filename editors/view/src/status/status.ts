@@ -21,8 +21,8 @@ export interface StatusFacts {
   isStopped: boolean;
   /** Whether the server does not answer. */
   isSilent: boolean;
-  /** Whether the messages of the shown time are not there yet. */
-  isAwaited: boolean;
+  /** Time that the user has chosen, if its messages are not there yet. */
+  awaited: number | undefined;
   /** Whether the page is part of an editor. */
   isInEditor: boolean;
   state: CellState | undefined;
@@ -33,15 +33,15 @@ const NAMED = 2;
 
 const NO_POWER = "The arm has no power. Switch the power on.";
 
-export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, isAwaited, isInEditor, state }: StatusFacts): Status {
+export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilent, awaited, isInEditor, state }: StatusFacts): Status {
   if (lost !== undefined) {
     return { kind: "fault", text: lost, word: "no connection" };
   }
   if (isSilent && end === undefined) {
     return { kind: "fault", text: "No answer from the server for 3 s. It is stopped or overloaded.", word: "no answer" };
   }
-  if (isAwaited) {
-    return { kind: "waiting", text: "The run up to this time is still being loaded.", word: "loading" };
+  if (awaited !== undefined) {
+    return { kind: "waiting", text: `The run at ${awaited.toFixed(1)} s is still being loaded. Until then, the oldest loaded time is shown.`, word: "loading" };
   }
   if (role === undefined || role === "preview") {
     const missing = isInEditor ? "No application is shown. Open one of its files in the editor." : "The run has not begun.";

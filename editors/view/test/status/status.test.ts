@@ -10,7 +10,7 @@ const task = (name: string, fields: Partial<TaskState> = {}): TaskState =>
 const state = (tasks: TaskState[], fields: Partial<CellState> = {}): CellState =>
   ({ tasks, power: true, mode: "remote", emergencyStop: "none", isHeld: false, awaitedHold: null, monitorSpeed: 100, ...fields });
 const facts = (fields: Partial<StatusFacts>): StatusFacts =>
-  ({ lost: undefined, end: undefined, role: "operator", isPast: false, isPaused: false, isStopped: false, isSilent: false, isAwaited: false, isInEditor: false, state: state([task("start")]), ...fields });
+  ({ lost: undefined, end: undefined, role: "operator", isPast: false, isPaused: false, isStopped: false, isSilent: false, awaited: undefined, isInEditor: false, state: state([task("start")]), ...fields });
 
 test("the first reason that keeps the run from going on is shown", () => {
   const waiting = task("pick", { waits: "the arm (`movej`), which has no power: call enablePower()", awaits: "the arm (`movej`)" });
@@ -36,7 +36,7 @@ test("the first reason that keeps the run from going on is shown", () => {
     [{ state: state([waiting], { emergencyStop: "open" }) }, "stopped", "The E-stop is pressed. Release it, then switch the power on."],
     [{ state: state([task("a", { waits: "a condition" })]) }, "waiting", "a waits for a condition at start:12."],
     [{ state: state([task("a", { waits: "a condition" }), task("b")]) }, "running", "Running."],
-    [{ isPast: true, isAwaited: true }, "waiting", "The run up to this time is still being loaded."],
+    [{ isPast: true, awaited: 3 }, "waiting", "The run at 3.0 s is still being loaded. Until then, the oldest loaded time is shown."],
     [{ role: undefined, isInEditor: true }, "stopped", "No application is shown. Open one of its files in the editor."],
     [{ state: state([failed]) }, "fault", "a has failed with error 20 at start:12. Press Run to start the application again."],
     [{ state: state([failed, { ...failed, name: "b" }]), role: "debugger" }, "fault", "All tasks have failed. Restart the application in the editor."],
