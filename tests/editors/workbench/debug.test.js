@@ -45,6 +45,8 @@ const BROKEN = {
   programs: `
 program start()
 begin
+  // The view of the robot begins to receive events after the start of the session.
+  delay(5)
   call divide()
 end
 program divide()
@@ -228,7 +230,6 @@ const STEPS = {
     cpSync(new Application("broken", BROKEN).folder(), join(cell, "usr/usrapp/broken"), { recursive: true });
     await user.openFile("divide.pgx");
     await user.command("VAL 3: Show Robot");
-    await user.leavesWebview("Robot");
     await user.keys("F5");
     await user.page.waitForSelector(".editor-instance .debug-top-stack-frame-line, .editor-instance .debug-focused-stack-frame-line");
     const bar = (await user.frame(".fault-bar code")).locator(".fault-bar");
