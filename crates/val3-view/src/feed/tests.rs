@@ -207,7 +207,7 @@ fn shown(messages: &[ViewerMessage]) -> BTreeMap<String, Value> {
 fn a_complete_state_contains_nothing_new_and_everything() {
     let mut running = Running::start(LISTING);
     running.controller.devices.state.robot.set_power(true);
-    let mut feed = Feed::new(&running.controller, Role::Operator, line);
+    let mut feed = Feed::new(&running.controller, Role::Operator, text);
     let (mut messages, mut next) = (Vec::new(), 50_000_000);
     while running.controller.now() < 2_000_000_000 {
         let start = running.controller.now();
