@@ -1,5 +1,4 @@
-//! Smallest distance of a pair in each step. A pair is not measured as long as it is too far apart, nor during an
-//! encounter as long as its distance can neither become the smallest nor exceed the limit.
+//! Smallest distance of a pair in each step. Pairs that are too far apart are not measured.
 
 use crate::measure::{Measured, Reading};
 use crate::pairs::Pair;
@@ -17,32 +16,10 @@ pub(crate) struct Track {
 
 #[derive(Debug, Clone, Copy)]
 struct Known {
-    /// Lower bound of the distance in mm.
+    /// The distance in mm, or its lower bound.
     at_least: f64,
-    /// Upper bound of the distance in mm.
-    at_most: f64,
-    /// Whether both bounds were measured at the end of the last step.
+    /// Whether the bound was measured at the end of the last step.
     is_measured: bool,
-}
-
-impl Known {
-    fn measured(reading: Reading) -> Self {
-        let at_most = if let Reading::Measured(measured) = reading { measured.distance } else { f64::INFINITY };
-        Self { at_least: reading.at_least(), at_most, is_measured: true }
-    }
-
-    /// Bounds after the bodies have moved by at most `way` mm.
-    fn after(self, way: f64) -> Self {
-        Self { at_least: self.at_least - way, at_most: self.at_most + way, is_measured: false }
-    }
-
-    /// Whether a measurement would not change anything: the distance exceeds the limit, or it is below the limit but
-    /// not the smallest one.
-    fn suffices(&self, wanted: &Wanted) -> bool {
-        let is_far = self.at_least > wanted.limit;
-        let is_within = self.at_most <= wanted.limit && self.at_least >= wanted.threshold;
-        is_far || is_within
-    }
 }
 
 /// Limits of the requested distances, in mm.
@@ -65,8 +42,8 @@ pub(crate) struct Found {
 }
 
 impl Track {
-    /// Lower bound of the distance after the last step. It exceeds the limit of [`Self::follow`] if and only if the
-    /// distance does.
+    /// Lower bound of the distance after the last step; the distance itself if it is below the limit of
+    /// [`Self::follow`].
     pub(crate) fn at_least(&self) -> f64 {
         self.last.map_or(0.0, |known| known.at_least)
     }
@@ -76,18 +53,16 @@ impl Track {
         let travel = step.travel(pair);
         let before = self.last.filter(|_| travel.is_some());
         let way = travel.unwrap_or(f64::INFINITY);
-        if let Some(known) = before.map(|known| known.after(way)).filter(|known| known.suffices(&wanted)) {
-            self.last = Some(known);
+        if let Some(known) = before.filter(|known| known.at_least - way > wanted.limit) {
+            self.last = Some(Known { at_least: known.at_least - way, is_measured: false });
             return None;
         }
         // A limit with which the next steps at the same speed need no measurement.
         let far = wanted.limit + if way.is_finite() { 8.0 * way } else { 0.0 } + 5.0;
         let end = step.measure(pair, 1.0, far);
-        self.last = Some(Known::measured(end));
+        self.last = Some(Known { at_least: end.at_least(), is_measured: true });
         let start = match before {
             Some(known) if known.is_measured => known.at_least,
-            // Overlaps are not searched between the ends of a step.
-            Some(_) if wanted.threshold <= 0.0 => 0.0,
             Some(_) => step.measure(pair, 0.0, far).at_least(),
             // First step, or a carrier was placed elsewhere.
             None => return Search::new(step, pair, 0.0, wanted).begin(end),

@@ -15,10 +15,6 @@ use parry3d_f64::shape::SupportMap;
 /// Largest accepted difference between a distance and its gap, in mm.
 const PRECISION: f64 = 1e-4;
 
-/// Smallest accepted volume in mm³ between the origin and a face of a tetrahedron, times six. It is far above rounding
-/// errors.
-const VOLUME: f64 = 1e-3;
-
 /// Result for two convex shapes, with points in the frame of the first shape.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Found {
@@ -37,6 +33,8 @@ pub(crate) struct ConvexPair<'s> {
     pub(crate) second: &'s dyn SupportMap,
     /// Pose of the second shape in the common frame.
     pub(crate) pose: &'s Pose,
+    /// Direction from the first shape to the second one, as far as it is known. A search begins with it.
+    pub(crate) towards: Vector,
 }
 
 impl ConvexPair<'_> {
@@ -44,11 +42,7 @@ impl ConvexPair<'_> {
     pub(crate) fn nearest(&self, limit: f64) -> Found {
         let mut best: Option<Proof> = None;
         for direction in self.directions() {
-            let proof = match self.search(direction, limit) {
-                Search::Bounded(proof) => proof,
-                Search::CommonPoint => return Found::Overlap,
-                Search::Undecided => continue,
-            };
+            let Some(proof) = self.search(direction, limit) else { continue };
             if proof.gap > limit {
                 return Found::Beyond;
             }
@@ -67,55 +61,44 @@ impl ConvexPair<'_> {
     /// Returns the depth of an overlap: the length of the shortest shift that separates the shapes, with its end
     /// points.
     pub(crate) fn overlap(&self) -> (f64, [Vector; 2]) {
-        let mut shifts: Vec<Vector> = self.directions().collect();
-        for direction in self.directions() {
-            let Some(Penetration { normal, depth }) = self.penetration(direction) else { continue };
-            shifts.push(normal);
-            if -self.gap(normal) - depth <= PRECISION {
-                break;
-            }
-        }
-        let normal = shifts.into_iter().max_by(|a, b| self.gap(*a).total_cmp(&self.gap(*b))).unwrap_or(Vector::Z);
+        let found = self.directions().filter_map(|direction| self.penetration(direction));
+        let shifts = self.directions().chain(found);
+        let normal = shifts.max_by(|a, b| self.gap(*a).total_cmp(&self.gap(*b))).unwrap_or(Vector::Z);
         (-self.gap(normal), self.extremes(normal))
     }
 
-    /// Returns unit vectors as start directions of a search: from centre to centre, and along the axes of both frames.
+    /// Returns unit vectors as start directions of a search: from shape to shape, and along the axes of both frames.
     fn directions(&self) -> impl Iterator<Item = Vector> {
         let axes = [Vector::X, Vector::Y, Vector::Z];
         let axes = axes.into_iter().chain(axes.map(|axis| self.pose.rotation * axis));
-        let centres = self.pose.translation.try_normalize();
-        centres.into_iter().chain(axes).flat_map(|direction| [direction, -direction])
+        self.towards.try_normalize().into_iter().chain(axes).flat_map(|direction| [direction, -direction])
     }
 
-    /// Searches for the nearest points.
-    fn search(&self, direction: Vector, limit: f64) -> Search {
+    /// Searches for the nearest points; `None` if the search found an overlap or failed.
+    fn search(&self, direction: Vector, limit: f64) -> Option<Proof> {
         let mut simplex = VoronoiSimplex::new();
-        let ConvexPair { first, second, pose } = *self;
+        let ConvexPair { first, second, pose, .. } = *self;
         let begin = Some(-direction);
         match closest_points_support_map_support_map_with_params(pose, first, second, limit, &mut simplex, begin) {
             GJKResult::ClosestPoints(on_first, on_second, _) => {
                 let normal = (on_second - on_first).try_normalize().unwrap_or(direction);
-                Search::Bounded(Proof { points: [on_first, on_second], gap: self.gap(normal) })
+                Some(Proof { points: [on_first, on_second], gap: self.gap(normal) })
             }
             GJKResult::NoIntersection(normal) | GJKResult::Proximity(normal) => {
                 // The library's normal may point at either shape.
                 let normal = if self.gap(normal) > self.gap(-normal) { normal } else { -normal };
-                Search::Bounded(Proof { points: self.extremes(normal), gap: self.gap(normal) })
+                Some(Proof { points: self.extremes(normal), gap: self.gap(normal) })
             }
-            GJKResult::Intersection if encloses_origin(&simplex) => Search::CommonPoint,
-            GJKResult::Intersection => Search::Undecided,
+            GJKResult::Intersection => None,
         }
     }
 
-    /// Returns the library's result for the shortest shift that separates both shapes.
-    fn penetration(&self, direction: Vector) -> Option<Penetration> {
+    /// Returns the library's direction of the shortest shift that separates both shapes.
+    fn penetration(&self, direction: Vector) -> Option<Vector> {
         let mut simplex = VoronoiSimplex::new();
-        let ConvexPair { first, second, pose } = *self;
+        let ConvexPair { first, second, pose, .. } = *self;
         match contact_support_map_support_map_with_params(pose, first, second, 0.0, &mut simplex, Some(direction)) {
-            GJKResult::ClosestPoints(on_first, on_second, normal) => {
-                let normal = normal.try_normalize()?;
-                Some(Penetration { normal, depth: normal.dot(on_first - on_second) })
-            }
+            GJKResult::ClosestPoints(_, _, normal) => normal.try_normalize(),
             _ => None,
         }
     }
@@ -132,36 +115,6 @@ impl ConvexPair<'_> {
     fn extremes(&self, normal: Vector) -> [Vector; 2] {
         [self.first.local_support_point(normal), self.second.support_point(self.pose, -normal)]
     }
-}
-
-/// Shortest shift that separates two shapes, as the library has found it.
-struct Penetration {
-    /// Direction of the shift of the second shape.
-    normal: Vector,
-    /// Distance in mm between the origin and the nearest face of a polytope inside the difference of both shapes. It is
-    /// a lower bound of the depth; a gap is an upper bound.
-    depth: f64,
-}
-
-/// Result of a search for the nearest points.
-enum Search {
-    /// Bounds of the distance.
-    Bounded(Proof),
-    /// The shapes have a common point.
-    CommonPoint,
-    /// The library reports an overlap without a proof, or has failed.
-    Undecided,
-}
-
-/// Whether the origin is inside the tetrahedron at which a search has ended. Its corners are differences of points of
-/// both shapes, so the shapes then have a common point.
-fn encloses_origin(simplex: &VoronoiSimplex) -> bool {
-    if simplex.dimension() != 3 {
-        return false;
-    }
-    let [a, b, c, d] = [0, 1, 2, 3].map(|corner| simplex.point(corner).point);
-    let volumes = [b.cross(c).dot(d), -a.cross(c).dot(d), a.cross(b).dot(d), -a.cross(b).dot(c)];
-    volumes.iter().all(|volume| *volume > VOLUME) || volumes.iter().all(|volume| *volume < -VOLUME)
 }
 
 /// Upper and lower bound of a distance: a point on each shape, and a gap between the shapes.

@@ -119,7 +119,9 @@ fn between(first: &Core, second: &Core, relative: &Pose, limit: f64) -> Found {
         return Found::Apart([on_first, on_second].map(|point| relative.transform_point(point)));
     }
     match (first.shape.as_support_map(), second.shape.as_support_map()) {
-        (Some(first), Some(second)) => ConvexPair { first, second, pose: relative }.nearest(limit),
+        (Some(first), Some(second)) => {
+            ConvexPair { first, second, pose: relative, towards: relative.translation }.nearest(limit)
+        }
         // Unreachable: only surfaces are not convex. An overlap is the safe result, because it hides no contact.
         _ => Found::Overlap,
     }
@@ -148,7 +150,8 @@ fn overlap(a: PlacedShape<'_>, b: PlacedShape<'_>) -> Overlap {
     match (first.shape.as_support_map(), second.shape.as_support_map()) {
         (Some(on), Some(other)) => {
             let relative = first.pose.inv_mul(&second.pose);
-            let (depth, points) = ConvexPair { first: on, second: other, pose: &relative }.overlap();
+            let pair = ConvexPair { first: on, second: other, pose: &relative, towards: relative.translation };
+            let (depth, points) = pair.overlap();
             let at = first.pose.transform_point((points[0] + points[1]) / 2.0);
             Overlap { depth: Some(depth.max(0.0)), at: convert::back(at) }
         }

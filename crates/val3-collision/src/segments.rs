@@ -70,7 +70,7 @@ fn share(of: f64, length: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use parry3d_f64::math::Pose;
+    use parry3d_f64::math::{Pose, Vector};
     use parry3d_f64::shape::{Segment, Triangle};
     use proptest::prelude::*;
 
@@ -92,7 +92,9 @@ mod tests {
         let [from, to] = [&segment.from, &segment.to].map(convert::vector);
         let [a, b, c] = corners.each_ref().map(convert::vector);
         let (first, second) = (Segment::new(from, to), Triangle::new(a, b, c));
-        match (ConvexPair { first: &first, second: &second, pose: &Pose::IDENTITY }).nearest(5000.0) {
+        match (ConvexPair { first: &first, second: &second, pose: &Pose::IDENTITY, towards: Vector::ZERO })
+            .nearest(5000.0)
+        {
             Found::Beyond => f64::INFINITY,
             Found::Apart([one, other]) => (other - one).length(),
             Found::Overlap => 0.0,

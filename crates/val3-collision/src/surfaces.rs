@@ -3,7 +3,7 @@
 use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::partitioning::{BvhLeafCost, BvhNode};
-use parry3d_f64::shape::{Segment, SharedShape, TriMesh, Triangle};
+use parry3d_f64::shape::{Segment, SharedShape, SupportMap, TriMesh, Triangle};
 
 use crate::convert;
 use crate::convex::{ConvexPair, Found};
@@ -17,20 +17,62 @@ pub(crate) fn nearest(surface: &TriMesh, shape: &SharedShape, pose: &Pose, limit
         return nearest_of_segment(surface, &LineSegment { from, to }, limit);
     }
     let bounds = shape.compute_aabb(pose);
-    let to_box = |node: &BvhNode, _: f64| between(&bounds, node.mins(), node.maxs());
+    match (shape.as_support_map(), shape.as_trimesh()) {
+        (Some(shape), _) => nearest_of_convex(surface, &ConvexShape { shape, pose, bounds }, limit),
+        (None, Some(other)) => {
+            let to_box = |node: &BvhNode, _: f64| between(&bounds, node.mins(), node.maxs());
+            let to_triangle = |number: u32, limit: f64| {
+                let Triangle { a, b, c } = surface.triangle(number);
+                let found = nearest(other, &SharedShape::triangle(a, b, c), &pose.inverse(), limit);
+                Some(NearestTriangle(turned_back(found, pose)))
+            };
+            search(surface, to_box, to_triangle, limit)
+        }
+        // Unreachable: every shape is either convex or a surface. An overlap is the safe result, because it hides no
+        // contact.
+        (None, None) => Found::Overlap,
+    }
+}
+
+/// A convex shape at a pose.
+struct ConvexShape<'s> {
+    shape: &'s dyn SupportMap,
+    pose: &'s Pose,
+    bounds: Aabb,
+}
+
+impl ConvexShape<'_> {
+    /// Lower bound of the distance from a convex shape around `centre`, whose extreme coordinate in a direction is
+    /// `least`: the gap between two planes perpendicular to the line through both centres.
+    fn gap(&self, centre: Vector, least: impl Fn(Vector) -> f64) -> f64 {
+        let Some(direction) = (centre - self.bounds.center()).try_normalize() else { return 0.0 };
+        least(direction) - self.shape.support_point(self.pose, direction).dot(direction)
+    }
+}
+
+/// Returns the nearest points or the overlap of a surface and a convex shape in the frame of the surface.
+fn nearest_of_convex(surface: &TriMesh, convex: &ConvexShape<'_>, limit: f64) -> Found {
+    // Many triangles can be within the box around a shape that is not a box itself.
+    let to_box = |node: &BvhNode, limit: f64| {
+        let (mins, maxs, centre) = (node.mins(), node.maxs(), node.center());
+        let bound = between(&convex.bounds, mins, maxs);
+        if bound > limit {
+            return bound;
+        }
+        let extent = (maxs - mins) / 2.0;
+        bound.max(convex.gap(centre, |direction| centre.dot(direction) - extent.dot(direction.abs())))
+    };
     let to_triangle = |number: u32, limit: f64| {
         let triangle = surface.triangle(number);
-        let found = match (shape.as_support_map(), shape.as_trimesh()) {
-            (Some(second), _) => ConvexPair { first: &triangle, second, pose }.nearest(limit),
-            (None, Some(other)) => {
-                let triangle = SharedShape::triangle(triangle.a, triangle.b, triangle.c);
-                turned_back(nearest(other, &triangle, &pose.inverse(), limit), pose)
-            }
-            // Unreachable: every shape is either convex or a surface. An overlap is the safe result, because it hides
-            // no contact.
-            (None, None) => Found::Overlap,
-        };
-        Some(NearestTriangle(found))
+        let corners = [triangle.a, triangle.b, triangle.c];
+        let centre = (triangle.a + triangle.b + triangle.c) / 3.0;
+        let gap = convex
+            .gap(centre, |direction| corners.iter().map(|corner| corner.dot(direction)).fold(f64::INFINITY, f64::min));
+        if gap > limit {
+            return Some(NearestTriangle(Found::Beyond));
+        }
+        let (towards, ConvexShape { shape: second, pose, .. }) = (convex.bounds.center() - centre, convex);
+        Some(NearestTriangle(ConvexPair { first: &triangle, second: *second, pose, towards }.nearest(limit)))
     };
     search(surface, to_box, to_triangle, limit)
 }

@@ -333,10 +333,10 @@ impl Controller {
         self.devices.next_due(now).into_iter().chain(outside).min()
     }
 
-    /// Time of the next script entry, the only event that can still occur if no task can run.
+    /// Time of the next script entry or action of the operator, the only events that can still occur if no task can run.
     #[must_use]
-    pub fn next_scripted(&self) -> Option<Time> {
-        self.script.next_due()
+    pub fn next_action(&self) -> Option<Time> {
+        self.script.next_due().into_iter().chain(self.operations.next_due()).min()
     }
 
     /// Whether a task is still stopped by an error.

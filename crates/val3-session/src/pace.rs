@@ -93,7 +93,7 @@ impl Pace {
         if self.attended {
             return Some(if self.real_time { self.follow(controller) } else { Delay::For(LISTENING) });
         }
-        let next = controller.next_scripted().map(|due| self.until.map_or(due, |until| due.min(until)));
+        let next = controller.next_action().map(|due| self.until.map_or(due, |until| due.min(until)));
         self.jump(controller, next)
     }
 

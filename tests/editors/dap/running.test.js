@@ -367,6 +367,32 @@ test("a run ends as an operator ends it", async () => {
   });
 });
 
+test("a run that is stopped at an error ends as an operator ends it", async () => {
+  const own = new Application("failing", {
+    data: { "num nZero": "" },
+    programs: `
+program start()
+begin
+  nZero=1/nZero
+end
+program stop()
+begin
+  logMsg("stopped by the operator")
+end
+`,
+  });
+  for (const options of [{}, { stopOnExit: true }, { stopOnExit: true, time: "real" }]) {
+    await debug(own.folder(), options, async (session) => {
+      await session.stopped("exception");
+      await session.ask("terminate");
+      await session.eventWhere("output", ({ output }) => output.includes("stopped by the operator"));
+      await session.event("terminated");
+      assert.equal(session.arrived("stopped").length, 0);
+    });
+  }
+  own.remove();
+});
+
 test("without debugging nothing stops the run", async () => {
   const own = counter();
   const before = (session) => session.setBreakpoints(own.file("start"), own.line("start", "call add"));

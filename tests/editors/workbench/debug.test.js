@@ -235,9 +235,6 @@ const STEPS = {
     const bar = (await user.frame(".fault-bar code")).locator(".fault-bar");
     assert.match(await bar.innerText(), /^Error 10: .* in task broken~ at divide:\d+/);
     assert.equal(await bar.locator("code").innerText(), "nShare=nWhole/nParts");
-    // With `stopOnExit`, the first request only stops the run before its end.
-    await user.tool("Stop");
-    await user.page.waitForTimeout(1000);
     await user.tool("Stop");
     await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
     await user.closesTab("Robot");

@@ -197,7 +197,6 @@ proptest! {
         }
     }
 
-    /// The watch omits measurements that cannot change an encounter.
     #[test]
     fn an_encounter_lasts_as_long_as_the_measured_distances(path in path(), clearance in 0.0..200.0) {
         let arm = arm("tx2-60l");
