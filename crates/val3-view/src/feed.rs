@@ -1,14 +1,16 @@
 //! Messages of a run, cycle by cycle.
 
+mod arm;
+mod known;
+
 use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
-use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
-use val3_machine::controller::{CodeSource, Controller, RecordedMove};
+use val3_machine::controller::{Controller, RecordedMove};
 use val3_machine::event::{EndReason, Event, EventKind, seconds};
-use val3_motion::{MotionPhase, Sample, SpeedLimit};
+use val3_motion::{Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
 use crate::commands::tool_of_last_move;
@@ -16,26 +18,16 @@ use crate::lines::{FileReader, Lines};
 use crate::motion::{self, MotionKey};
 use crate::positions::{GlobalValue, PositionComputer};
 use crate::programs::Programs;
-use crate::reach::ReachState;
-use crate::samples::{self, Batch, NO_SOURCE, SampleOrigin};
-use crate::signals::SignalStates;
-use crate::wire::{
-    CellPoint, DataMessage, End, EventsMessage, JointValue, MotionMessage, PageMessage, PartsMessage, Rewind, Role,
-    Source, StateMessage, Tool,
-};
-use crate::{cell, numbers, positions, scene, state, user_page, wire};
+use crate::samples::Batch;
+use crate::wire::{DataMessage, End, EventsMessage, MotionMessage, PageMessage, Rewind, Role, StateMessage};
+use crate::{cell, positions, scene, state, user_page, wire};
+use known::Known;
 
 /// Polling interval for the state, in nanoseconds on the controller's clock.
 const LOOK: Time = 25 * CYCLE;
 
 /// Number of state polls between two comparisons of the positions in memory.
 const POSITIONS: u32 = 10;
-
-/// Tolerance within which two tools are equal, in mm and degrees.
-const SAME_TOOL: f64 = 1e-6;
-
-/// Tool number that all tools after the first 255 share.
-const OTHER_TOOL: u8 = u8::MAX;
 
 /// A message for pages.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,16 +50,7 @@ pub struct Feed {
     sources: BTreeMap<(String, u32, String), u16>,
     next_look: Time,
     looks: u32,
-    state: Option<StateMessage>,
-    motion: Option<(MotionKey, MotionMessage)>,
-    page: Option<PageMessage>,
-    parts: Option<PartsMessage>,
-    points: Vec<CellPoint>,
-    joints: Vec<JointValue>,
-    frames: Vec<CellPoint>,
-    cell_tools: Vec<CellPoint>,
-    reach: ReachState,
-    signals: SignalStates,
+    known: Known,
     lines: Lines,
     /// Programs that readers have; `None` if their editor shows the code itself.
     programs: Option<Programs>,
@@ -90,16 +73,7 @@ impl Feed {
             sources: BTreeMap::new(),
             next_look: 0,
             looks: 0,
-            state: None,
-            motion: None,
-            page: None,
-            parts: None,
-            points: Vec::new(),
-            joints: Vec::new(),
-            frames: Vec::new(),
-            cell_tools: Vec::new(),
-            reach: ReachState::default(),
-            signals: SignalStates::default(),
+            known: Known::default(),
             lines: Lines::new(files),
             programs: (role != Role::Debugger).then(Programs::default),
             seen: 0,
@@ -149,13 +123,13 @@ impl Feed {
         let origin = self.origin(&sample, limit, controller);
         self.flush_samples();
         let pending = self.take();
-        let motion = self.motion.take();
-        self.forget();
+        let motion = self.known.motion.take();
+        self.known = Known::default();
         if let Some((_, message)) = &motion {
             // A new message would contain the path from the present place on only.
             self.tell(&wire::Message::Motion(MotionMessage { t: seconds(now), ..message.clone() }));
         }
-        self.motion = motion;
+        self.known.motion = motion;
         self.look(now, controller);
         self.see_positions(now, controller);
         let mut batch = Batch::new(arm.model().axes(), false);
@@ -165,21 +139,13 @@ impl Feed {
         state
     }
 
-    fn forget(&mut self) {
-        (self.state, self.page, self.motion, self.parts) = (None, None, None, None);
-        (self.points, self.joints) = (Vec::new(), Vec::new());
-        (self.frames, self.cell_tools) = (Vec::new(), Vec::new());
-        self.reach = ReachState::default();
-        self.signals = SignalStates::default();
-    }
-
     /// Sends the changes of the complete state immediately: after a command, at a stop, or after stepping back.
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
         if now < self.seen {
             self.flush_samples();
             self.tell(&wire::Message::Rewind(Rewind { t: seconds(now) }));
-            self.forget();
+            self.known = Known::default();
             self.last = None;
         }
         self.sample(now, controller);
@@ -220,37 +186,37 @@ impl Feed {
 
     fn see_state(&mut self, t: f64, controller: &Controller) {
         let state = state::message(t, controller, &mut self.lines);
-        let is_known = self.state.as_ref().is_some_and(|known| StateMessage { t, ..known.clone() } == state);
+        let is_known = self.known.state.as_ref().is_some_and(|known| StateMessage { t, ..known.clone() } == state);
         if !is_known {
             self.tell(&wire::Message::State(state.clone()));
-            self.state = Some(state);
+            self.known.state = Some(state);
         }
     }
 
     fn see_page(&mut self, t: f64, controller: &Controller) {
         let page = user_page::message(t, controller);
-        let is_known = self.page.as_ref().is_some_and(|known| PageMessage { t, ..known.clone() } == page);
+        let is_known = self.known.page.as_ref().is_some_and(|known| PageMessage { t, ..known.clone() } == page);
         if !is_known {
             self.tell(&wire::Message::Page(page.clone()));
-            self.page = Some(page);
+            self.known.page = Some(page);
         }
     }
 
     fn see_parts(&mut self, controller: &Controller) {
         let Some(parts) = cell::places(seconds(controller.now()), controller) else { return };
-        if self.parts.as_ref().is_none_or(|known| known.parts != parts.parts) {
+        if self.known.parts.as_ref().is_none_or(|known| known.parts != parts.parts) {
             self.tell(&wire::Message::Parts(parts.clone()));
-            self.parts = Some(parts);
+            self.known.parts = Some(parts);
         }
     }
 
     fn see_motion(&mut self, time: Time, controller: &Controller) {
         let key = MotionKey::of(controller);
-        if self.motion.as_ref().is_none_or(|(known, _)| *known != key) {
+        if self.known.motion.as_ref().is_none_or(|(known, _)| *known != key) {
             let number = |queued: &RecordedMove| self.number_of(queued.source.as_ref());
             let motion = motion::message(seconds(time), controller, number);
             self.tell(&wire::Message::Motion(motion.clone()));
-            self.motion = Some((key, motion));
+            self.known.motion = Some((key, motion));
         }
     }
 
@@ -260,27 +226,28 @@ impl Feed {
         let mut computer = PositionComputer::new(&data, controller);
         let [points, frames, tools] = [BaseType::Point, BaseType::Frame, BaseType::Tool].map(|of| computer.of_type(of));
         let joints = positions::joints(&data, memory);
-        let has_changed = points != self.points || joints != self.joints;
+        let has_changed = points != self.known.points || joints != self.known.joints;
         // The scene contains the initial positions, so the first comparison sends nothing.
         if self.looks > 0 {
             let message = DataMessage {
                 t: seconds(time),
-                points: changed(&points, &self.points),
-                joints: changed(&joints, &self.joints),
-                frames: changed(&frames, &self.frames),
-                tools: changed(&tools, &self.cell_tools),
+                points: changed(&points, &self.known.points),
+                joints: changed(&joints, &self.known.joints),
+                frames: changed(&frames, &self.known.frames),
+                tools: changed(&tools, &self.known.cell_tools),
             };
             if !message.is_empty() {
                 self.tell(&wire::Message::Data(message));
             }
         }
-        (self.points, self.joints, self.frames, self.cell_tools) = (points, joints, frames, tools);
+        (self.known.points, self.known.joints, self.known.frames, self.known.cell_tools) =
+            (points, joints, frames, tools);
         self.see_reach(time, has_changed, &data, controller);
     }
 
     fn see_reach(&mut self, time: Time, has_changed: bool, data: &[GlobalValue], controller: &Controller) {
         let tool = self.tool(&tool_of_last_move(controller), controller);
-        if let Some(message) = self.reach.changes(seconds(time), tool, has_changed, data, controller) {
+        if let Some(message) = self.known.reach.changes(seconds(time), tool, has_changed, data, controller) {
             self.tell(&wire::Message::Reach(message));
         }
     }
@@ -297,100 +264,9 @@ impl Feed {
     }
 
     fn see_signals(&mut self, time: Time, controller: &Controller) {
-        if let Some(changes) = self.signals.changes(seconds(time), &controller.devices.state.io) {
+        if let Some(changes) = self.known.signals.changes(seconds(time), &controller.devices.state.io) {
             self.tell(&wire::Message::Io(changes));
         }
-    }
-
-    /// Before other messages, sends the pending samples of a live run. In a recording, samples wait for a full batch.
-    fn release_samples(&mut self) {
-        if !self.is_recorded {
-            self.flush_samples();
-        }
-    }
-
-    fn flush_samples(&mut self) {
-        self.messages.extend(self.batch.take().map(ViewerMessage::Samples));
-    }
-
-    /// Adds a sample of the arm, unless the arm is stopped and has not moved.
-    fn sample(&mut self, time: Time, controller: &Controller) {
-        if self.last.is_some_and(|(last, ..)| time < last + CYCLE) {
-            return;
-        }
-        let arm = controller.arm();
-        let (sample, limit) = (*arm.sample(), arm.speed_limit());
-        let is_new = self.last.is_none_or(|(_, (last, _), _)| last.joints != sample.joints || last.pose != sample.pose);
-        if is_new {
-            if let Some((resting, before, false)) = self.last {
-                self.add(resting, &before, controller);
-            }
-            self.add(time, &(sample, limit), controller);
-        }
-        let ends_motion =
-            !is_new && self.last.is_some_and(|(_, (last, _), is_known)| is_known && last.phase != sample.phase);
-        if ends_motion {
-            self.add(time, &(sample, limit), controller);
-        }
-        self.last = Some((time, (sample, limit), is_new || ends_motion));
-    }
-
-    fn add(&mut self, time: Time, (sample, limit): &(Sample, SpeedLimit), controller: &Controller) {
-        if self.batch.is_full(time) {
-            self.flush_samples();
-        }
-        let origin = self.origin(sample, *limit, controller);
-        self.batch.add(time, sample, origin);
-    }
-
-    /// Returns the origin of a sample. Its tool and its line are sent to the pages if they are new.
-    fn origin(&mut self, sample: &Sample, limit: SpeedLimit, controller: &Controller) -> SampleOrigin {
-        let tool = controller.arm().model().flange(&sample.joints).inverse() * sample.pose;
-        let tool = self.tool(&tool, controller);
-        let source = match sample.phase {
-            MotionPhase::Waiting => NO_SOURCE,
-            _ => {
-                let piece = controller.motion_status().piece;
-                self.number_of(piece.and_then(|piece| piece.source).as_ref())
-            }
-        };
-        SampleOrigin { phase: sample.phase as u8, tool, source, limit: samples::number_of(limit) }
-    }
-
-    /// Number of a tool. A new tool is sent to the pages.
-    fn tool(&mut self, tool: &IsometryMatrix3<f64>, controller: &Controller) -> u8 {
-        let pose = numbers(&Trsf::from(*tool));
-        if let Some(number) = self.tools.iter().position(|known| is_same(known, &pose)) {
-            return u8::try_from(number).unwrap_or(OTHER_TOOL);
-        }
-        let number = u8::try_from(self.tools.len()).unwrap_or(OTHER_TOOL);
-        if number != OTHER_TOOL {
-            self.tools.push(pose);
-            let name = positions::tool_at(controller, |known| is_same(known, &pose));
-            self.tell(&wire::Message::Tool(Tool { index: number, name, pose }));
-        }
-        number
-    }
-
-    /// Number of a program line that requests moves. A new line is sent to the pages.
-    fn number_of(&mut self, source: Option<&CodeSource>) -> u16 {
-        let Some(source) = source else { return NO_SOURCE };
-        let key = (source.file.clone(), source.line, source.program.clone());
-        if let Some(number) = self.sources.get(&key) {
-            return *number;
-        }
-        let Some(number) = u16::try_from(self.sources.len()).ok().filter(|number| *number < NO_SOURCE) else {
-            return NO_SOURCE;
-        };
-        self.sources.insert(key, number);
-        self.tell(&wire::Message::Source(Source {
-            index: number,
-            instruction: source.instruction.to_owned(),
-            program: source.program.clone(),
-            line: source.line,
-            file: source.file.clone(),
-        }));
-        number
     }
 }
 
@@ -399,10 +275,6 @@ fn changed<T: PartialEq + Clone>(values: &[T], known: &[T]) -> Vec<T> {
     // A value is nearly always at its previous index.
     let is_known = |(index, value): &(usize, &T)| known.get(*index) == Some(*value) || known.contains(value);
     values.iter().enumerate().filter(|value| !is_known(value)).map(|(_, value)| value.clone()).collect()
-}
-
-fn is_same(known: &[f64; 6], tool: &[f64; 6]) -> bool {
-    known.iter().zip(tool).all(|(known, number)| (known - number).abs() < SAME_TOOL)
 }
 
 #[cfg(test)]

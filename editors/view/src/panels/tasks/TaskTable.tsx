@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";
+import { CodeText } from "../shared/CodeText";
 import { Place } from "../shared/Place";
 import type { TaskState } from "./chart";
 
@@ -11,13 +12,13 @@ export function TaskTable({ cell }: { cell: Cell }): JSX.Element {
     <table class="task-table">
       <caption>Tasks</caption>
       <thead>
-        <tr><th scope="col">Task</th><th scope="col">State</th><th scope="col">Line</th><th scope="col">Priority or period</th><th scope="col">Overruns</th></tr>
+        <tr><th scope="col">Task</th><th scope="col">State</th><th scope="col">Line</th><th scope="col">Schedule</th><th scope="col">Overruns</th></tr>
       </thead>
       <tbody>
         {tasks.map((task) => (
           <tr key={task.name}>
             <th scope="row">{task.name}</th>
-            <td class={`task-state ${task.state}`}><span class={`swatch ${task.state}`} aria-hidden="true" />{stateText(task)}</td>
+            <td class={`task-state ${task.state}`}><span class={`swatch ${task.state}`} aria-hidden="true" /><CodeText text={stateText(task)} /></td>
             <td><Place cell={cell} program={task.program} line={task.line} file={task.file} /></td>
             <td>{pace(task)}</td>
             <td>{task.period === null ? "–" : task.overruns}</td>

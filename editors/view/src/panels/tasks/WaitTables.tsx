@@ -2,6 +2,7 @@
 
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";
+import { CodeText } from "../shared/CodeText";
 import { Place } from "../shared/Place";
 import { waitTotals } from "./chart";
 import { cutBlends, cutText } from "./moves";
@@ -20,7 +21,7 @@ export function WaitTables({ cell }: { cell: Cell }): JSX.Element {
         <thead><tr><th scope="col" class="figure">Seconds</th><th scope="col" class="figure">Times</th><th scope="col">Task</th><th scope="col">Waits for</th><th scope="col">Line</th></tr></thead>
         <tbody>
           {waits.slice(0, SHOWN).map(({ task, waits, program, line, file, seconds, count }) => (
-            <tr key={`${task} ${waits} ${file} ${program} ${line}`}><td class="figure">{seconds.toFixed(2)}</td><td class="figure">{count}</td><td>{task}</td><td>{waits}</td><td><Place cell={cell} program={program} line={line} file={file} /></td></tr>
+            <tr key={`${task} ${waits} ${file} ${program} ${line}`}><td class="figure">{seconds.toFixed(2)}</td><td class="figure">{count}</td><td>{task}</td><td><CodeText text={waits} /></td><td><Place cell={cell} program={program} line={line} file={file} /></td></tr>
           ))}
           {waits.length === 0 ? <tr><td colSpan={5}>No task waits in this time.</td></tr> : null}
         </tbody>
