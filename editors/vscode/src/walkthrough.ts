@@ -6,7 +6,7 @@
 
 import * as vscode from "vscode";
 
-export type Step = "open" | "new" | "code" | "check" | "debug";
+export type Step = "open" | "new" | "code" | "check" | "debug" | "robot";
 
 const KEY = "val3.stepsDone";
 

@@ -26,12 +26,12 @@ test("a failure is at its innermost place with a file", () => {
 });
 
 test("the output has a line for the test, its message and what it has printed", () => {
-  assert.equal(output(result), "FAIL aTest:testSum (0.004 s)\r\n     2 instead of 3\r\n     | x\r\n");
+  assert.equal(output(result), "FAIL aTest:testSum (0.004 s of controller time)\r\n     2 instead of 3\r\n     | x\r\n");
   const others = { ...failure, others: [{ message: "a\nb", places: [] }] };
   assert.match(output({ ...result, failure: others }), / 2 instead of 3\r\n {5}a\r\n {5}b\r\n/);
-  assert.equal(output({ ...result, prints: [], passed: true, failure: null }), "ok   aTest:testSum (0.004 s)\r\n");
+  assert.equal(output({ ...result, prints: [], passed: true, failure: null }), "ok   aTest:testSum (0.004 s of controller time)\r\n");
   const skipped = { kind: "skipped" as const, reason: "no scale" };
-  const head = "skip aTest:testSum (0.004 s), skipped: no scale\r\n";
+  const head = "skip aTest:testSum (0.004 s of controller time), skipped: no scale\r\n";
   assert.equal(output({ ...result, prints: [], passed: true, failure: null, exemption: skipped }), head);
 });
 

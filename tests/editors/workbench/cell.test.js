@@ -331,6 +331,9 @@ const STEPS = {
     await user.keys("Escape");
     await user.page.waitForSelector(".getting-started-step.expanded [role=checkbox][aria-checked=true]");
     await user.page.waitForFunction((count) => document.querySelectorAll(".getting-started-step [role=checkbox][aria-checked=true]").length === count, 4);
+    await user.page.click('.getting-started-step:has-text("See the robot")');
+    await user.page.click('.getting-started-step.expanded .monaco-button:has-text("Show Robot")');
+    await user.page.waitForSelector('.getting-started-step:has-text("See the robot") [role=checkbox][aria-checked=true]', { state: "attached" });
   },
 
   async "a folder without an application is told how to get one"(user) {

@@ -36,7 +36,10 @@ export function registerDebugging(
   const page = new UserPageView(run, vscode.Uri.joinPath(context.extensionUri, "media"));
   const view = new RobotView(run, new Preview(client), vscode.Uri.joinPath(context.extensionUri, "dist/view.html"), context.workspaceState, report);
   return [
-    vscode.commands.registerCommand("val3.showRobot", (project?: unknown) => view.show(typeof project === "string" ? vscode.Uri.parse(project) : undefined)),
+    vscode.commands.registerCommand("val3.showRobot", (project?: unknown) => {
+      walkthrough.done("robot");
+      return view.show(typeof project === "string" ? vscode.Uri.parse(project) : undefined);
+    }),
     selected((name) => view.select(name)),
     vscode.Disposable.from(run, robot, page, view, new OtherBreakpoints(views, icons)),
     ...registerAdapter(client, views),

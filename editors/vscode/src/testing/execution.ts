@@ -108,7 +108,8 @@ function show(run: vscode.TestRun, line: Line, { open, folder }: { open: Map<str
 /** Shows the result of a test. Its paths are relative to `folder`. */
 export function finish(run: vscode.TestRun, item: vscode.TestItem, result: Result, folder: string): void {
   run.appendOutput(output(result), undefined, item);
-  const milliseconds = result.seconds * 1000;
+  // The Testing view adds up real time.
+  const milliseconds = result.wallSeconds === undefined ? undefined : result.wallSeconds * 1000;
   if (result.exemption?.kind === "skipped") {
     run.skipped(item);
   } else if (result.failure === null) {

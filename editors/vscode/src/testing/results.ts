@@ -32,6 +32,8 @@ export interface Result extends ListedTest {
   passed: boolean;
   /** Duration on the controller's clock. */
   seconds: number;
+  /** Real duration; the debugger does not measure it. */
+  wallSeconds?: number;
   prints: string[];
   failure: Failure | null;
   /** Reason why the test neither passes nor fails. */
@@ -77,7 +79,7 @@ export function all(failure: Failure | null): Failure[] {
 /** Formats a result for the output of a test run, where lines end with CR LF. */
 export function output({ name, passed, seconds, prints, failure, exemption }: Result): string {
   const reason = exemption ? `, ${exemption.kind === "skipped" ? "skipped" : "known failure"}: ${exemption.reason}` : "";
-  const head = `${exemption ? "skip" : passed ? "ok  " : "FAIL"} ${name} (${seconds.toFixed(3)} s)${reason}`;
+  const head = `${exemption ? "skip" : passed ? "ok  " : "FAIL"} ${name} (${seconds.toFixed(3)} s of controller time)${reason}`;
   const message = all(failure).flatMap(({ message }) => message.split("\n").map((line) => `     ${line}`));
   const printed = prints.map((line) => `     | ${line}`);
   return [head, ...message, ...printed].map((line) => `${line}\r\n`).join("");
