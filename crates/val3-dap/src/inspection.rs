@@ -42,7 +42,7 @@ pub(crate) enum InspectedItem {
     Properties(Vec<Property>),
 }
 
-/// Largest number of global variables that clients read at each stop without a request of the user.
+/// Largest number of global variables, or of data of a library, that clients read at each stop without a request of the user.
 const CHEAP_GLOBALS: usize = 300;
 
 impl Handles {
@@ -126,8 +126,7 @@ impl Handles {
                 name,
                 expensive: match scope.kind {
                     ScopeKind::Parameters | ScopeKind::Locals => false,
-                    ScopeKind::Globals => named > CHEAP_GLOBALS,
-                    ScopeKind::Library(_) => true,
+                    ScopeKind::Globals | ScopeKind::Library(_) => named > CHEAP_GLOBALS,
                 },
                 variables_reference: self.add(InspectedItem::Values(scope.inside)),
                 named_variables: i32::try_from(named).ok(),

@@ -179,9 +179,8 @@ impl DebugSession {
     pub fn report(&mut self, events: &[MachineEvent], run: &mut DebuggedRun<'_>) {
         let notices = self.notices.of(events, &mut run.debugger.controller, &self.conventions);
         self.notices.repeat(run.debugger.is_in_past());
-        let has_new_files = notices.iter().any(|notice| matches!(notice, StandardEvent::LoadedSource(_)));
         notices.iter().for_each(|notice| self.client.event(notice));
-        if has_new_files {
+        if has_new_files(&notices) {
             self.place_again(run);
         }
         let ended = self.breakpoints.ended_data(run.debugger);
@@ -219,9 +218,14 @@ impl DebugSession {
 
     /// Sends the present lines of the breakpoints.
     fn place_again(&mut self, run: &mut DebuggedRun<'_>) {
+        self.placed_again(run).into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+    }
+
+    /// Places all breakpoints once more, and returns them.
+    fn placed_again(&mut self, run: &mut DebuggedRun<'_>) -> Vec<protocol::Breakpoint> {
         let placed = self.breakpoints.place_all(run, &self.conventions);
         self.shown_hits.update(&placed);
-        placed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+        placed
     }
 
     /// Sends the hit counts that have changed.
@@ -231,8 +235,7 @@ impl DebugSession {
     }
 
     fn breakpoint_changed(&mut self, breakpoint: protocol::Breakpoint) {
-        let reason = BreakpointEventReason::Changed;
-        self.client.event(&StandardEvent::Breakpoint(BreakpointEvent { breakpoint, reason }));
+        self.client.event(&changed(breakpoint));
     }
 
     /// Handles a stop of the run, or of only one task.
@@ -380,4 +383,13 @@ impl DebugSession {
         self.client.send(MessageContent::success(seq, &response));
         action
     }
+}
+
+/// Whether programs were loaded, in which breakpoints may have a line now.
+fn has_new_files(notices: &[StandardEvent]) -> bool {
+    notices.iter().any(|notice| matches!(notice, StandardEvent::LoadedSource(_)))
+}
+
+fn changed(breakpoint: protocol::Breakpoint) -> StandardEvent {
+    StandardEvent::Breakpoint(BreakpointEvent { breakpoint, reason: BreakpointEventReason::Changed })
 }

@@ -67,6 +67,76 @@ test("lines of the file count, not those of the code", async () => {
   });
 });
 
+test("the ends of blocks and programs have breakpoints", async () => {
+  const own = new Application("blocks", {
+    data: { "num nA": "", "num nB": "" },
+    programs: `
+program start()
+begin
+  for nA=1 to 3
+    switch nA
+      case 2
+        nB=1
+      break
+      default
+        nB=2
+      break
+    endSwitch
+  endFor
+  while nA<6
+    nA=nA+1
+  endWhile
+end
+`,
+  });
+  const lines = ["break", "endFor", "endWhile", "]]>"].map((text) => own.line("start", text));
+  let placed;
+  const before = async (session) => (placed = await session.setBreakpoints(own.file("start"), ...lines));
+  await debug(own.folder(), { before }, async (session) => {
+    assert.deepEqual(placed.map(({ line, verified }) => [line, verified]), lines.map((line) => [line, true]));
+    const [first, , , last] = lines;
+    const { breakpoints } = await session.ask("breakpointLocations", { source: { path: own.file("start") }, line: first, endLine: last });
+    const possible = breakpoints.map(({ line }) => line);
+    assert.ok(lines.every((line) => possible.includes(line)), `${possible}`);
+    const stops = [];
+    for (let count = 0; count < 7; count += 1) {
+      await session.stopped("breakpoint");
+      stops.push(Number((await session.place()).split(":")[1]));
+      if (stops.length < 7) await session.ask("continue", { threadId: session.thread });
+    }
+    const [stop, round, repeated, end] = lines;
+    assert.deepEqual(stops, [round, stop, round, round, repeated, repeated, end]);
+    assert.equal(await session.evaluate("nA"), "6", "the last state of the program");
+  });
+  own.remove();
+});
+
+test("a breakpoint may be for one task", async () => {
+  const own = new Application("pair", {
+    programs: `
+program start()
+begin
+  taskCreate "one",10,work()
+  taskCreate "two",10,work()
+end
+program work()
+begin
+  delay(0)
+end
+`,
+  });
+  const before = (session) => session.setBreakpoints(own.file("work"), { line: own.line("work", "delay"), condition: "task==\"two\"" });
+  await debug(own.folder(), { before }, async (session) => {
+    const { threadId } = await session.stopped("breakpoint");
+    const { threads } = await session.ask("threads");
+    assert.match(threads.find(({ id }) => id === threadId).name, /two/);
+    await session.ask("continue", { threadId });
+    await session.event("terminated");
+    assert.deepEqual(session.arrived("stopped"), []);
+  });
+  own.remove();
+});
+
 test("a condition lets the run stop only where it holds", async () => {
   const line = app.line("add", "l_nBefore=");
   const before = (session) => session.setBreakpoints(app.file("add"), { line, condition: "x_nValue==7 or nIndex>11" });
@@ -97,7 +167,7 @@ test("a condition that fails stops the run and says why", async () => {
   });
 });
 
-for (const [hitCondition, expected] of [["5", ["5"]], [">=10", ["10", "11", "12"]], ["%5", ["5", "10"]]]) {
+for (const [hitCondition, expected] of [["5", ["5"]], [">=10", ["10", "11", "12"]], [">10", ["11", "12"]], ["<3", ["1", "2"]], ["<=2", ["1", "2"]], ["%5", ["5", "10"]]]) {
   test(`the number of hits ${hitCondition}`, async () => {
     const line = app.line("add", "l_nBefore=");
     const before = (session) => session.setBreakpoints(app.file("add"), { line, hitCondition });

@@ -358,6 +358,17 @@ test("sources and modules", async () => {
   });
 });
 
+test("a breakpoint in a library that the console loads is verified", async () => {
+  await debug(PALLETISER, { stopOnEntry: true }, async (session) => {
+    await session.stopped("entry");
+    const [before] = (await session.ask("setFunctionBreakpoints", { breakpoints: [{ name: "grip" }] })).breakpoints;
+    assert.deepEqual([before.verified, before.reason], [false, "pending"]);
+    await session.evaluate("part:libLoad(\"partBox\")", "repl");
+    const { breakpoint } = await session.eventWhere("breakpoint", ({ breakpoint }) => breakpoint.id === before.id);
+    assert.deepEqual([breakpoint.verified, breakpoint.source.name], [true, "grip.pgx"]);
+  });
+});
+
 test("a run ends as an operator ends it", async () => {
   await debug(PALLETISER, { stopOnEntry: true }, async (session) => {
     await session.stopped("entry");

@@ -3,7 +3,7 @@
 use val3_debug::{Goal, StepKind};
 use val3_lang::ports::TaskNumber;
 
-use super::{DebugSession, SessionState};
+use super::{DebugSession, SessionState, changed, has_new_files};
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::notices;
@@ -68,7 +68,12 @@ impl DebugSession {
         let events = run.debugger.controller.devices.take_events();
         self.notices.repeat(false);
         let notices = self.notices.of(&events, &mut run.debugger.controller, &self.conventions);
+        let places_again = has_new_files(&notices);
         self.following.extend(notices);
+        if places_again {
+            let placed = self.placed_again(run);
+            self.following.extend(placed.into_iter().map(changed));
+        }
         if self.phase == SessionState::Stopped {
             self.invalidate();
         }
