@@ -255,13 +255,16 @@ fn task_name(task: &Task, activity: &Activity) -> String {
         Rate::Period { period, .. } => format!("every {} ms", seconds(period) * 1e3),
     };
     let held = if task.is_held { ", held by the debugger" } else { "" };
-    let state = match (task.state, activity.awaited()) {
+    let state = match (task.state, activity.awaited_thing()) {
         (TaskState::Failed(fault), _) => {
             let short = runtime_errors::find(fault.0).map_or("unknown run-time error", |error| error.short);
             format!(", error {}: {short}", fault.0)
         }
         (TaskState::Halted, _) => ", suspended".to_owned(),
-        (_, Some(awaited)) => format!(", waits for {awaited}"),
+        (_, Some(awaited)) => {
+            let cause = activity.hold().map(|hold| format!(": {}", hold.cause())).unwrap_or_default();
+            format!(", waits for {awaited}{cause}")
+        }
         _ => String::new(),
     };
     format!("{} ({rate}{state}{held})", task.name)

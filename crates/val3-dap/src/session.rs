@@ -4,6 +4,7 @@
 //! other and on the thread of the run, so that they access the controller between two operations. While the run is
 //! stopped, the loop waits for the client, and the controller's clock is stopped.
 
+mod arm_wait;
 mod at_end;
 mod control;
 mod end_progress;
@@ -35,6 +36,7 @@ use crate::protocol::{
 use crate::session_start::SessionStart;
 use crate::stop_event;
 
+use arm_wait::ArmWait;
 use end_progress::EndProgress;
 use step_wait::StepWait;
 
@@ -114,6 +116,7 @@ pub struct DebugSession {
     pub(crate) goal: Option<Goal>,
     /// Wait of the current step.
     step_wait: Option<StepWait>,
+    arm_wait: ArmWait,
     /// Events that follow the response to the present request.
     pub(crate) following: Vec<StandardEvent>,
 }
@@ -147,6 +150,7 @@ impl DebugSession {
             goto_targets: BTreeMap::new(),
             goal: None,
             step_wait: None,
+            arm_wait: ArmWait::default(),
             following: Vec::new(),
         }
     }
@@ -192,6 +196,7 @@ impl DebugSession {
             self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
         self.note_step_wait(run);
+        self.note_arm_wait(run);
         self.subscriptions.note(events, &run.debugger.controller);
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);

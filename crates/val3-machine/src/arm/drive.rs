@@ -55,6 +55,22 @@ impl ArmHold {
         }
     }
 
+    /// The reason in a few words, for lists of tasks.
+    #[must_use]
+    pub const fn cause(self) -> &'static str {
+        match self {
+            Self::NoPower => "no power",
+            Self::Held => "held",
+            Self::NoSpeed => "monitor speed 0 %",
+            Self::Stopped => "stopped by stopMove",
+            Self::StoppedByClient => "stopped by a client",
+            Self::Away => "away from its path",
+            Self::Step => "step mode",
+            Self::NoForce => "no force",
+            Self::Fault => "a path that it cannot follow",
+        }
+    }
+
     /// Remainder of a sentence about the arm.
     #[must_use]
     pub const fn text(self) -> &'static str {
