@@ -68,6 +68,8 @@ const STEPS = {
     await user.openFile("start.pgx");
     await user.keys("F5");
     await user.page.waitForSelector(".editor-instance .debug-top-stack-frame-line");
+    // The view of the robot opens with the first session.
+    await user.closesTab("Robot");
     await user.views("Variables");
     await user.opensVariable("Globals", "nSquare =");
     // The panel below would hide most of the history.

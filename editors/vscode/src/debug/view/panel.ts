@@ -56,7 +56,6 @@ export class RobotView implements vscode.Disposable {
       return;
     }
     this.file = project ?? activeFile() ?? this.file;
-    await this.memory.update(IS_OPEN, true);
     if (this.panel !== undefined) {
       this.panel.reveal(undefined, true);
       await this.showPreview();
@@ -74,6 +73,7 @@ export class RobotView implements vscode.Disposable {
     });
     panel.webview.onDidReceiveMessage((message: FromPage) => void this.take(message).catch(this.report));
     panel.webview.html = withPolicy(await readFile(this.page.fsPath, "utf8"));
+    await this.memory.update(IS_OPEN, true);
   }
 
   private async take(message: FromPage): Promise<void> {
@@ -106,10 +106,12 @@ export class RobotView implements vscode.Disposable {
     }
   }
 
-  /** Shows the new session. The view is opened again if it was open during the last one. */
+  /** Shows the new session. The view opens with it, unless the user has closed the view. A unit test rarely needs it. */
   private async changeSession(): Promise<void> {
-    if (this.run.session !== undefined && this.panel === undefined && this.memory.get<boolean>(IS_OPEN) === true) {
-      await this.show();
+    const { session } = this.run;
+    if (session !== undefined && this.panel === undefined) {
+      const isWanted = this.memory.get<boolean>(IS_OPEN) ?? session.configuration["test"] === undefined;
+      await (isWanted ? this.show() : undefined);
     }
     await this.begin();
   }
