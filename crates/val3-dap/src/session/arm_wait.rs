@@ -48,8 +48,8 @@ mod tests {
 
     use crate::test_client::TestClient;
 
-    const MOVING: &str = "tool tHand\nmdesc mNorm\njoint jA\n\nprogram start()\nbegin\n  taskCreate \"clock\",10,clock()\n  \
-                          movej(jA,tHand,mNorm)\n  waitEndMove()\nend\n\nprogram clock()\n  num l_nRound\nbegin\n  \
+    const MOVING: &str = "mdesc mNorm\njoint jA\n\nprogram start()\nbegin\n  taskCreate \"clock\",10,clock()\n  \
+                          jA.j1=10\n  movej(jA,flange,mNorm)\n  waitEndMove()\nend\n\nprogram clock()\n  num l_nRound\nbegin\n  \
                           for l_nRound=1 to 30\n    delay(0.1)\n  endFor\nend\n";
 
     fn notes(listing: &str) -> Vec<Value> {
