@@ -94,7 +94,7 @@ test("a late page operates the present, and has in the end the content of an ear
   }));
   const first = kinds.indexOf("past");
   assert.deepEqual([kinds[0], kinds[first + 1], kinds[first + 2], kinds.at(-1)], ["scene", 2, 2, "past"], `${kinds}`);
-  assert.ok(kinds.slice(1, first).every((kind) => kind === "tool" || kind === "source"), `${kinds}`);
+  assert.ok(kinds.slice(1, first).every((kind) => ["tool", "source", "programs"].includes(kind)), `${kinds}`);
   const late = await run.open();
   await late.waitForFunction(() => window.val3View.store.end.value !== undefined);
   assert.equal(await late.evaluate(() => window.val3View.store.blocked.value), undefined);
