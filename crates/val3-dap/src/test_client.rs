@@ -255,8 +255,9 @@ impl TestClient {
             self.session.see(start, &run);
             match progress {
                 AdvanceResult::Stopped(stop) => {
+                    let is_passed = self.session.passes(&stop, &run);
                     self.session.stop(&stop, &mut run);
-                    if !self.session.is_running_to_end() {
+                    if !is_passed {
                         break;
                     }
                 }

@@ -378,6 +378,16 @@ test("a run ends as an operator ends it", async () => {
   });
 });
 
+test("a run at a breakpoint ends at once, also with further breakpoints before the end of the cycle", async () => {
+  const before = (session) => session.setBreakpoints(join(PALLETISER, "pick.pgx"), 22, 23);
+  await debug(PALLETISER, { before, power: true, script: join(PALLETISER, "../../../boxes.toml") }, async (session) => {
+    await session.stopped("breakpoint");
+    await session.ask("terminate");
+    await session.event("terminated");
+    assert.equal(session.arrived("stopped").length, 0);
+  });
+});
+
 test("a run that is stopped at an error ends as an operator ends it", async () => {
   const own = new Application("failing", {
     data: { "num nZero": "" },

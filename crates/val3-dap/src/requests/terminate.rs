@@ -21,7 +21,9 @@ impl DebugRequest for Terminate {
         run: &mut DebuggedRun<'_>,
         _: TerminateArguments,
     ) -> Result<(), RequestFailure> {
+        session.report_new_future(run);
         run.debugger.controller.operate(OperatorAction::Stop);
+        run.debugger.begin_new_future();
         run.debugger.resume_tasks();
         session.run_on();
         Ok(())
@@ -33,7 +35,7 @@ mod tests {
     use serde_json::json;
 
     use crate::session::NextAction;
-    use crate::test_client::{EMPTY, FIRST_LINE, TestClient};
+    use crate::test_client::{EMPTY, FIRST_LINE, MAIN_THREAD, TestClient, source};
 
     const STOPPABLE: &str = "\
 program start()
@@ -54,6 +56,52 @@ end
         let stop = client.stop_after("terminate", json!({}));
         assert_eq!((&stop["reason"], &stop["hitBreakpointIds"]), (&json!("breakpoint"), &json!([1])));
         assert_eq!(client.place(), ("main:stop()".to_owned(), FIRST_LINE));
+    }
+
+    const LINES: &str = "num nCount\n\nprogram start()\nbegin\n  nCount=1\n  nCount=2\n  nCount=3\n  delay(1)\nend\n\n\
+                         program stop()\nbegin\n  nCount=9\nend\n";
+
+    fn lines(client: &mut TestClient, lines: &[i64]) {
+        let breakpoints: Vec<_> = lines.iter().map(|line| json!({ "line": line })).collect();
+        client.body("setBreakpoints", json!({ "source": source("start"), "breakpoints": breakpoints }));
+    }
+
+    /// The application stops at the end of the cycle. Before that, its tasks reach further lines.
+    #[test]
+    fn further_breakpoints_of_the_cycle_do_not_stop_the_run() {
+        for (options, count) in
+            [(json!({}), "3"), (json!({ "stopOnExit": true }), "3"), (json!({ "stopScope": "task" }), "1")]
+        {
+            let mut client = TestClient::launching(LINES, options);
+            lines(&mut client, &[5, 6, 7]);
+            client.body("configurationDone", json!({}));
+            client.run();
+            assert_eq!(client.place().1, 5);
+            client.body("setFunctionBreakpoints", json!({ "breakpoints": [{ "name": "stop" }] }));
+            client.stop_after("terminate", json!({}));
+            assert_eq!((client.place().0, client.value("nCount")), ("main:stop()".to_owned(), json!(count)));
+        }
+    }
+
+    /// A replay stops where the run has stopped, and a new `terminate` replaces the recorded one.
+    #[test]
+    fn a_run_that_has_gone_back_stops_at_its_breakpoints_and_ends_by_another_request() {
+        let mut client = TestClient::launching(LINES, json!({}));
+        lines(&mut client, &[5, 6, 8]);
+        client.body("configurationDone", json!({}));
+        client.run();
+        client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        client.body("setFunctionBreakpoints", json!({ "breakpoints": [{ "name": "stop" }] }));
+        let stop = client.stop_after("terminate", json!({}));
+        for line in [8, 6, 5] {
+            client.stop_after("reverseContinue", json!({ "threadId": stop["threadId"] }));
+            assert_eq!(client.place().1, line);
+        }
+        client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(client.place().1, 6);
+        client.stop_after("terminate", json!({}));
+        assert_eq!((client.place().0, client.value("nCount")), ("main:stop()".to_owned(), json!("3")));
     }
 
     #[test]

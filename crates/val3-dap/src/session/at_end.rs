@@ -76,8 +76,13 @@ impl DebugSession {
         self.runs_to_end && !self.start.is_plain_run && self.phase == SessionState::Running
     }
 
-    /// Whether the stop is ignored, because the run goes to its end.
-    pub(super) fn passes(&self, stop: &Stop, run: &DebuggedRun<'_>) -> bool {
+    /// Whether the stop is ignored, because the run goes to its end, or because `terminate` stops the application at the
+    /// end of the cycle. The program `stop` has stops again.
+    pub(crate) fn passes(&self, stop: &Stop, run: &DebuggedRun<'_>) -> bool {
+        let is_new = !run.debugger.is_in_past();
+        if is_new && run.debugger.controller.is_about_to_stop() && !matches!(stop, Stop::Pause { .. }) {
+            return true;
+        }
         let is_end = |task| run.debugger.controller.vm.is_at_end(task);
         let is_at_end = matches!(stop, Stop::Exit { .. } | Stop::Pause { .. }) || stop.task_alone().is_some_and(is_end);
         self.is_running_to_end() && !is_at_end

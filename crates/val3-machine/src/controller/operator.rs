@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 
-use super::Controller;
+use super::{Controller, RunPhase};
 use crate::event::EventKind;
 
 /// Action of the operator.
@@ -75,6 +75,14 @@ impl Operations {
         self.recorded.iter().skip(self.done).map(|(_, operation)| *operation)
     }
 
+    /// Adds an action that takes effect at this time. It replaces the later actions, which only a replay has: they belong
+    /// to a future that does not occur.
+    fn add(&mut self, time: Time, operation: OperatorAction) {
+        let later = self.recorded.iter().skip(self.done).position(|(due, _)| *due > time);
+        self.recorded.truncate(later.map_or(self.recorded.len(), |later| self.done + later));
+        self.recorded.push((time, operation));
+    }
+
     /// Returns to an earlier position. Later actions take effect again.
     pub(super) fn rewind(&mut self, earlier: &Self) {
         self.done = earlier.done;
@@ -85,7 +93,15 @@ impl Controller {
     /// Adds an action of the operator before the next cycle.
     pub fn operate(&mut self, operation: OperatorAction) {
         let time = if self.schedule.is_within_cycle() { self.schedule.cycle_end() } else { self.schedule.now };
-        self.operations.recorded.push((time, operation));
+        self.operations.add(time, operation);
+    }
+
+    /// Whether the operator has stopped the application, and the present cycle is the last one before the stop.
+    #[must_use]
+    pub fn is_about_to_stop(&self) -> bool {
+        let end = self.schedule.cycle_end();
+        let mut due = self.operations.recorded.iter().skip(self.operations.done).take_while(|(time, _)| *time <= end);
+        self.phase == RunPhase::Running && due.any(|(_, operation)| *operation == OperatorAction::Stop)
     }
 
     pub(super) fn follow_operator(&mut self, now: Time) {
