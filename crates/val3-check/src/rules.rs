@@ -222,6 +222,7 @@ rules! {
     file_without_project,
     archive_not_read,
     page_binding,
+    modbus_table,
     // Library interfaces
     library_item_unknown,
     library_item_private,
@@ -385,6 +386,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::FileOutside(what, path) => file_outside::word(*what, path);
         Kind::FileUnreadable { path, reason } => file_unreadable::word(path, reason);
         Kind::CellFileUnreadable { path, reason } => file_unreadable::word_cell_file(path, reason);
+        Kind::ModbusTable { path, line, fault, hides_items } => modbus_table::word(path, *line, fault, *hides_items);
         Kind::Encoding(fault) => encoding::word(*fault);
         Kind::DuplicateEntry { what, name } => duplicate_entry::word(*what, name);
         Kind::WrongRoot { expected, found } => wrong_root::word(*expected, found);

@@ -296,6 +296,17 @@ pub enum ProblemKind {
         /// Error message of the system or of the table reader.
         reason: SmolStr,
     },
+    /// A fault of the tables of the cell's Modbus server.
+    ModbusTable {
+        /// Path below `usr`.
+        path: SmolStr,
+        /// Line, from 1.
+        line: usize,
+        /// Description.
+        fault: SmolStr,
+        /// Whether the links of items are unknown, so that links to the server are not checked.
+        hides_items: bool,
+    },
     /// A path with backslashes.
     PathSeparator {
         /// The path as written.
