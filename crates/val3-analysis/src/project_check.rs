@@ -17,7 +17,7 @@ use crate::items::manifest::{ListNames, Spelling, entries, spelling};
 use crate::items::parse;
 use crate::items::project::{find_file, find_project, folder, items, leads_outside};
 use crate::paths::{self, ResolvedPath};
-use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
+use crate::problem::{FileRole, ModbusTableFault, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, XmlElement};
 
 /// Checks a project file and returns its problems.
@@ -76,8 +76,7 @@ impl ProjectCheck<'_> {
     fn cell_files(&mut self, root: XmlElement<'_>) {
         let Some(cell) = self.project.cell(self.db) else { return };
         for file in &cell.config(self.db).unreadable_files {
-            let kind = ProblemKind::CellFileUnreadable { path: file.path.clone(), reason: file.reason.clone() };
-            self.found.report(root.name_range(), kind);
+            self.found.report(root.name_range(), ProblemKind::CellFileUnreadable(file.clone()));
         }
         self.modbus(cell.config(self.db), root);
     }
@@ -89,13 +88,13 @@ impl ProjectCheck<'_> {
         let path = usr.and_then(|usr| file.path.strip_prefix(usr).ok()).unwrap_or(&file.path);
         for FileFault { offset, kind } in ModbusFile::read(&file.text).faults {
             let before = file.text.get(..offset).unwrap_or_default();
-            let fault = ProblemKind::ModbusTable {
+            let fault = ModbusTableFault {
                 path: path.as_str().into(),
                 line: 1 + before.matches('\n').count(),
                 hides_items: kind.hides_items(),
-                fault: kind.to_string().into(),
+                description: kind.to_string().into(),
             };
-            self.found.report(root.name_range(), fault);
+            self.found.report(root.name_range(), ProblemKind::ModbusTable(Box::new(fault)));
         }
     }
 

@@ -385,8 +385,8 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::FileMissing { what, path } => file_missing::word(*what, path);
         Kind::FileOutside(what, path) => file_outside::word(*what, path);
         Kind::FileUnreadable { path, reason } => file_unreadable::word(path, reason);
-        Kind::CellFileUnreadable { path, reason } => file_unreadable::word_cell_file(path, reason);
-        Kind::ModbusTable { path, line, fault, hides_items } => modbus_table::word(path, *line, fault, *hides_items);
+        Kind::CellFileUnreadable(file) => file_unreadable::word_cell_file(file);
+        Kind::ModbusTable(fault) => modbus_table::word(fault);
         Kind::Encoding(fault) => encoding::word(*fault);
         Kind::DuplicateEntry { what, name } => duplicate_entry::word(*what, name);
         Kind::WrongRoot { expected, found } => wrong_root::word(*expected, found);

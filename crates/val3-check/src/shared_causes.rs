@@ -71,8 +71,7 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<SharedCause<'db>>
 fn cell_file<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<SharedCause<'db>> {
     let project = project(db, finding)?;
     let mut files = project.cell(db)?.config(db).unreadable_files.iter();
-    let file =
-        files.find(|file| file_unreadable::word_cell_file(&file.path, &file.reason).message == finding.message)?;
+    let file = files.find(|file| file_unreadable::word_cell_file(file).message == finding.message)?;
     Some(SharedCause::CellFile(project.disk(db)?, &file.path))
 }
 

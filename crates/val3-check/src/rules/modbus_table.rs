@@ -1,5 +1,7 @@
 //! V0561: a fault of the tables of the cell's Modbus server.
 
+use val3_analysis::problem::ModbusTableFault;
+
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
@@ -47,13 +49,14 @@ rule! {
 }
 
 /// Returns the wording of the finding about a line of the file.
-pub(crate) fn word(path: &str, line: usize, fault: &str, hides_items: bool) -> Wording {
-    let help = if hides_items {
+pub(crate) fn word(fault: &ModbusTableFault) -> Wording {
+    let help = if fault.hides_items {
         "correct the file, or copy it from the controller again: until then, links to the server are not checked"
     } else {
         "correct the file with the controller's tools, or copy it from the controller again"
     };
-    Wording::new(format!("line {line} of `usr/{path}`: {fault}"), "project of this cell", help)
+    let ModbusTableFault { path, line, description, .. } = fault;
+    Wording::new(format!("line {line} of `usr/{path}`: {description}"), "project of this cell", help)
 }
 
 #[cfg(test)]
@@ -63,6 +66,11 @@ mod tests {
     use super::*;
     use crate::lint::testing::finished;
 
+    fn worded(line: usize, description: &str, hides_items: bool) -> String {
+        let path = "applicom/Modbus/modbus.xml".into();
+        word(&ModbusTableFault { path, line, description: description.into(), hides_items }).to_string()
+    }
+
     #[test]
     fn the_message_names_the_line_of_the_file() {
         expect![[r#"
@@ -70,9 +78,7 @@ mod tests {
             | project of this cell
             ? correct the file with the controller's tools, or copy it from the controller again
         "#]]
-        .assert_eq(
-            &word("applicom/Modbus/modbus.xml", 5, "another item of this table is called `bStart`", false).to_string(),
-        );
+        .assert_eq(&worded(5, "another item of this table is called `bStart`", false));
     }
 
     #[test]
@@ -82,9 +88,7 @@ mod tests {
             | project of this cell
             ? correct the file, or copy it from the controller again: until then, links to the server are not checked
         "#]]
-        .assert_eq(
-            &word("applicom/Modbus/modbus.xml", 1, "the file has no root element `TOPICSLIST`", true).to_string(),
-        );
+        .assert_eq(&worded(1, "the file has no root element `TOPICSLIST`", true));
     }
 
     #[test]
