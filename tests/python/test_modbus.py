@@ -219,7 +219,8 @@ class ModbusTest(unittest.IsolatedAsyncioTestCase):
                 (await client.read_holding_registers(5000, count=1, device_id=1), 2),
                 (await client.write_registers(15, [1, 2], device_id=1), 2),
                 (await client.write_coil(65535, True, device_id=1), 2),
-                (await client.mask_write_register(address=0, and_mask=1, or_mask=2, device_id=1), 1),
+                (await client.mask_write_register(address=5000, and_mask=1, or_mask=2, device_id=1), 2),
+                (await client.read_fifo_queue(address=0, device_id=1), 1),
                 (await client.read_device_information(device_id=1), 1),
             ]:
                 self.assertEqual((response.isError(), response.exception_code), (True, code), response)
