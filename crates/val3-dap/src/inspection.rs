@@ -5,10 +5,12 @@ use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::seconds;
+use val3_view::FileReader;
 use val3_vm::{Rate, Task, TaskState};
 
 use crate::assertions;
 use crate::cell_view::{self, Property};
+use crate::columns::Columns;
 use crate::conventions::Conventions;
 use crate::notices::{module_id, task, thread};
 use crate::protocol::{
@@ -88,6 +90,7 @@ impl Handles {
         arguments: &StackTraceArguments,
         controller: &Controller,
         conventions: &Conventions,
+        files: FileReader,
     ) -> Option<StackTraceResponse> {
         let task = task(arguments.thread_id)?;
         if !controller.vm.tasks().iter().any(|known| known.id == task) {
@@ -103,7 +106,8 @@ impl Handles {
             let id = self.add_frame(FrameHandle { task, depth });
             let image = controller.vm.space.instance(frame.instance).map(|instance| &instance.image);
             let module_id = image.map(|image| module_id(&image.path));
-            let shown = StackFrame { module_id, ..stack_frame(id, frame, shows_line, conventions) };
+            let columns = files(&frame.file).and_then(|text| Columns::of(&text, frame.row, frame.code.clone()));
+            let shown = StackFrame { module_id, ..stack_frame(id, frame, shows_line, columns, conventions) };
             if has_failed && assertions::is_of_library(frame) { in_background(shown) } else { shown }
         });
         let stack_frames = page.collect();
@@ -218,13 +222,21 @@ fn is_filtered_out(filter: Option<&VariablesFilter>, are_indexed: bool) -> bool 
     }
 }
 
-fn stack_frame(id: i32, frame: &TaskFrame, shows_line: bool, conventions: &Conventions) -> StackFrame {
+fn stack_frame(
+    id: i32,
+    frame: &TaskFrame,
+    shows_line: bool,
+    columns: Option<Columns>,
+    conventions: &Conventions,
+) -> StackFrame {
     let line = if shows_line { format!(", line {}", frame.row) } else { String::new() };
     StackFrame {
         id,
         name: format!("{}:{}(){line}", frame.application, frame.program),
         line: conventions.line(frame.row),
-        column: conventions.first_column(),
+        column: conventions.column(columns.map_or(1, |columns| columns.first)),
+        end_line: columns.map(|_| conventions.line(frame.row)),
+        end_column: columns.map(|columns| conventions.column(columns.end)),
         source: Some(conventions.source(&frame.file)),
         can_restart: Some(true),
         ..StackFrame::default()
