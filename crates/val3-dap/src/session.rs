@@ -25,6 +25,7 @@ use crate::breakpoints::BreakpointTable;
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
+use crate::error::ReadError;
 use crate::inspection::Handles;
 use crate::live::Subscriptions;
 use crate::message::{MessageContent, ProtocolMessage};
@@ -341,6 +342,12 @@ impl DebugSession {
         self.client.custom_event(event, body);
     }
 
+    /// Returns the error that has ended the connection to the client.
+    #[must_use]
+    pub const fn fault(&self) -> Option<&ReadError> {
+        self.client.fault()
+    }
+
     /// Whether the client shows colours that ANSI escape sequences set.
     #[must_use]
     pub const fn shows_colors(&self) -> bool {
@@ -368,7 +375,7 @@ impl DebugSession {
                     }
                 }
                 Incoming::Message(_) | Incoming::Garbage(_) => {}
-                Incoming::End => self.client.disconnect(),
+                Incoming::End(fault) => self.client.disconnect(fault),
             }
         }
         if self.client.is_connected() { NextAction::Wait } else { NextAction::End }
