@@ -46,7 +46,7 @@ fn check(arm: &str, names: &[&str], expected: Expect) {
 fn line(found: DataPose) -> String {
     let key = found.place.key.unwrap();
     let (name, chain) = (found.place.name, found.chain.join(" on "));
-    let (pose, joints, reached) = (found.pose, found.joints, found.is_reached);
+    let (pose, joints, reached) = (found.pose, found.joints, found.reach);
     format!("{name}[{key}] {pose:?} {chain:?} {reached:?} {joints:?} {:?}\n", found.remark)
 }
 
