@@ -1,5 +1,7 @@
 //! Tasks, frames, scopes and variables for the client.
 
+mod libraries;
+
 use val3_debug::{DebugValue, DisplayFormat, Inside, ScopeKind, TaskFrame, count, frames, scopes, values};
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
@@ -12,6 +14,7 @@ use crate::assertions;
 use crate::cell_view::{self, Property};
 use crate::columns::Columns;
 use crate::conventions::Conventions;
+use crate::inspection::libraries::{LibraryData, are_grouped};
 use crate::notices::{module_id, task, thread};
 use crate::protocol::{
     Scope, ScopePresentationHint, Source, SourcePresentationHint, StackFrame, StackFramePresentationHint,
@@ -42,6 +45,8 @@ pub(crate) enum InspectedItem {
     Values(Inside),
     /// Properties of the controller that are not data of programs.
     Properties(Vec<Property>),
+    /// The scope of several libraries.
+    Libraries(Vec<LibraryData>),
 }
 
 /// Largest number of global variables, or of data of a library, that clients read at each stop without a request of the user.
@@ -117,27 +122,32 @@ impl Handles {
     /// Returns the scopes of a stack frame and of the cell.
     pub(crate) fn scopes(&mut self, frame: FrameHandle, controller: &mut Controller) -> Vec<Scope> {
         let found = scopes(&controller.vm, frame.task, frame.depth);
+        let is_grouped = are_grouped(&found);
+        let mut libraries = Vec::new();
         let mut shown: Vec<Scope> = Vec::new();
         for scope in found {
             let named = count(&mut controller.vm, &scope.inside);
-            let (name, hint) = match &scope.kind {
+            let (name, hint) = match scope.kind {
                 ScopeKind::Parameters => ("Parameters".to_owned(), Some(ScopePresentationHint::Arguments)),
                 ScopeKind::Locals => ("Locals".to_owned(), Some(ScopePresentationHint::Locals)),
                 ScopeKind::Globals => ("Globals".to_owned(), None),
+                ScopeKind::Library(alias) if is_grouped => {
+                    libraries.push(LibraryData { alias, size: named, inside: scope.inside });
+                    continue;
+                }
                 ScopeKind::Library(alias) => (format!("Library {alias}"), None),
             };
             shown.push(Scope {
                 name,
-                expensive: match scope.kind {
-                    ScopeKind::Parameters | ScopeKind::Locals => false,
-                    ScopeKind::Globals | ScopeKind::Library(_) => named > CHEAP_GLOBALS,
-                },
+                // Programs have few parameters and locals.
+                expensive: hint.is_none() && named > CHEAP_GLOBALS,
                 variables_reference: self.add(InspectedItem::Values(scope.inside)),
                 named_variables: i32::try_from(named).ok(),
                 presentation_hint: hint,
                 ..Scope::default()
             });
         }
+        shown.extend(is_grouped.then(|| self.libraries_scope(libraries)));
         for (name, properties) in cell_view::scopes(controller) {
             shown.push(Scope {
                 name: name.to_owned(),
@@ -163,7 +173,11 @@ impl Handles {
             InspectedItem::Values(inside) if is_filtered_out(arguments.filter.as_ref(), inside.is_indexed()) => {
                 Some(Vec::new())
             }
-            InspectedItem::Properties(_) if is_filtered_out(arguments.filter.as_ref(), false) => Some(Vec::new()),
+            InspectedItem::Properties(_) | InspectedItem::Libraries(_)
+                if is_filtered_out(arguments.filter.as_ref(), false) =>
+            {
+                Some(Vec::new())
+            }
             InspectedItem::Values(inside) => {
                 let found = values(controller, &inside, range, format);
                 Some(found.into_iter().map(|value| self.variable(value, controller)).collect())
@@ -171,6 +185,10 @@ impl Handles {
             InspectedItem::Properties(properties) => {
                 let page = properties.into_iter().skip(start).take(most);
                 Some(page.map(|property| self.property(property, controller)).collect())
+            }
+            InspectedItem::Libraries(libraries) => {
+                let page = libraries.into_iter().skip(start).take(most);
+                Some(page.map(|library| self.library(library)).collect())
             }
         }
     }
