@@ -188,9 +188,7 @@ impl DebugSession {
         if has_new_files(&notices) {
             self.place_again(run);
         }
-        let ended = self.breakpoints.ended_data(run.debugger);
-        self.shown_hits.update(&ended);
-        ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+        self.report_ended_data(run);
         for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
             let output = message.text + "\n";
@@ -234,8 +232,16 @@ impl DebugSession {
         placed
     }
 
-    /// Sends the hit counts that have changed.
+    /// Sends the data breakpoints on local variables whose program has ended, or exists again.
+    fn report_ended_data(&mut self, run: &DebuggedRun<'_>) {
+        let ended = self.breakpoints.ended_data(run.debugger);
+        self.shown_hits.update(&ended);
+        ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+    }
+
+    /// Sends the changes of breakpoints at a stop: hit counts, and data that have ended or exist again.
     pub(crate) fn report_hits(&mut self, run: &DebuggedRun<'_>) {
+        self.report_ended_data(run);
         let changes = self.shown_hits.changes(run.debugger);
         changes.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
     }

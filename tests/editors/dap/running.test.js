@@ -509,6 +509,26 @@ test("a run in which no task can continue stops, and continues after the input i
   }
 });
 
+test("where no task can continue, the text is for people at a screen", async () => {
+  const own = new Application("powerless", {
+    data: { "joint jA": `j3="90"`, "mdesc mFast": `vel="100"` },
+    programs: "\nprogram start()\nbegin\n  movej(jA,flange,mFast)\n  waitEndMove()\nend\n",
+  });
+  try {
+    await debug(own.folder(), {}, async (session) => {
+      const { text } = await session.stopped("pause");
+      assert.match(text, /^task `.*` waits for the arm \(`waitEndMove`\): no power, at start\(\) line \d+\. The arm has no power\. Switch the power on\.$/);
+      const { output } = await session.eventWhere("output", ({ output }) => output.startsWith("no task can continue"));
+      assert.match(output, /\n  The arm has no power\. Switch the power on\.\n$/);
+      await session.ask("val3/operate", { power: true });
+      await session.ask("continue", { threadId: session.thread });
+      await session.event("terminated");
+    });
+  } finally {
+    own.remove();
+  }
+});
+
 test("a step that waits long says for what, and ends when the wait does", async () => {
   const own = new Application("waiting", {
     data: { "dio diGo": String.raw`link="BasicIO-1\%I0"`, "num nDone": "" },
@@ -532,7 +552,7 @@ test("a step that waits long says for what, and ends when the wait does", async 
 });
 
 test("a stack frame has the columns of its statement", async () => {
-  const own = new Application("columns", { programs: "\nprogram start()\nbegin\n  delay(0)\n    call work() // next\nend\nprogram work()\nbegin\n\tdelay(1)\nend\n" });
+  const own = new Application("columns", { programs: "\nprogram start()\nbegin\n  delay(0)\n    call work()\nend\nprogram work()\nbegin\n\tdelay(1)\nend\n" });
   try {
     await debug(own.folder(), { stopOnEntry: true }, async (session) => {
       await session.stopped("entry");

@@ -42,7 +42,7 @@ end
 program receiver()
   num l_nMessage[2]
 begin
-  sioCtrl(siHost,"timeout",-1)
+  sioCtrl(siHost,"timeout",0)
   while true
     switch nState
       case 0
@@ -96,17 +96,17 @@ after(() => app.remove());
 
 test("a session leads from an arm that never moves to the line that empties the queue", async () => {
   const before = (session) => session.setBreakpoints(app.file("mover"), app.line("mover", "movej("));
-  await debug(app.folder(), { script, before }, async (session) => {
-    // The breakpoint on the move is never reached: the run stops, because no task can continue.
+  await debug(app.folder(), { script, until: 2, stopOnExit: true, before }, async (session) => {
+    // The breakpoint on the move is never reached.
     const stop = await session.stopped("pause");
-    assert.match(stop.description, /no task can continue/);
-    assert.match(stop.text, /task `receiver` waits for .* at receiver\(\) line \d+; task `mover` waits for a condition at mover\(\)/);
+    assert.match(stop.description, /time limit/);
     const { threads } = await session.ask("threads");
-    assert.deepEqual(threads.map(({ name }) => name.split(" ")[0]), ["receiver", "mover"]);
+    assert.match(threads[0].name, /^receiver \(priority 20, waits for an input, an output or a serial line \(`sioGet`\)\)$/);
+    assert.match(threads[1].name, /^mover \(priority 10, waits for a condition\)$/);
     assert.equal(await session.evaluate("nAcknowledged"), String(SENT.length), "each position was acknowledged");
     assert.equal(await session.evaluate("queue:nLength"), "0", "the wrong value");
-    const [move] = (await session.event("breakpoint").then(() => session.setBreakpoints(app.file("mover"), app.line("mover", "movej("))));
-    assert.equal(move.message, "not hit yet");
+    const { breakpoint } = await session.event("breakpoint");
+    assert.equal(breakpoint.message, "not hit yet");
 
     // The writes of the variable name the line.
     const { writes } = await session.ask("val3/history", { name: "queue:nLength" });
@@ -117,9 +117,10 @@ test("a session leads from an arm that never moves to the line that empties the 
     await session.watchData("queue:nLength");
     const emptied = await session.run("reverseContinue", "data breakpoint");
     assert.match(emptied.text, new RegExp(`3 -> 0 \\(queue:clear\\(\\), line ${app.line("clear", "nLength=0", "queue")}\\)`));
+    await session.run("val3/stepBackInto", "step");
     const frames = await session.frames();
-    const callers = frames.map(({ name, line, column }) => [name, line, column]);
-    assert.deepEqual(callers.slice(1), [
+    assert.deepEqual(frames.map(({ name, line, column }) => [name, line, column]), [
+      ["queue:clear()", app.line("clear", "nLength=0", "queue"), 3],
       ["driver:prepare()", app.line("prepare", "call queue:clear"), 3],
       ["driver:mover()", app.line("mover", "call prepare"), 3],
     ]);
