@@ -59,7 +59,12 @@ mod tests {
             ("<Code><![CDATA[  nA=1\n", "nA=1", 1, Some((18, "nA=1"))),
             ("<Code>end</Code>", "end", 1, Some((7, "end"))),
             ("  until nA==1\n", "nA==1", 1, Some((3, "until nA==1"))),
-            ("<!-- \u{1f916} --> putln(\"ü\u{1f916}\")\n", "putln(\"ü\u{1f916}\")", 1, Some((13, "putln(\"ü\u{1f916}\")"))),
+            (
+                "<!-- \u{1f916} --> putln(\"ü\u{1f916}\")\n",
+                "putln(\"ü\u{1f916}\")",
+                1,
+                Some((13, "putln(\"ü\u{1f916}\")")),
+            ),
             ("  call sub(nA,\n    nB)\n", "call sub(nA,\n    nB)", 1, Some((3, "call sub(nA,"))),
         ] {
             assert_eq!(columns(text, code, row), expected.map(|(first, code)| (first, code.to_owned())), "{text}");

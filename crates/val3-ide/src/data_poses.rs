@@ -63,14 +63,8 @@ pub fn data_poses(db: &dyn Db, project: Project, file: File, names: &[String]) -
 
 fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
     let value = position(db, project, path)?;
-    let empty = DataPose {
-        place: place_of_path(path),
-        pose: None,
-        chain: Vec::new(),
-        reach: None,
-        remark: None,
-        joints: None,
-    };
+    let empty =
+        DataPose { place: place_of_path(path), pose: None, chain: Vec::new(), reach: None, remark: None, joints: None };
     let arm = arm_of(db, project, value);
     let has_arm = named_arm(db, project).is_some();
     match value.ty {

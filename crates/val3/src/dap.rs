@@ -66,7 +66,9 @@ fn attend() -> Result<ExitCode, UserError> {
 pub(crate) fn ended(code: ExitCode, fault: Option<&ReadError>) -> Result<ExitCode, UserError> {
     match fault {
         None => Ok(code),
-        Some(error) => Err(UserError::new(format!("the session has ended, because the client sent no message: {error}"))),
+        Some(error) => {
+            Err(UserError::new(format!("the session has ended, because the client sent no message: {error}")))
+        }
     }
 }
 
