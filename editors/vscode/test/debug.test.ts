@@ -93,9 +93,9 @@ test("columns of a stop are those of the code view", () => {
     const { stackFrames: [found] } = shown(translator(true), frames) as Protocol.StackTraceResponse["body"];
     return [found?.line, found?.column, found?.endLine, found?.endColumn];
   };
-  assert.deepEqual(columns(5, 3, 6), [3, 3, 3, 6]);
+  assert.deepEqual(columns(5, 3, 6), [3, 3, undefined, undefined]);
   // The first line of the code follows a tag.
-  assert.deepEqual(columns(3, 18, 23), [1, 1, 1, 6]);
+  assert.deepEqual(columns(3, 18, 23), [1, 1, undefined, undefined]);
 });
 
 test("lines outside of the code stay lines of the file", () => {

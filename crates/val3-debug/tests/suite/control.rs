@@ -46,7 +46,7 @@ fn global(debugger: &Debugger, name: &str) -> f64 {
 fn cycles(debugger: &mut Debugger, count: usize) {
     for _ in 0..count {
         let progress = debugger.advance();
-        assert!(matches!(progress, val3_debug::AdvanceResult::Ran(_)), "{progress:?}");
+        assert!(matches!(progress, AdvanceResult::Ran(_)), "{progress:?}");
     }
 }
 

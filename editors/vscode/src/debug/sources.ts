@@ -114,7 +114,12 @@ export class SourceTranslator {
 
   private showFrames(response: Protocol.Response): void {
     if (response.command === "stackTrace" && response.success) {
-      (response as Protocol.StackTraceResponse).body.stackFrames.forEach((frame) => this.show(frame));
+      for (const frame of (response as Protocol.StackTraceResponse).body.stackFrames) {
+        // VS Code selects a range, so that the next typed character would replace the statement.
+        delete frame.endLine;
+        delete frame.endColumn;
+        this.show(frame);
+      }
     }
   }
 
