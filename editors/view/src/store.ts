@@ -2,6 +2,7 @@
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { showPanels } from "./layout/layout";
+import { armEndReason } from "./panels/pendant/robotState";
 import type { PointName } from "./panels/points/edits";
 import type { Answer, ArmRest, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
@@ -61,6 +62,8 @@ export class Store {
     const source = this.shown.value?.source;
     return source === undefined ? undefined : this.sources.get(source);
   });
+  /** Whether Run starts the application again after its end. */
+  private readonly canRestart: ReadonlySignal<boolean> = computed(() => this.scene.value?.role === "operator");
   readonly panels: PanelModel;
   readonly blocked: ReadonlySignal<string | undefined> = computed(() => this.reason());
   send: Send = () => undefined;
@@ -75,7 +78,8 @@ export class Store {
     this.panels = new PanelModel({
       time: this.time, newest: this.newest, oldest: this.earliest, isPaused: this.isPaused, blocked: this.blocked,
       hasEnded: computed(() => this.end.value !== undefined),
-      canRestart: computed(() => this.scene.value?.role === "operator"),
+      armEnded: computed(() => armEndReason(this.end.value, this.canRestart.value)),
+      canRestart: this.canRestart,
       sample: computed(() => {
         const sample = this.shown.value;
         return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [], toolName: this.tools.get(sample.tool)?.name };
@@ -94,6 +98,8 @@ export class Store {
       },
       toolOf: (index) => this.tools.get(index)?.name ?? undefined,
       seek: (t) => (this.chosen.value = t),
+      isPastOnly: computed(() => this.chosen.value !== undefined && this.reasonNow() === undefined),
+      showPresent: () => (this.chosen.value = undefined),
       selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
       selectPoint: (point) => (this.selection.value = point && { kind: "point", point: { name: point.name, key: point.key } }),
       openLine: this.openLine,
@@ -281,13 +287,17 @@ export class Store {
   }
 
   private reason(): string | undefined {
+    return this.reasonNow() ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+  }
+
+  /** Returns the reason why the present cannot be operated. */
+  private reasonNow(): string | undefined {
     switch (this.scene.value?.role) {
       case "recording": return "This is a recording. Nothing can be operated.";
       case "guest": return "You are a guest. You can look but not operate.";
       case undefined: return this.openLine.value === undefined ? "The run has not begun." : "No application is shown.";
       case "preview": return "The application does not run.";
-      default:
-        return this.lost.value ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+      default: return this.lost.value;
     }
   }
 }

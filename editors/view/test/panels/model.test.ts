@@ -19,7 +19,7 @@ function state(t: number, more: Partial<StateMessage> = {}): StateMessage {
 function model(executed = signal<MovingLine | undefined>(undefined)): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const time = signal(0);
   const around: Surroundings = {
-    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), canRestart: signal(true), blocked: signal(undefined),
+    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), armEnded: signal(undefined), isPastOnly: signal(false), showPresent: () => undefined, canRestart: signal(true), blocked: signal(undefined),
     sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], toolOf: (index) => (index === 2 ? "tGripper" : undefined), sourceOf: (index) => (index === 3 ? { program: "start", line: 12, file: "/cell/start.pgx" } : undefined),
     applicationName: signal("cell"), executed, showPrograms: () => undefined,
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),

@@ -24,6 +24,9 @@ export interface Surroundings {
   oldest: ReadonlySignal<number>;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
+  armEnded: ReadonlySignal<string | undefined>;
+  isPastOnly: ReadonlySignal<boolean>;
+  showPresent: () => void;
   /** Whether Run starts the application again after its end. */
   canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
@@ -196,6 +199,7 @@ export class PanelModel {
       tools: after(data, (t) => this.tools.at(t)),
       toolName: computed(() => around.sample.value?.toolName),
       chosenTool: signal(undefined),
+      armGoal: signal(undefined),
       chosenReach,
       unreachable: computed(() => chosenReach.value ?? reached.value),
       history,
