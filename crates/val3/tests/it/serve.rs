@@ -200,9 +200,9 @@ fn the_arm_is_jogged_after_the_end_of_the_run() {
     };
     assert_eq!(operate(&mut viewer, json!({ "mode": "manual" })), Value::Null);
     viewer.next_state(|state| state["mode"] == "manual" && state["power"] == false);
-    assert_eq!(operate(&mut viewer, json!({ "power": true, "jog": [10, 20, 90, 0, 30, 0] })), Value::Null);
+    assert_eq!(operate(&mut viewer, json!({ "power": true, "jog": [10, 20, 90, 0, -30, 0] })), Value::Null);
     viewer.next_state(|state| state["power"] == true);
-    let late = viewer.next_state(|state| state["config"].as_str().unwrap().contains("wpositive"));
+    let late = viewer.next_state(|state| state["config"].as_str().unwrap().contains("wnegative"));
     assert!(late["t"].as_f64().unwrap() > 0.3, "{late}");
     assert_eq!(operate(&mut viewer, json!({ "stop": true })), "the run has ended; Run starts the application again");
 }

@@ -41,6 +41,9 @@ const FAR_KINDS: ReadonlySet<Label["kind"]> = new Set(["failed", "selected"]);
 const FAR_FAILED = 10;
 const FAR_NAMED = 3;
 
+/** Time for which an update adds samples to the path, in ms. Further samples follow after the browser has handled input. */
+const FOLLOWING = 30;
+
 export class Viewport {
   readonly camera: Camera;
   readonly trail = new Trail();
@@ -73,6 +76,8 @@ export class Viewport {
   /** Positions along the links of the arm. */
   private obstacles: readonly (readonly number[])[] = [];
   private isWaiting = false;
+  /** Whether the path has not all samples yet, and another update follows. */
+  private isBehind = false;
   /** Whether the picture shows everything, because the user has not changed its view. */
   private isFirst = false;
   /** Growth count of the path when everything was last shown. */
@@ -143,7 +148,14 @@ export class Viewport {
       return;
     }
     const base = frameOf(cell.base);
-    this.trail.follow(store.samples, cell.arm, base, cell.phases, (index) => store.tools.get(index)?.pose ?? []);
+    const hasAll = this.trail.follow(store.samples, cell.arm, base, cell.phases, (index) => store.tools.get(index)?.pose ?? [], FOLLOWING);
+    if (!hasAll && !this.isBehind) {
+      this.isBehind = true;
+      setTimeout(() => {
+        this.isBehind = false;
+        this.update();
+      });
+    }
     this.trail.showUpTo(store.time.value);
     const sample = store.panels.cell.sample.value;
     const placed = armFrames(cell.arm, base, sample?.joints ?? []);
