@@ -195,7 +195,7 @@ fn the_arm_is_jogged_after_the_end_of_the_run() {
     run.wait_for("the run has ended");
     let mut viewer = Viewer::new(&run.operator);
     assert_eq!(viewer.next_of("end")["reason"], "finished");
-    let mut operate = |viewer: &mut Viewer, keys: Value| {
+    let operate = |viewer: &mut Viewer, keys: Value| {
         viewer.command(json!({ "id": 1, "command": "operate", "keys": keys }))["error"].clone()
     };
     assert_eq!(operate(&mut viewer, json!({ "mode": "manual" })), Value::Null);
