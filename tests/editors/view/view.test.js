@@ -49,8 +49,7 @@ test("an emergency stop holds the arm until it is released and the power is on a
   await status.getByText(/^The arm moves\./).waitFor();
   await page.getByRole("button", { name: "Pause", exact: true }).click();
   await status.getByText("The run is paused. Press Play to continue.").waitFor();
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await page.locator(".notice").getByText("The run is paused. Press Play to continue.").waitFor();
+  assert.equal(await page.getByRole("button", { name: "Run", exact: true }).getAttribute("title"), "The run is paused. Press Play to continue.");
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.getByRole("button", { name: "E-stop" }).click();
   await status.getByText(/^The E-stop is pressed\./).waitFor();
