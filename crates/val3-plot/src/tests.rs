@@ -101,7 +101,8 @@ fn a_repeated_path_has_the_arrows_of_one_cycle() {
             let (lap, step) = (index / 100 % 2, f64::from(index % 100) * 4.0);
             [if lap == 0 { step } else { 400.0 - step }, 50.0, 300.0]
         };
-        let samples = (0..200 * count).map(|index| Sample { t: f64::from(index) * 0.004, position: at(index), ..sample() });
+        let samples =
+            (0..200 * count).map(|index| Sample { t: f64::from(index) * 0.004, position: at(index), ..sample() });
         Picture { samples: samples.collect(), moves: Vec::new(), ..line() }.to_svg()
     };
     let arrows = |svg: &str| svg.matches("stroke:none").count();

@@ -1,5 +1,6 @@
 //! Three views of the tool path, with the same scale.
 
+mod arrows;
 mod names;
 
 use std::collections::BTreeSet;
@@ -10,19 +11,12 @@ use crate::labels::{LabelDistance, LabelPosition, Labels};
 use crate::thinning::thinned;
 use crate::ticks;
 use crate::{Picture, marks};
+use arrows::{Arrows, SPACING};
 use names::{Named, ProgramLine, SAME};
 
 /// Size of a panel, and space around its drawing, in pixels.
 const SIZE: [f64; 2] = [490.0, 470.0];
 const MARGIN: f64 = 36.0;
-
-/// Distance of arrows along the path in pixels.
-const ARROWS: f64 = 110.0;
-
-/// An arrow of a later cycle is omitted if an earlier arrow is nearer than this share of [`ARROWS`] on the same line, and
-/// the cosine of the angle between both is larger than [`SAME_DIRECTION`].
-const SAME_PIECE: f64 = 0.75;
-const SAME_DIRECTION: f64 = 0.9;
 
 /// Minimum width of a panel's content in mm.
 const SMALLEST: f64 = 20.0;
@@ -170,20 +164,18 @@ impl Panel<'_> {
 
     /// Draws arrows along the path. Further cycles on the same path have no arrows of their own.
     fn arrows(&self, picture: &Picture, canvas: &mut Canvas) {
-        let mut drawn: Vec<Arrow> = Vec::new();
-        let mut way = ARROWS / 2.0;
+        let mut arrows = Arrows::default();
+        let mut way = SPACING / 2.0;
         for pair in picture.samples.windows(2) {
             let [from, to] = pair else { continue };
             let ([x1, y1], [x2, y2]) = (self.at(&from.position), self.at(&to.position));
             let length = libm::hypot(x2 - x1, y2 - y1);
             way += length;
-            if way > ARROWS && length > 1e-6 {
+            if way > SPACING && length > 1e-6 {
                 way = 0.0;
-                let arrow = Arrow { at: [x2, y2], direction: [(x2 - x1) / length, (y2 - y1) / length] };
-                if drawn.iter().any(|earlier| earlier.covers(&arrow)) {
+                if !arrows.add([x2, y2], [(x2 - x1) / length, (y2 - y1) / length]) {
                     continue;
                 }
-                drawn.push(arrow);
                 let (along_x, along_y) = ((x2 - x1) / length * 5.0, (y2 - y1) / length * 5.0);
                 let tip = [x2 + along_x, y2 + along_y];
                 let wings = [
@@ -275,23 +267,6 @@ impl Panel<'_> {
             labels.avoid_line(self.at(&from.position), self.at(&to.position));
         }
         labels
-    }
-}
-
-/// An arrow along the path: its position in pixels, and its direction of length 1.
-struct Arrow {
-    at: [f64; 2],
-    direction: [f64; 2],
-}
-
-impl Arrow {
-    /// Whether an arrow of a later cycle would be on the same piece of the path, in the same direction.
-    fn covers(&self, later: &Self) -> bool {
-        let ([x, y], [along_x, along_y]) = (self.at, self.direction);
-        let (way_x, way_y) = (later.at[0] - x, later.at[1] - y);
-        let (along, across) = (way_x * along_x + way_y * along_y, way_x * along_y - way_y * along_x);
-        let turn = along_x * later.direction[0] + along_y * later.direction[1];
-        turn > SAME_DIRECTION && along.abs() < ARROWS * SAME_PIECE && across.abs() < SAME
     }
 }
 

@@ -50,7 +50,7 @@ fn operator_text(hold: ArmHold, mode: WorkingMode) -> String {
     match (hold, mode) {
         (ArmHold::Held, WorkingMode::Remote) => "The arm is held. Press Move.".to_owned(),
         (ArmHold::Held, mode) => {
-            format!("The arm is held in {} mode. Press Move, or choose the remote mode.", mode.name())
+            format!("Held in {} mode. Press Move, or choose remote mode.", mode.name())
         }
         (hold, _) => hold.operator_text().to_owned(),
     }

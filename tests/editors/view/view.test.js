@@ -11,8 +11,14 @@ const pose = (page) => page.evaluate(() => window.val3View.pose());
 const hasMoved = (page, from) => page.waitForFunction(
   (from) => window.val3View.pose().some((part, axis) => Math.abs(part - from[axis]) > 5), from);
 
+/** Waits until the figures of the readout name a thing. */
+const readout = (page, name) => page.locator(".foot").getByText(name, { exact: true }).waitFor();
+
 test("the arm is seen to move, and its poses are those of the trace", () => served(["--power", "--trace", "trace.csv"], async (run) => {
   const page = await run.open();
+  for (const name of ["X", "RZ", "J1", "J6", "Speed", "Tool"]) {
+    await readout(page, name);
+  }
   const picture = page.locator("canvas").first();
   await until(page, 0.2);
   const still = await picture.screenshot();

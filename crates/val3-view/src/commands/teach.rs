@@ -50,7 +50,8 @@ fn teach_point(
     let (memory, arm) = (&controller.vm.space.memory, controller.arm());
     let (joints, model) = (arm.joint(), arm.model());
     let here = model.flange(&joints) * tool_pose(tool, controller)?;
-    let frame = new_frame.map_or_else(|| references::frame_of(memory, PointRef(point.place)), |frame| Ok(FrameRef(frame)));
+    let frame =
+        new_frame.map_or_else(|| references::frame_of(memory, PointRef(point.place)), |frame| Ok(FrameRef(frame)));
     let frame = frame.and_then(|FrameRef(frame)| units::poses(controller).of_frame(FrameRef(frame)));
     let frame = frame.map_err(|fault| CommandError(format!("the point has no frame (error {})", fault.0)))?;
     let local = units::data_of_pose(&Trsf::from(frame.inverse() * here), controller);

@@ -75,7 +75,10 @@ fn a_point_is_taught_in_another_frame() {
     execute(&mut controller, "undo", json!({})).unwrap();
     assert_eq!(shown_point(&controller), before);
     let missing = json!({ "name": "pPick", "key": 1, "frame": { "name": "fNone" } });
-    assert_eq!(execute(&mut controller, "teach", missing).unwrap_err(), "there is no frame `fNone` with a single value");
+    assert_eq!(
+        execute(&mut controller, "teach", missing).unwrap_err(),
+        "there is no frame `fNone` with a single value"
+    );
 }
 
 #[test]

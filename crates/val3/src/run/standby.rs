@@ -15,7 +15,7 @@ use super::viewers::Viewers;
 const EFFECT: Time = SECOND / 5;
 
 /// Reason why commands are not executed after the end of a run.
-const ENDED: &str = "the run has ended; Run starts the application again";
+pub(super) const ENDED: &str = "the run has ended; Run starts the application again";
 
 /// Reason why the arm of a run that was ended in the middle of its application is not moved.
 const INTERRUPTED: &str = "the run has ended while the application was running, so the arm is not moved; Run starts \
@@ -60,11 +60,6 @@ impl Standby {
         }
         self.until = self.controller.now().saturating_add(EFFECT);
         Ok(())
-    }
-
-    /// Reason why a command that needs the application is not executed.
-    pub(super) const fn refusal() -> &'static str {
-        ENDED
     }
 
     /// Real time until the next cycle, or until signals are polled again.

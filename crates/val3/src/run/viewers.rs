@@ -12,7 +12,7 @@ use val3_view::{Feed, Operator};
 
 use super::missing::program_text;
 use super::recorder::ScenarioRecorder;
-use super::standby::Standby;
+use super::standby::{ENDED, Standby};
 use super::tempo::Tempo;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
@@ -233,7 +233,8 @@ impl Viewers {
                 RUN => command.answer(Err("the application is starting".to_owned())),
                 OPERATE => {
                     let prepared = standby.prepare(&command.message);
-                    let result = prepared.and_then(|()| self.operate(OPERATE, &command.message, &mut standby.controller));
+                    let result =
+                        prepared.and_then(|()| self.operate(OPERATE, &command.message, &mut standby.controller));
                     command.answer(result);
                     self.feed.refresh(&standby.controller);
                 }
@@ -243,7 +244,7 @@ impl Viewers {
                     command.answer(result);
                     self.feed.refresh(&standby.controller);
                 }
-                _ => command.answer(Err(Standby::refusal().to_owned())),
+                _ => command.answer(Err(ENDED.to_owned())),
             }
         }
         self.publish();

@@ -11,7 +11,7 @@ import { Lines } from "./lines";
 import { AXES, type Look } from "./palette";
 
 export class ArmGhost {
-  private readonly arm = new Lines({ width: 9, opacity: 0.5 });
+  private readonly arm = new Lines({ width: 9, opacity: 0.5, isOnTop: true });
   private readonly tool = new Lines({ width: 3, isOnTop: true });
   readonly objects = [this.arm.object, this.tool.object];
   labels: Label[] = [];

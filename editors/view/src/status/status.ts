@@ -119,7 +119,7 @@ function armStatus(state: CellState): Status {
 /** Returns what an arm without recorded moves, or at the end of them, waits for. */
 function armText({ isHeld, mode, emergencyStop, awaitsNextMove }: CellState): string {
   if (emergencyStop !== "open" && isHeld) {
-    return mode === "remote" ? "The arm is held. Press Move." : `The arm is held in ${mode} mode. Programs move it after Move, or in remote mode.`;
+    return mode === "remote" ? "The arm is held. Press Move." : `Held in ${mode} mode.`;
   }
   return awaitsNextMove === true ? "The arm waits for the next move." : "";
 }

@@ -35,7 +35,7 @@ test("the first reason that keeps the run from going on is shown", () => {
     [{ state: held }, "stopped", "The arm has no power. Switch the power on. pick waits for the arm (movej) at start:12."],
     [{ state: state([task("a")], { isHeld: true, heldBecause: "The arm is held. Press Move." }) }, "stopped", "The arm is held. Press Move. Running."],
     [{ state: state([task("a")], { isHeld: true }) }, "running", "Running. The arm is held. Press Move."],
-    [{ state: state([task("a", { waits: "a condition" })], { isHeld: true, mode: "manual" }) }, "waiting", "a waits for a condition at start:12. The arm is held in manual mode. Programs move it after Move, or in remote mode."],
+    [{ state: state([task("a", { waits: "a condition" })], { isHeld: true, mode: "manual" }) }, "waiting", "a waits for a condition at start:12. Held in manual mode."],
     [{ state: state([task("a", { waits: "a condition" })], { awaitsNextMove: true }) }, "waiting", "a waits for a condition at start:12. The arm waits for the next move."],
     [{ state: state([waiting], { emergencyStop: "open" }) }, "stopped", "The E-stop is pressed. Release it, then switch the power on."],
     [{ state: state([task("a", { waits: "a condition" })]) }, "waiting", "a waits for a condition at start:12."],
