@@ -123,7 +123,7 @@ export class Viewport {
     this.objects = new CellObjects(cell.objects ?? [], cell.parts ?? [], this.look);
     this.objects.place({ base, arm: armFrames(cell.arm, base, []), frames: cell.frames, tools: cell.tools }, [], new Map());
     this.floor = Math.min(floorHeight(cell.arm) + base.position[2], this.objects.lowest());
-    this.room = stage(this.look, this.length, this.floor, isDark);
+    this.room = stage(this.look, this.length, this.floor, isDark, this.renderer.shadowMap.enabled);
     this.arm = new ArmShape(cell.arm, cell.base, this.look, (fault) => {
       if (fault !== undefined) {
         this.faults.value = [...this.faults.peek(), fault];

@@ -3,8 +3,8 @@
 import { DirectionalLight, GridHelper, Group, HemisphereLight, Mesh, PlaneGeometry, ShadowMaterial } from "three";
 import type { Look } from "./palette";
 
-/** `length` is the length of the arm, `height` the height of the floor. */
-export function stage(look: Look, length: number, height: number, isDark: boolean): Group {
+/** `length` is the length of the arm, `height` the height of the floor. Without shadows, the floor is its grid. */
+export function stage(look: Look, length: number, height: number, isDark: boolean, hasShadows: boolean): Group {
   const group = new Group();
   const sun = new DirectionalLight(0xffffff, isDark ? 2 : 2.4);
   sun.position.set(length * 1.2, -length * 1.6, length * 3);
@@ -18,6 +18,8 @@ export function stage(look: Look, length: number, height: number, isDark: boolea
   const floor = new Mesh(new PlaneGeometry(length * 8, length * 8), new ShadowMaterial({ opacity: isDark ? 0.45 : 0.16, depthWrite: false }));
   floor.position.z = height - 1;
   floor.receiveShadow = true;
+  // It draws nothing but shadows, and would take much time to do so in software.
+  floor.visible = hasShadows;
   const size = Math.ceil((length * 2.6) / 500) * 1000;
   const fine = new GridHelper(size, size / 100, look.gridFine, look.gridFine).rotateX(Math.PI / 2);
   const coarse = new GridHelper(size, size / 500, look.gridCoarse, look.gridCoarse).rotateX(Math.PI / 2);
