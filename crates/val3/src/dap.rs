@@ -1,5 +1,6 @@
 //! `val3 dap`: the debug adapter.
 
+pub(crate) mod end;
 mod launch;
 pub(crate) mod listener;
 mod relay;
@@ -11,8 +12,9 @@ use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
-use val3_dap::{Client, Handshake, HandshakeResult, ReadError, RunState, SessionStart, read_messages};
+use val3_dap::{Client, Handshake, HandshakeResult, RunState, SessionStart, read_messages};
 
+use self::end::ended;
 use self::listener::streams;
 use self::relay::{connect, relay};
 use crate::args::{DapArgs, RunArgs};
@@ -55,19 +57,6 @@ fn attend() -> Result<ExitCode, UserError> {
                 }
                 Err(reason) => handshake.refuse(&start, &reason),
             },
-        }
-    }
-}
-
-/// Returns the exit code of a session that has ended.
-///
-/// # Errors
-/// Bytes from the client were no message, and the next message could not be found.
-pub(crate) fn ended(code: ExitCode, fault: Option<&ReadError>) -> Result<ExitCode, UserError> {
-    match fault {
-        None => Ok(code),
-        Some(error) => {
-            Err(UserError::new(format!("the session has ended, because the client sent no message: {error}")))
         }
     }
 }

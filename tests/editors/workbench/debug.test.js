@@ -176,14 +176,16 @@ const STEPS = {
     await user.stopsAt("pick.pgx", 22);
   },
 
-  async "steps back lead to the line before and out of the program, by a key and a button"(user) {
-    await user.keys("Alt+F11");
+  async "steps back have a button and a key"(user) {
+    await user.page.waitForSelector('.debug-toolbar .action-label[aria-label^="Step Back Out (Shift+Alt+F11)"]');
+    await user.tool("Step Back Into");
     await user.stopsAt("pick.pgx", 21);
-    await user.tool("Step Back Out");
-    await user.stopsAt("cycle.pgx", 22);
-    await user.keys("F11");
-    await user.stopsAt("pick.pgx", 12);
-    await user.keys("F5");
+    await user.focusEditor();
+    await user.keys("Alt+F11");
+    await user.stopsAt("pick.pgx", 20);
+    await user.keys("F10");
+    await user.stopsAt("pick.pgx", 21);
+    await user.keys("F10");
     await user.stopsAt("pick.pgx", 22);
   },
 
