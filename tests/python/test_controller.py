@@ -41,6 +41,7 @@ class Server:
         authorizer.add_user("maintenance", SECRET, str(root), perm=rights)
         authorizer.add_user("default", "", str(root), perm="elr")
         outer = self
+        self.root, self.authorizer = root, authorizer
 
         class Handler(FTPHandler):  # type: ignore[misc]
             def pre_process_command(self, line: str, cmd: str, arg: str) -> None:
@@ -62,6 +63,11 @@ class Server:
         """Count a command."""
         self.hook(self.commands)
         self.commands += 1
+
+    def protect(self, folder: str) -> None:
+        """Let users list the files of a folder, but not read them."""
+        for user in ("maintenance", "default"):
+            self.authorizer.override_perm(user, str(self.root / folder), "el", recursive=True)
 
     def address(self, user: str = "maintenance") -> str:
         """Address of the server."""
@@ -210,6 +216,14 @@ class ControllerTest(unittest.TestCase):
 
     def test_an_old_controller_is_described(self) -> None:
         self.description(old=True)
+
+    def test_files_without_rights_are_named_in_the_description(self) -> None:
+        server = self.start()
+        server.protect("usr/usrapp/palletiser")
+        output = self.run_val3("info", server.address(), code=2)
+        self.assertIn("F10-0001", output)
+        self.assertIn("usr/usrapp/palletiser/start.pgx", output)
+        self.assertIn("550", output)
 
     def test_one_file_is_printed(self) -> None:
         server = self.start()

@@ -203,6 +203,13 @@ class ModbusTest(unittest.IsolatedAsyncioTestCase):
                 self.assertEqual(response.bits[:18], [True, *pattern, True, *pattern])
             response = await client.read_input_registers(0, count=4, device_id=1)
             self.assertEqual(response.registers, [7, 65535, 5, 40000])
+            masked = await client.mask_write_register(address=2, and_mask=0xFFFD, or_mask=0x000A, device_id=1)
+            self.assertFalse(masked.isError())
+            response = await client.readwrite_registers(
+                read_address=0, read_count=4, write_address=1, values=[9], device_id=1
+            )
+            self.assertEqual(response.registers, [7, 9, 7, 40000])
+            await until(client, 8, [7, 9, 65536 - 7, 40000])
 
     async def test_wrong_requests_are_exceptions(self) -> None:
         async with served() as run, run.client() as client:
@@ -212,7 +219,8 @@ class ModbusTest(unittest.IsolatedAsyncioTestCase):
                 (await client.read_holding_registers(5000, count=1, device_id=1), 2),
                 (await client.write_registers(15, [1, 2], device_id=1), 2),
                 (await client.write_coil(65535, True, device_id=1), 2),
-                (await client.mask_write_register(address=0, and_mask=1, or_mask=2, device_id=1), 1),
+                (await client.mask_write_register(address=5000, and_mask=1, or_mask=2, device_id=1), 2),
+                (await client.read_fifo_queue(address=0, device_id=1), 1),
                 (await client.read_device_information(device_id=1), 1),
             ]:
                 self.assertEqual((response.isError(), response.exception_code), (True, code), response)

@@ -1,10 +1,12 @@
 //! Problems found by the analysis, as values. The rules of `val3-check` create their messages.
 
 mod kind;
+mod modbus_table_fault;
 mod page_fault;
 mod refusal;
 
 pub use kind::ProblemKind;
+pub use modbus_table_fault::ModbusTableFault;
 pub use page_fault::PageFault;
 
 use smol_str::SmolStr;

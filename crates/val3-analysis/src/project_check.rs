@@ -2,19 +2,22 @@
 
 mod circles;
 
+use camino::Utf8Path;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::files::FileKind;
 use val3_lang::versions::Version;
+use val3_modbus::{FileFault, ModbusFile};
 use val3_syntax::TextRange;
 
+use crate::cell::CellConfig;
 use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::file_check::FileCheck;
 use crate::items::manifest::{ListNames, Spelling, entries, spelling};
 use crate::items::parse;
 use crate::items::project::{find_file, find_project, folder, items, leads_outside};
 use crate::paths::{self, ResolvedPath};
-use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
+use crate::problem::{FileRole, ModbusTableFault, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, XmlElement};
 
 /// Checks a project file and returns its problems.
@@ -73,8 +76,25 @@ impl ProjectCheck<'_> {
     fn cell_files(&mut self, root: XmlElement<'_>) {
         let Some(cell) = self.project.cell(self.db) else { return };
         for file in &cell.config(self.db).unreadable_files {
-            let kind = ProblemKind::CellFileUnreadable { path: file.path.clone(), reason: file.reason.clone() };
-            self.found.report(root.name_range(), kind);
+            self.found.report(root.name_range(), ProblemKind::CellFileUnreadable(file.clone()));
+        }
+        self.modbus(cell.config(self.db), root);
+    }
+
+    /// Reports faults of the tables of the Modbus server.
+    fn modbus(&mut self, cell: &CellConfig, root: XmlElement<'_>) {
+        let Some(file) = &cell.io.modbus else { return };
+        let usr = self.project.disk(self.db).and_then(Utf8Path::parent);
+        let path = usr.and_then(|usr| file.path.strip_prefix(usr).ok()).unwrap_or(&file.path);
+        for FileFault { offset, kind } in ModbusFile::read(&file.text).faults {
+            let before = file.text.get(..offset).unwrap_or_default();
+            let fault = ModbusTableFault {
+                path: path.as_str().into(),
+                line: 1 + before.matches('\n').count(),
+                hides_items: kind.hides_items(),
+                description: kind.to_string().into(),
+            };
+            self.found.report(root.name_range(), ProblemKind::ModbusTable(Box::new(fault)));
         }
     }
 

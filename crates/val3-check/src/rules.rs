@@ -222,6 +222,7 @@ rules! {
     file_without_project,
     archive_not_read,
     page_binding,
+    modbus_table,
     // Library interfaces
     library_item_unknown,
     library_item_private,
@@ -384,7 +385,8 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::FileMissing { what, path } => file_missing::word(*what, path);
         Kind::FileOutside(what, path) => file_outside::word(*what, path);
         Kind::FileUnreadable { path, reason } => file_unreadable::word(path, reason);
-        Kind::CellFileUnreadable { path, reason } => file_unreadable::word_cell_file(path, reason);
+        Kind::CellFileUnreadable(file) => file_unreadable::word_cell_file(file);
+        Kind::ModbusTable(fault) => modbus_table::word(fault);
         Kind::Encoding(fault) => encoding::word(*fault);
         Kind::DuplicateEntry { what, name } => duplicate_entry::word(*what, name);
         Kind::WrongRoot { expected, found } => wrong_root::word(*expected, found);

@@ -4,11 +4,11 @@ use std::collections::hash_map::Entry;
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Db, FileRange, Sources};
+use val3_analysis::db::{Db, FileRange, Project, Sources};
 use val3_analysis::paths::path_key;
 
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
-use crate::rules::{ambiguous_name, file_unreadable, library_item_unknown};
+use crate::rules::{ambiguous_name, file_unreadable, library_item_unknown, modbus_table};
 
 /// A cause that several applications may share.
 #[derive(PartialEq, Eq, Hash)]
@@ -20,6 +20,8 @@ enum SharedCause<'db> {
     Library(FileRange),
     /// An unreadable file of a cell: the folder of the cell's `Disk://`, and the file's path in the cell.
     CellFile(&'db Utf8Path, &'db str),
+    /// A fault of a cell: the folder of the cell's `Disk://`, and the message.
+    CellFault(&'db Utf8Path, String),
 }
 
 /// Keeps the first finding for each cause, and adds the locations of the other findings to it.
@@ -58,18 +60,25 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<SharedCause<'db>>
     if finding.rule == &file_unreadable::RULE {
         return cell_file(db, finding);
     }
+    if finding.rule == &modbus_table::RULE {
+        return Some(SharedCause::CellFault(project(db, finding)?.disk(db)?, finding.message.clone()));
+    }
     // Outside of programs, this rule only reports projects with missing entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
     finding.related.first().filter(|_| is_about_project).map(|list| SharedCause::Library(list.place))
 }
 
 fn cell_file<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<SharedCause<'db>> {
-    let manifest = finding.application?.path(db);
-    let project = Sources::get(db).projects(db).get(&path_key(manifest.as_str()))?;
+    let project = project(db, finding)?;
     let mut files = project.cell(db)?.config(db).unreadable_files.iter();
-    let file =
-        files.find(|file| file_unreadable::word_cell_file(&file.path, &file.reason).message == finding.message)?;
+    let file = files.find(|file| file_unreadable::word_cell_file(file).message == finding.message)?;
     Some(SharedCause::CellFile(project.disk(db)?, &file.path))
+}
+
+/// Returns the project of the finding's application.
+fn project(db: &dyn Db, finding: &Diagnostic) -> Option<Project> {
+    let manifest = finding.application?.path(db);
+    Sources::get(db).projects(db).get(&path_key(manifest.as_str())).copied()
 }
 
 #[cfg(test)]

@@ -109,20 +109,31 @@ impl AccessError {
     pub(crate) fn is_rejection(&self) -> bool {
         matches!(self.reason, AccessFault::Rejected { code: 500..=599, .. })
     }
+
+    /// Whether only this file or folder cannot be read, so that others can.
+    pub(crate) fn is_of_one_entry(&self) -> bool {
+        let is_denied = matches!(self.reason, AccessFault::Rejected { code: 450 | 550..=553, .. });
+        is_denied || matches!(self.reason, AccessFault::FileSystem(_) | AccessFault::Special(_))
+    }
 }
 
 impl Display for AccessError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "cannot {} at {}: ", self.step, self.place)?;
-        match &self.reason {
-            AccessFault::Rejected { code, text } => write!(f, "{code} {text}"),
-            AccessFault::Connection(reason) => write!(f, "the connection failed: {reason}"),
-            AccessFault::Timeout => f.write_str("the controller does not respond in time"),
-            AccessFault::Special(name) => write!(f, "`{name}` is a link or a device, which is not followed"),
-            AccessFault::Listing(line) => write!(f, "the line {line:?} of the listing has no known form"),
-            AccessFault::Name(fault) => write!(f, "{fault}"),
-            AccessFault::TooLarge(limit) => write!(f, "it has more than {limit} bytes"),
-            AccessFault::FileSystem(reason) => f.write_str(reason),
+        write!(f, "cannot {} at {}: {}", self.step, self.place, self.reason)
+    }
+}
+
+impl Display for AccessFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Rejected { code, text } => write!(f, "{code} {text}"),
+            Self::Connection(reason) => write!(f, "the connection failed: {reason}"),
+            Self::Timeout => f.write_str("the controller does not respond in time"),
+            Self::Special(name) => write!(f, "`{name}` is a link or a device, which is not followed"),
+            Self::Listing(line) => write!(f, "the line {line:?} of the listing has no known form"),
+            Self::Name(fault) => write!(f, "{fault}"),
+            Self::TooLarge(limit) => write!(f, "it has more than {limit} bytes"),
+            Self::FileSystem(reason) => f.write_str(reason),
         }
     }
 }

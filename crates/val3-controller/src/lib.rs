@@ -41,5 +41,7 @@ pub use push::{
     affected_projects, push, recover, remove_new_tree, write_new_tree,
 };
 pub use rules::{LOG_FOLDER, is_protected};
-pub use scan::{TOTAL_LIMIT, check_applications, files_below, read_file, read_files};
+pub use scan::{
+    ReadableFiles, TOTAL_LIMIT, check_applications, files_below, read_file, read_files, read_readable_files,
+};
 pub use status::{ProjectStatus, check_identity};

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::access::ControllerFiles;
+use crate::access::{AccessError, AccessFault, ControllerFiles};
 use crate::digest::{FileDigest, FileDigests};
 use crate::error::ControllerError;
 use crate::observer::{TransferObserver, TransferStep, check_interrupt};
@@ -27,6 +27,18 @@ pub fn files_below(
     folders: &[ControllerPath],
     observer: &mut dyn TransferObserver,
 ) -> Result<BTreeSet<ControllerPath>, ControllerError> {
+    search(files, folders, observer, &mut |_, error| Err(error.into()))
+}
+
+/// Receiver of files and folders that cannot be read. An error ends the operation.
+type OnFault<'a> = dyn FnMut(&ControllerPath, AccessError) -> Result<(), ControllerError> + 'a;
+
+fn search(
+    files: &mut dyn ControllerFiles,
+    folders: &[ControllerPath],
+    observer: &mut dyn TransferObserver,
+    on_fault: &mut OnFault<'_>,
+) -> Result<BTreeSet<ControllerPath>, ControllerError> {
     observer.step(TransferStep::List, 0);
     let mut found = BTreeSet::new();
     let mut presence = Presence::default();
@@ -42,7 +54,13 @@ pub fn files_below(
         if folder.depth() > DEPTH_LIMIT {
             return Err(ControllerError::TooDeep(folder));
         }
-        let entries = files.list(&folder)?;
+        let entries = match files.list(&folder) {
+            Ok(entries) => entries,
+            Err(error) => {
+                on_fault(&folder, error)?;
+                continue;
+            }
+        };
         check_case(entries.iter().map(|entry| &entry.path))?;
         count += entries.len();
         if count > COUNT_LIMIT {
@@ -93,10 +111,7 @@ pub(crate) fn download(
     let mut digests = FileDigests::new();
     for path in paths {
         check_interrupt(observer)?;
-        let bytes = files.read(path, left).map_err(|error| match error.reason {
-            crate::access::AccessFault::TooLarge(_) => ControllerError::TooMuch(TOTAL_LIMIT),
-            _ => error.into(),
-        })?;
+        let bytes = read_within(files, path, left)?;
         store(path, &bytes)?;
         left = left.saturating_sub(bytes.len() as u64);
         observer.file(path, bytes.len() as u64);
@@ -121,6 +136,68 @@ pub fn read_files(
         Ok(())
     })?;
     Ok(contents)
+}
+
+/// Files of a controller that a command only describes.
+#[derive(Debug, Default)]
+pub struct ReadableFiles {
+    /// Contents of the files that were read.
+    pub contents: BTreeMap<ControllerPath, Vec<u8>>,
+    /// Files that the controller does not let the user read, with the reason.
+    pub unread: BTreeMap<ControllerPath, AccessFault>,
+    /// Folders that the controller does not let the user list, with the reason.
+    pub unlisted: BTreeMap<ControllerPath, AccessFault>,
+}
+
+/// Like [`read_files`], for commands that need not read everything: rejected files and folders are returned, too.
+///
+/// # Errors
+/// If the connection is lost, a file or name cannot be understood, or a limit is exceeded.
+pub fn read_readable_files(
+    files: &mut dyn ControllerFiles,
+    folders: &[ControllerPath],
+    observer: &mut dyn TransferObserver,
+) -> Result<ReadableFiles, ControllerError> {
+    let mut unlisted = BTreeMap::new();
+    let paths = search(files, folders, observer, &mut |path, error| only_denied(path, error, &mut unlisted))?;
+    observer.step(TransferStep::Download, paths.len());
+    let mut read = ReadableFiles { unlisted, ..ReadableFiles::default() };
+    let mut left = TOTAL_LIMIT;
+    for path in paths {
+        check_interrupt(observer)?;
+        match read_within(files, &path, left) {
+            Ok(bytes) => {
+                left = left.saturating_sub(bytes.len() as u64);
+                observer.file(&path, bytes.len() as u64);
+                read.contents.insert(path, bytes);
+            }
+            Err(ControllerError::Access(error)) => only_denied(&path, error, &mut read.unread)?,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(read)
+}
+
+/// Adds the reason why an entry cannot be read. Other errors end the operation.
+fn only_denied(
+    path: &ControllerPath,
+    error: AccessError,
+    denied: &mut BTreeMap<ControllerPath, AccessFault>,
+) -> Result<(), ControllerError> {
+    if error.is_of_one_entry() {
+        denied.insert(path.clone(), error.reason);
+        Ok(())
+    } else {
+        Err(error.into())
+    }
+}
+
+/// Reads a file with at most the number of bytes that is left for all files.
+fn read_within(files: &mut dyn ControllerFiles, path: &ControllerPath, left: u64) -> Result<Vec<u8>, ControllerError> {
+    files.read(path, left).map_err(|error| match error.reason {
+        AccessFault::TooLarge(_) => ControllerError::TooMuch(TOTAL_LIMIT),
+        _ => error.into(),
+    })
 }
 
 /// Returns the content of one file.

@@ -20,8 +20,8 @@ pub enum Incoming {
     Message(ProtocolMessage),
     /// Bytes that are no message. Reading continues with the next message.
     Garbage(ReadError),
-    /// The connection has ended.
-    End,
+    /// The connection has ended. It contains the error after which no further message can be read.
+    End(Option<ReadError>),
 }
 
 /// Reads the messages of a client until its connection ends. The caller runs this on a separate thread.
@@ -30,19 +30,16 @@ pub fn read_messages(input: impl BufRead, inbox: &Sender<Incoming>) {
     loop {
         let incoming = match reader.read() {
             Ok(Some(message)) => Incoming::Message(message),
-            Ok(None) => break,
+            Ok(None) => Incoming::End(None),
+            Err(error) if error.can_continue() => Incoming::Garbage(error),
             // Nothing after a frame of unknown length can be read.
-            Err(error) if !error.can_continue() => {
-                let _ = inbox.send(Incoming::Garbage(error));
-                break;
-            }
-            Err(error) => Incoming::Garbage(error),
+            Err(error) => Incoming::End(Some(error)),
         };
-        if inbox.send(incoming).is_err() {
+        let is_end = matches!(incoming, Incoming::End(_));
+        if inbox.send(incoming).is_err() || is_end {
             return;
         }
     }
-    let _ = inbox.send(Incoming::End);
 }
 
 /// The connection to a client.
@@ -52,13 +49,15 @@ pub struct Client {
     queue: VecDeque<Incoming>,
     output: MessageWriter<Box<dyn Write + Send>>,
     is_connected: bool,
+    /// Error that has ended the connection.
+    fault: Option<ReadError>,
 }
 
 impl Client {
     /// A client whose messages arrive in `inbox`, and that reads `output`.
     #[must_use]
     pub fn new(inbox: Receiver<Incoming>, output: Box<dyn Write + Send>) -> Self {
-        Self { inbox, queue: VecDeque::new(), output: MessageWriter::new(output), is_connected: true }
+        Self { inbox, queue: VecDeque::new(), output: MessageWriter::new(output), is_connected: true, fault: None }
     }
 
     /// Whether the client can still receive messages.
@@ -67,10 +66,15 @@ impl Client {
         self.is_connected
     }
 
-    /// Splits the client into its messages, up to the end of the connection, and the writer.
+    /// Splits the client into its messages and the writer.
     pub fn split(self) -> (impl Iterator<Item = Incoming> + Send, MessageWriter<Box<dyn Write + Send>>) {
-        let incoming = self.queue.into_iter().chain(self.inbox);
-        (incoming.take_while(|incoming| !matches!(incoming, Incoming::End)), self.output)
+        (self.queue.into_iter().chain(self.inbox), self.output)
+    }
+
+    /// Returns the error that has ended the connection.
+    #[must_use]
+    pub const fn fault(&self) -> Option<&ReadError> {
+        self.fault.as_ref()
     }
 
     /// Returns the next received message; `None` if there is none.
@@ -80,7 +84,7 @@ impl Client {
                 Ok(incoming) => self.queue.push_back(incoming),
                 Err(TryRecvError::Empty) => return self.queue.pop_front(),
                 Err(TryRecvError::Disconnected) if !self.is_connected => return self.queue.pop_front(),
-                Err(TryRecvError::Disconnected) => return Some(self.queue.pop_front().unwrap_or(Incoming::End)),
+                Err(TryRecvError::Disconnected) => return Some(self.queue.pop_front().unwrap_or(Incoming::End(None))),
             }
         }
     }
@@ -93,7 +97,7 @@ impl Client {
         match self.inbox.recv_timeout(time) {
             Ok(incoming) => self.queue.push_back(incoming),
             Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => self.queue.push_back(Incoming::End),
+            Err(RecvTimeoutError::Disconnected) => self.queue.push_back(Incoming::End(None)),
         }
     }
 
@@ -152,9 +156,13 @@ impl Client {
         }
     }
 
-    /// Handles the end of the connection.
-    pub(crate) fn disconnect(&mut self) {
+    /// Handles the end of the connection. An error that has ended it is shown in the debug console.
+    pub(crate) fn disconnect(&mut self, fault: Option<ReadError>) {
+        if let Some(error) = &fault {
+            self.say(&format!("{error}\n"));
+        }
         self.is_connected = false;
+        self.fault = fault;
     }
 }
 
@@ -189,10 +197,36 @@ fn is_pause(incoming: &Incoming) -> bool {
 /// Whether a message ends the run or the connection.
 fn is_end(incoming: &Incoming) -> bool {
     match incoming {
-        Incoming::End => true,
+        Incoming::End(_) => true,
         Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) => {
             ["disconnect", "terminate", "restart"].contains(&command.as_str())
         }
         Incoming::Message(_) | Incoming::Garbage(_) => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc::channel;
+
+    use super::*;
+    use crate::handshake::{Handshake, HandshakeResult};
+
+    /// Returns the error that ends the connection of a client that sends these bytes.
+    fn fault(bytes: &[u8]) -> Option<String> {
+        let (sender, inbox) = channel();
+        read_messages(bytes, &sender);
+        let mut handshake = Handshake::new(Client::new(inbox, Box::new(std::io::sink())));
+        assert!(matches!(handshake.attend(), HandshakeResult::Disconnected));
+        handshake.fault().map(ToString::to_string)
+    }
+
+    #[test]
+    fn unreadable_bytes_end_the_connection_with_an_error() {
+        assert_eq!(fault(b""), None);
+        assert_eq!(fault(b"Content-Length: 2\r\n\r\n{}"), None, "the next message can be read");
+        let number = "the value of `Content-Length` is not a number: \"abc\"";
+        assert_eq!(fault(b"Content-Length: abc\r\n\r\n"), Some(number.to_owned()));
+        assert_eq!(fault(b"Content-Length: 9\r\n\r\n{}"), Some("the input ends inside a message".to_owned()));
     }
 }

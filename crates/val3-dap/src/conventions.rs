@@ -55,9 +55,9 @@ impl Conventions {
         u32::try_from(row).unwrap_or(u32::MAX)
     }
 
-    /// Returns the client's number of the first column.
-    pub(crate) fn first_column(&self) -> u64 {
-        u64::from(self.columns_start_at_1)
+    /// Converts a column, from 1, to the client's column number.
+    pub(crate) fn column(&self, column: u32) -> u64 {
+        if self.columns_start_at_1 { column.into() } else { column.saturating_sub(1).into() }
     }
 
     /// Converts the client's column number to an offset in the line, from 0.
@@ -153,7 +153,7 @@ mod tests {
         };
         let conventions = Conventions::of(&client);
         assert_eq!((conventions.line(1), conventions.row(0)), (0, 1));
-        assert_eq!((conventions.first_column(), conventions.offset(3)), (0, 3));
+        assert_eq!((conventions.column(1), conventions.offset(3)), (0, 3));
         assert_eq!(conventions.source("/a b/ü.pgx").path.as_deref(), Some("file:///a%20b/%C3%BC.pgx"));
         assert_eq!(Conventions::default().row(0), 0, "no line: nothing is there");
     }

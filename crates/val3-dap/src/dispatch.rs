@@ -19,7 +19,7 @@ impl DebugSession {
                 }
                 Incoming::Message(_) => {}
                 Incoming::Garbage(error) => self.client.say(&format!("{error}\n")),
-                Incoming::End => self.client.disconnect(),
+                Incoming::End(fault) => self.client.disconnect(fault),
             }
             if let Some(action) = self.action.take() {
                 return action;

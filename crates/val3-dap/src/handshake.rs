@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::capabilities::{capabilities, of_attached_runs};
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
+use crate::error::ReadError;
 use crate::message::{MessageContent, ProtocolMessage};
 use crate::protocol::{CapabilitiesEvent, InitializeRequestArguments, Response, StandardEvent, StandardRequest};
 use crate::secret::Secret;
@@ -64,7 +65,11 @@ impl Handshake {
         loop {
             let (seq, command, arguments) = match self.client.poll() {
                 None if self.client.is_connected() => return HandshakeResult::None,
-                None | Some(Incoming::End) => return HandshakeResult::Disconnected,
+                None => return HandshakeResult::Disconnected,
+                Some(Incoming::End(fault)) => {
+                    self.client.disconnect(fault);
+                    return HandshakeResult::Disconnected;
+                }
                 Some(Incoming::Garbage(error)) => {
                     self.say(&format!("{error}\n"));
                     continue;
@@ -109,6 +114,12 @@ impl Handshake {
     /// Shows a text in the debug console as standard error output.
     pub fn say(&mut self, text: &str) {
         self.client.say(text);
+    }
+
+    /// Returns the error that has ended the connection to the client.
+    #[must_use]
+    pub const fn fault(&self) -> Option<&ReadError> {
+        self.client.fault()
     }
 
     /// Whether the client shows colours that ANSI escape sequences set.

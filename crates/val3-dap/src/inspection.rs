@@ -1,15 +1,20 @@
 //! Tasks, frames, scopes and variables for the client.
 
+mod libraries;
+
 use val3_debug::{DebugValue, DisplayFormat, Inside, ScopeKind, TaskFrame, count, frames, scopes, values};
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::seconds;
+use val3_view::FileReader;
 use val3_vm::{Rate, Task, TaskState};
 
 use crate::assertions;
 use crate::cell_view::{self, Property};
+use crate::columns::Columns;
 use crate::conventions::Conventions;
+use crate::inspection::libraries::{LibraryData, are_grouped};
 use crate::notices::{module_id, task, thread};
 use crate::protocol::{
     Scope, ScopePresentationHint, Source, SourcePresentationHint, StackFrame, StackFramePresentationHint,
@@ -40,6 +45,8 @@ pub(crate) enum InspectedItem {
     Values(Inside),
     /// Properties of the controller that are not data of programs.
     Properties(Vec<Property>),
+    /// The scope of several libraries.
+    Libraries(Vec<LibraryData>),
 }
 
 /// Largest number of global variables, or of data of a library, that clients read at each stop without a request of the user.
@@ -88,6 +95,7 @@ impl Handles {
         arguments: &StackTraceArguments,
         controller: &Controller,
         conventions: &Conventions,
+        files: FileReader,
     ) -> Option<StackTraceResponse> {
         let task = task(arguments.thread_id)?;
         if !controller.vm.tasks().iter().any(|known| known.id == task) {
@@ -103,7 +111,8 @@ impl Handles {
             let id = self.add_frame(FrameHandle { task, depth });
             let image = controller.vm.space.instance(frame.instance).map(|instance| &instance.image);
             let module_id = image.map(|image| module_id(&image.path));
-            let shown = StackFrame { module_id, ..stack_frame(id, frame, shows_line, conventions) };
+            let columns = files(&frame.file).and_then(|text| Columns::of(&text, frame.row, frame.code.clone()));
+            let shown = StackFrame { module_id, ..stack_frame(id, frame, shows_line, columns, conventions) };
             if has_failed && assertions::is_of_library(frame) { in_background(shown) } else { shown }
         });
         let stack_frames = page.collect();
@@ -113,27 +122,32 @@ impl Handles {
     /// Returns the scopes of a stack frame and of the cell.
     pub(crate) fn scopes(&mut self, frame: FrameHandle, controller: &mut Controller) -> Vec<Scope> {
         let found = scopes(&controller.vm, frame.task, frame.depth);
+        let is_grouped = are_grouped(&found);
+        let mut libraries = Vec::new();
         let mut shown: Vec<Scope> = Vec::new();
         for scope in found {
             let named = count(&mut controller.vm, &scope.inside);
-            let (name, hint) = match &scope.kind {
+            let (name, hint) = match scope.kind {
                 ScopeKind::Parameters => ("Parameters".to_owned(), Some(ScopePresentationHint::Arguments)),
                 ScopeKind::Locals => ("Locals".to_owned(), Some(ScopePresentationHint::Locals)),
                 ScopeKind::Globals => ("Globals".to_owned(), None),
+                ScopeKind::Library(alias) if is_grouped => {
+                    libraries.push(LibraryData { alias, size: named, inside: scope.inside });
+                    continue;
+                }
                 ScopeKind::Library(alias) => (format!("Library {alias}"), None),
             };
             shown.push(Scope {
                 name,
-                expensive: match scope.kind {
-                    ScopeKind::Parameters | ScopeKind::Locals => false,
-                    ScopeKind::Globals | ScopeKind::Library(_) => named > CHEAP_GLOBALS,
-                },
+                // Programs have few parameters and locals.
+                expensive: hint.is_none() && named > CHEAP_GLOBALS,
                 variables_reference: self.add(InspectedItem::Values(scope.inside)),
                 named_variables: i32::try_from(named).ok(),
                 presentation_hint: hint,
                 ..Scope::default()
             });
         }
+        shown.extend(is_grouped.then(|| self.libraries_scope(libraries)));
         for (name, properties) in cell_view::scopes(controller) {
             shown.push(Scope {
                 name: name.to_owned(),
@@ -159,7 +173,11 @@ impl Handles {
             InspectedItem::Values(inside) if is_filtered_out(arguments.filter.as_ref(), inside.is_indexed()) => {
                 Some(Vec::new())
             }
-            InspectedItem::Properties(_) if is_filtered_out(arguments.filter.as_ref(), false) => Some(Vec::new()),
+            InspectedItem::Properties(_) | InspectedItem::Libraries(_)
+                if is_filtered_out(arguments.filter.as_ref(), false) =>
+            {
+                Some(Vec::new())
+            }
             InspectedItem::Values(inside) => {
                 let found = values(controller, &inside, range, format);
                 Some(found.into_iter().map(|value| self.variable(value, controller)).collect())
@@ -167,6 +185,10 @@ impl Handles {
             InspectedItem::Properties(properties) => {
                 let page = properties.into_iter().skip(start).take(most);
                 Some(page.map(|property| self.property(property, controller)).collect())
+            }
+            InspectedItem::Libraries(libraries) => {
+                let page = libraries.into_iter().skip(start).take(most);
+                Some(page.map(|library| self.library(library)).collect())
             }
         }
     }
@@ -218,13 +240,21 @@ fn is_filtered_out(filter: Option<&VariablesFilter>, are_indexed: bool) -> bool 
     }
 }
 
-fn stack_frame(id: i32, frame: &TaskFrame, shows_line: bool, conventions: &Conventions) -> StackFrame {
+fn stack_frame(
+    id: i32,
+    frame: &TaskFrame,
+    shows_line: bool,
+    columns: Option<Columns>,
+    conventions: &Conventions,
+) -> StackFrame {
     let line = if shows_line { format!(", line {}", frame.row) } else { String::new() };
     StackFrame {
         id,
         name: format!("{}:{}(){line}", frame.application, frame.program),
         line: conventions.line(frame.row),
-        column: conventions.first_column(),
+        column: conventions.column(columns.map_or(1, |columns| columns.first)),
+        end_line: columns.map(|_| conventions.line(frame.row)),
+        end_column: columns.map(|columns| conventions.column(columns.end)),
         source: Some(conventions.source(&frame.file)),
         can_restart: Some(true),
         ..StackFrame::default()

@@ -14,6 +14,7 @@ mod breakpoints;
 mod capabilities;
 mod cell_view;
 mod client;
+mod columns;
 mod condition_text;
 mod conventions;
 mod debugged_run;

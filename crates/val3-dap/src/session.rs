@@ -25,6 +25,7 @@ use crate::breakpoints::BreakpointTable;
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
+use crate::error::ReadError;
 use crate::inspection::Handles;
 use crate::live::Subscriptions;
 use crate::message::{MessageContent, ProtocolMessage};
@@ -187,9 +188,7 @@ impl DebugSession {
         if has_new_files(&notices) {
             self.place_again(run);
         }
-        let ended = self.breakpoints.ended_data(run.debugger);
-        self.shown_hits.update(&ended);
-        ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+        self.report_ended_data(run);
         for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
             let output = message.text + "\n";
@@ -233,8 +232,16 @@ impl DebugSession {
         placed
     }
 
-    /// Sends the hit counts that have changed.
+    /// Sends the data breakpoints on local variables whose program has ended, or exists again.
+    fn report_ended_data(&mut self, run: &DebuggedRun<'_>) {
+        let ended = self.breakpoints.ended_data(run.debugger);
+        self.shown_hits.update(&ended);
+        ended.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+    }
+
+    /// Sends the changes of breakpoints at a stop: hit counts, and data that have ended or exist again.
     pub(crate) fn report_hits(&mut self, run: &DebuggedRun<'_>) {
+        self.report_ended_data(run);
         let changes = self.shown_hits.changes(run.debugger);
         changes.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
     }
@@ -341,6 +348,12 @@ impl DebugSession {
         self.client.custom_event(event, body);
     }
 
+    /// Returns the error that has ended the connection to the client.
+    #[must_use]
+    pub const fn fault(&self) -> Option<&ReadError> {
+        self.client.fault()
+    }
+
     /// Whether the client shows colours that ANSI escape sequences set.
     #[must_use]
     pub const fn shows_colors(&self) -> bool {
@@ -368,7 +381,7 @@ impl DebugSession {
                     }
                 }
                 Incoming::Message(_) | Incoming::Garbage(_) => {}
-                Incoming::End => self.client.disconnect(),
+                Incoming::End(fault) => self.client.disconnect(fault),
             }
         }
         if self.client.is_connected() { NextAction::Wait } else { NextAction::End }

@@ -4,7 +4,8 @@ use val3_debug::{Contact, DataChange, DataStop, MotionStop, Stop, frames, unlink
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
-use val3_machine::controller::{CodeSource, Controller, MotionFault};
+use val3_machine::arm::ArmHold;
+use val3_machine::controller::{CodeSource, Controller, MotionFault, TaskPosition};
 
 use crate::assertions;
 use crate::breakpoints::number;
@@ -68,9 +69,10 @@ pub(crate) fn unlinked_data(fault: Fault, task: TaskNumber, controller: &mut Con
 
 /// Returns the event for a run in which no task can continue.
 pub(crate) fn stuck(controller: &Controller) -> StoppedEvent {
+    let remedy = arm_remedy(controller).map(|remedy| format!(". {remedy}")).unwrap_or_default();
     StoppedEvent {
         description: Some("Paused because no task can continue".to_owned()),
-        text: Some(waits(controller).collect::<Vec<_>>().join("; ")),
+        text: Some(waits(controller).collect::<Vec<_>>().join("; ") + &remedy),
         ..event(StoppedEventReason::Pause, first_task(controller))
     }
 }
@@ -114,7 +116,17 @@ pub(crate) fn cancelled(controller: &Controller) -> StoppedEvent {
 /// Describes what each task does or waits for: ``task `main~` waits for a condition at start() line 5``.
 pub(crate) fn waits(controller: &Controller) -> impl Iterator<Item = String> {
     let positions = controller.task_positions().into_iter();
-    positions.map(|at| format!("task `{}` {} at {}() line {}", at.name, at.activity, at.program, at.line))
+    positions.map(|TaskPosition { name, activity, program, line, .. }| {
+        let cause = activity.hold().map(|hold| format!(": {},", hold.cause())).unwrap_or_default();
+        let awaited = activity.awaited_thing().map(|thing| format!("waits for {thing}{cause}"));
+        format!("task `{name}` {} at {program}() line {line}", awaited.unwrap_or_else(|| activity.to_string()))
+    })
+}
+
+/// Returns why the awaited arm does not move, and the action of the operator that moves it; `None` if no task waits for
+/// a held arm.
+pub(crate) fn arm_remedy(controller: &Controller) -> Option<&'static str> {
+    controller.task_positions().iter().find_map(|task| task.activity.hold()).map(ArmHold::operator_text)
 }
 
 /// Describes what a task waits for, like [`waits`].
@@ -145,7 +157,7 @@ fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
         format!("the arm is at the {} point of move {}{line}", found.piece.end.word(), found.piece.id)
     });
     let text = match stop.hold {
-        Some(hold) => format!("the arm, {}", hold.text()),
+        Some(hold) => hold.operator_text().to_owned(),
         None => place.unwrap_or_else(|| "no motion is determined".to_owned()),
     };
     StoppedEvent {

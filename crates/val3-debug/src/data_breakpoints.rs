@@ -272,7 +272,9 @@ impl Debugger {
     /// Returns the breakpoints on local variables whose program has ended, so that they no longer stop the run.
     #[must_use]
     pub fn ended_data(&self) -> BTreeSet<BreakpointId> {
-        self.data.all.iter().filter(|watch| watch.is_over()).map(|watch| watch.breakpoint.id).collect()
+        let is_gone = |watch: &&WatchedBreakpoint| watch.exists && !watch.breakpoint.data.has_frame(&self.controller);
+        let ended = self.data.all.iter().filter(|watch| watch.is_over() || is_gone(watch));
+        ended.map(|watch| watch.breakpoint.id).collect()
     }
 
     /// Begins the next cycle without executing a line, and returns the stop for changes from outside.

@@ -121,6 +121,9 @@ impl Stop {
     }
 }
 
+/// Largest number of lines without a stop that [`Debugger::advance`] inspects in one call.
+const INSPECTED_LINES: usize = 1000;
+
 impl Debugger {
     /// Creates a debugger for the controller.
     #[must_use]
@@ -303,7 +306,25 @@ impl Debugger {
         (!self.contacts.is_empty()).then(|| Stop::Contacts(std::mem::take(&mut self.contacts)))
     }
 
+    /// Runs to the end of the cycle, to a stop, or past many lines that the debugger inspects without a stop, so that
+    /// the caller can handle requests in between.
     fn advance_tasks(&mut self) -> AdvanceResult {
+        let mut progress = self.advance_to_line();
+        for _ in 1..INSPECTED_LINES {
+            let is_inspected = matches!(progress, AdvanceResult::Ran(RunStatus::AtStop(_) | RunStatus::Seen(_)));
+            // Motion in step mode begins between two lines, and messages of log points keep their order among the
+            // events of the run.
+            let is_plain = self.mode == MotionMode::Continuous && self.pause.is_none() && self.step.is_none();
+            if !is_inspected || !is_plain || !self.logged.is_empty() {
+                break;
+            }
+            progress = self.advance_to_line();
+        }
+        progress
+    }
+
+    /// Runs to the end of the cycle, or to the next line that the debugger inspects.
+    fn advance_to_line(&mut self) -> AdvanceResult {
         let sees_lines = self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some();
         self.controller.watch(match self.watch_of_data() {
             _ if sees_lines => CycleWatch::Lines,

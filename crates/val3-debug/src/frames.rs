@@ -1,5 +1,7 @@
 //! The call stack of a task.
 
+use std::ops::Range;
+
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Frame, InstanceId, Vm};
 
@@ -14,6 +16,8 @@ pub struct TaskFrame {
     pub file: String,
     /// Current or next line of the file, from 1.
     pub row: u32,
+    /// Bytes of the statement, or of its beginning up to the condition, in the file. Empty if the line is unknown.
+    pub code: Range<u32>,
     /// Application or library in memory.
     pub instance: InstanceId,
     /// Number of the program in its application or library.
@@ -36,12 +40,13 @@ pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
 pub(crate) fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
     let image = &vm.space.instance(frame.instance)?.image;
     let program = image.programs.get(usize::from(frame.program))?;
-    let row = program.halt_at(op).map_or(0, |halt| halt.row);
+    let halt = program.halt_at(op);
     Some(TaskFrame {
         application: image.name.clone(),
         program: program.name.clone(),
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),
-        row,
+        row: halt.map_or(0, |halt| halt.row),
+        code: halt.map_or(0..0, |halt| halt.range.start..halt.range.end),
         instance: frame.instance,
         number: frame.program,
     })

@@ -33,8 +33,10 @@ pub enum LensKind {
     RunTest(File),
     /// Debugs the program as a test.
     DebugTest(File),
-    /// Reference count, computed later by [`lens_references`].
-    References,
+    /// Reference count of a program, computed later by [`lens_references`].
+    ProgramReferences,
+    /// Reference count of data.
+    DataReferences,
 }
 
 /// Code lenses of a file, without reference counts, which require a search.
@@ -47,7 +49,7 @@ pub fn code_lenses(db: &dyn Db, file: File) -> Vec<CodeLens> {
         return Vec::new();
     }
     let names = declarations::all_data(db, file);
-    names.into_iter().map(|found| CodeLens { range: found.range, kind: LensKind::References }).collect()
+    names.into_iter().map(|found| CodeLens { range: found.range, kind: LensKind::DataReferences }).collect()
 }
 
 fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
@@ -62,7 +64,7 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
     if runs_alone(header) {
         lenses.extend([lens(LensKind::Run(manifest)), lens(LensKind::Debug(manifest))]);
     }
-    lenses.push(lens(LensKind::References));
+    lenses.push(lens(LensKind::ProgramReferences));
     lenses
 }
 
@@ -71,7 +73,7 @@ pub(crate) fn runs_alone(header: &Header) -> bool {
     header.name == START || header.params.is_empty()
 }
 
-/// References to the declaration at the range of a [`LensKind::References`], sorted by path and offset.
+/// References to the declaration at the range of a lens with a count, sorted by path and offset.
 pub fn lens_references(db: &dyn Db, at: FileRange) -> Vec<FileRange> {
     let Some(project) = owner(db, at.file) else { return Vec::new() };
     let name = text_at(at.file.text(db), at.range);
@@ -109,7 +111,9 @@ mod tests {
             LensKind::Debug(file) => format!("debug {}", file.path(db).file_name().unwrap()),
             LensKind::RunTest(file) => format!("run test of {}", file.path(db).file_name().unwrap()),
             LensKind::DebugTest(file) => format!("debug test of {}", file.path(db).file_name().unwrap()),
-            LensKind::References => format!("{} references", lens_references(db, place).len()),
+            LensKind::ProgramReferences | LensKind::DataReferences => {
+                format!("{} references", lens_references(db, place).len())
+            }
         }
     }
 

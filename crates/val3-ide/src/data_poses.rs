@@ -12,7 +12,7 @@ use val3_lang::data_path::DataPath;
 use val3_lang::types::BaseType;
 
 use crate::data_tables::{DataPlace, place_of_path};
-use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
+use crate::reached::{Reached, UNTAUGHT, arm_of, named_arm, not_placed, outside, reached_with_tool, rounded};
 
 /// Maximum chain length. Without it, the response size could grow with the square of the number of values.
 const LONGEST_CHAIN: usize = 100;
@@ -26,13 +26,27 @@ pub struct DataPose {
     pub pose: Option<[f64; 6]>,
     /// The value and its nearest fathers, at most 100 in total, without the built-in father.
     pub chain: Vec<String>,
-    /// Whether the arm reaches it; `None` if unknown.
-    pub is_reached: Option<bool>,
+    /// Whether the arm reaches it; `None` if unknown, or for a tool.
+    pub reach: Option<PoseReach>,
     /// Reason why the pose or the joints are unknown, or the tool with which they are reached.
     pub remark: Option<String>,
     /// Joint positions in degrees; linear axes in mm.
     pub joints: Option<Vec<f64>>,
 }
+
+/// Whether the arm reaches a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PoseReach {
+    /// The arm reaches it.
+    Reachable,
+    /// The arm does not reach it.
+    OutOfReach,
+    /// No file names the arm.
+    NoArm,
+}
+
+/// Remark for [`PoseReach::NoArm`].
+const NO_ARM: &str = "no arm is named: name yours in val3.toml (`arm`) or in arm.cfx";
 
 /// Poses of all values in a data file that belong to the variables `names`, as part of `project`.
 pub fn data_poses(db: &dyn Db, project: Project, file: File, names: &[String]) -> Vec<DataPose> {
@@ -49,16 +63,12 @@ pub fn data_poses(db: &dyn Db, project: Project, file: File, names: &[String]) -
 
 fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
     let value = position(db, project, path)?;
-    let empty = DataPose {
-        place: place_of_path(path),
-        pose: None,
-        chain: Vec::new(),
-        is_reached: None,
-        remark: None,
-        joints: None,
-    };
+    let empty =
+        DataPose { place: place_of_path(path), pose: None, chain: Vec::new(), reach: None, remark: None, joints: None };
     let arm = arm_of(db, project, value);
+    let has_arm = named_arm(db, project).is_some();
     match value.ty {
+        BaseType::Joint if !has_arm => Some(without_arm(empty)),
         BaseType::Joint => arm.map(|arm| {
             let found = of_joints(arm, &joints(db, project, value, arm), empty);
             with_changes(found, is_changed(db, project, path))
@@ -68,12 +78,14 @@ fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
             Ok(placed) => {
                 let chain = placed.chain.iter().take(LONGEST_CHAIN).map(|path| shown(path)).collect();
                 let found = DataPose { pose: Some(numbers(&placed.pose)), chain, ..empty };
-                let found = match arm.filter(|_| value.ty != BaseType::Tool) {
+                let found = match arm {
+                    _ if value.ty == BaseType::Tool => found,
                     Some(arm) => {
                         let reached = reached_with_tool(db, project, path, value, &placed.pose, arm);
                         with_reach(found, arm, reached)
                     }
-                    None => found,
+                    None if has_arm => found,
+                    None => without_arm(found),
                 };
                 with_changes(found, placed.chain.iter().any(|path| is_changed(db, project, path)))
             }
@@ -89,18 +101,23 @@ fn with_changes(found: DataPose, is_changed: bool) -> DataPose {
     DataPose { remark: (!remarks.is_empty()).then(|| remarks.join("; ")), ..found }
 }
 
+/// Adds that the reach is unknown, because no file names the arm.
+fn without_arm(found: DataPose) -> DataPose {
+    DataPose { reach: Some(PoseReach::NoArm), remark: Some(NO_ARM.to_owned()), ..found }
+}
+
 /// Adds whether the arm reaches the pose, and with which joint values.
 fn with_reach(found: DataPose, arm: &Arm, reached: Reached) -> DataPose {
     match reached {
         Reached::Untaught => DataPose { remark: Some(UNTAUGHT.to_owned()), ..found },
         Reached::WithTool(tool, Ok(joints)) => DataPose {
-            is_reached: Some(true),
+            reach: Some(PoseReach::Reachable),
             remark: Some(format!("{} with `{tool}`", arm.name())),
             joints: Some(axes(arm, &joints)),
             ..found
         },
         Reached::WithTool(tool, Err(reason)) => DataPose {
-            is_reached: Some(false),
+            reach: Some(PoseReach::OutOfReach),
             remark: Some(format!("{} with `{tool}`: {reason}", arm.name())),
             ..found
         },
@@ -111,7 +128,7 @@ fn of_joints(arm: &Arm, joints: &Joints, found: DataPose) -> DataPose {
     let outside = outside(arm, joints);
     DataPose {
         pose: Some(numbers(&arm.flange(joints))),
-        is_reached: Some(outside.is_empty()),
+        reach: Some(if outside.is_empty() { PoseReach::Reachable } else { PoseReach::OutOfReach }),
         remark: (!outside.is_empty()).then(|| outside.join(", ")),
         joints: Some(axes(arm, joints)),
         ..found

@@ -66,7 +66,7 @@ pub use completion::{
     documentation, mesh_completions,
 };
 pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
-pub use data_poses::{DataPose, data_poses};
+pub use data_poses::{DataPose, PoseReach, data_poses};
 pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataOutline, DataPlace, DataProblem, DataTables, DataType, DatumSource,
     DatumValue, Dialect, FieldStep, TableVariable, TypeField, data_findings, data_outline, data_rows, data_tables,

@@ -28,8 +28,13 @@ pub(crate) enum Reached {
 
 /// Arm of a project; `None` unless the files name an arm and its kind suits the value.
 pub(crate) fn arm_of<'db>(db: &'db dyn Db, project: Project, value: &TaughtPosition) -> Option<&'db Arm> {
+    named_arm(db, project).filter(|arm| is_for(arm, value))
+}
+
+/// Arm of a project; `None` unless the files name an arm.
+pub(crate) fn named_arm(db: &dyn Db, project: Project) -> Option<&Arm> {
     let arm = arm(db, project).as_ref().ok().filter(|arm| arm.origin == ArmOrigin::Named)?;
-    Some(arm.model.as_ref()).filter(|arm| is_for(arm, value))
+    Some(arm.model.as_ref())
 }
 
 fn is_for(arm: &Arm, value: &TaughtPosition) -> bool {

@@ -20,6 +20,8 @@ const OF_EDITORS: [&str; 5] = ["codeView", "commands", "dataEditor", "server", "
 pub(crate) struct Options {
     /// Findings.
     pub(crate) check: CheckOptions,
+    /// Code lenses.
+    pub(crate) code_lens: CodeLensOptions,
     /// Inlay hints.
     pub(crate) inlay_hints: InlayHintOptions,
 }
@@ -47,6 +49,21 @@ pub(crate) enum Delivery {
     Push,
     /// The client pulls.
     Pull,
+}
+
+/// Enabled code lenses with reference counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(crate) struct CodeLensOptions {
+    pub(crate) program_references: bool,
+    /// Off by default, because a line of its own for each datum of a file makes the file twice as long.
+    pub(crate) data_references: bool,
+}
+
+impl Default for CodeLensOptions {
+    fn default() -> Self {
+        Self { program_references: true, data_references: false }
+    }
 }
 
 /// Enabled inlay hints; all are enabled by default.
@@ -194,7 +211,7 @@ mod tests {
             the setting `val3.check.delivery` cannot be read: unknown variant `often`, expected one of `auto`, `push`, `pull`
             there is no setting `val3.check.ingore`; did you mean `ignore`?
             the setting `val3.check.select` cannot be read: invalid type: integer `3`, expected a sequence
-            there is no setting `val3.colour`; known settings: check, inlayHints
+            there is no setting `val3.colour`; known settings: check, codeLens, inlayHints
             the setting `val3.inlayHints.blends` cannot be read: invalid type: string "no", expected a boolean
             the setting `val3.check.ignore`: no rule has the code or name `V9999`"#]]
         .assert_eq(&faults.join("\n"));

@@ -9,6 +9,9 @@ use modbus_core::{Coils, Data, Error, Exception, ExceptionResponse, FunctionCode
 use crate::image::BeyondTable;
 use crate::{Message, ModbusImage, TableKind};
 
+/// Code of *Mask Write Register*, which `modbus-core` decodes as a custom function.
+const MASK_WRITE: u8 = 22;
+
 impl From<BeyondTable> for Exception {
     fn from(BeyondTable: BeyondTable) -> Self {
         Self::IllegalDataAddress
@@ -31,7 +34,7 @@ pub fn respond(message: &Message, image: &mut ModbusImage) -> Result<Vec<u8>, Er
     Ok(bytes)
 }
 
-/// Executes the eight functions for bits and words; `values` receives the values that are read.
+/// Executes the ten functions for bits and words; `values` receives the values that are read.
 fn execute<'a>(request: &'a [u8], image: &mut ModbusImage, values: &'a mut [u8]) -> Result<Response<'a>, Exception> {
     check::check(request)?;
     let illegal = |_| Exception::IllegalDataValue;
@@ -64,8 +67,26 @@ fn execute<'a>(request: &'a [u8], image: &mut ModbusImage, values: &'a mut [u8])
             image.write(TableKind::Words, first, &data.into_iter().collect::<Vec<_>>())?;
             Ok(Response::WriteMultipleRegisters(first, count(data.len())?))
         }
-        Request::ReadWriteMultipleRegisters(..) | Request::Custom(..) => Err(Exception::IllegalFunction),
+        Request::ReadWriteMultipleRegisters(first, count, target, data) => {
+            image.read(TableKind::Words, first, count)?;
+            image.write(TableKind::Words, target, &data.into_iter().collect::<Vec<_>>())?;
+            words(image, first, count, values).map(Response::ReadWriteMultipleRegisters)
+        }
+        Request::Custom(FunctionCode::Custom(MASK_WRITE), masks) => {
+            write_masked(image, masks)?;
+            Ok(Response::Custom(FunctionCode::MaskWriteRegister, masks))
+        }
+        Request::Custom(..) => Err(Exception::IllegalFunction),
     }
+}
+
+/// Changes the bits of a word that the first mask excludes to those of the second one.
+fn write_masked(image: &mut ModbusImage, request: &[u8]) -> Result<(), Exception> {
+    let fields: Vec<u16> =
+        request.chunks_exact(2).map(|pair| pair.iter().fold(0, |word, byte| word << 8 | u16::from(*byte))).collect();
+    let &[address, kept, new] = fields.as_slice() else { return Err(Exception::IllegalDataValue) };
+    let value: u16 = image.read(TableKind::Words, address, 1)?.into_iter().sum();
+    Ok(image.write(TableKind::Words, address, &[value & kept | new & !kept])?)
 }
 
 fn bits<'a>(image: &mut ModbusImage, first: u16, count: u16, target: &'a mut [u8]) -> Result<Coils<'a>, Exception> {

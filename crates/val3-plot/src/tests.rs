@@ -93,6 +93,24 @@ fn nothing_moves() {
     assert!(svg.contains("0 moves, 0.000 s") && svg.contains("recorded no move"));
 }
 
+/// Cycles over the same two lines, there and back, have as many arrows as one cycle.
+#[test]
+fn a_repeated_path_has_the_arrows_of_one_cycle() {
+    let cycles = |count: u32| {
+        let at = |index: u32| {
+            let (lap, step) = (index / 100 % 2, f64::from(index % 100) * 4.0);
+            [if lap == 0 { step } else { 400.0 - step }, 50.0, 300.0]
+        };
+        let samples =
+            (0..200 * count).map(|index| Sample { t: f64::from(index) * 0.004, position: at(index), ..sample() });
+        Picture { samples: samples.collect(), moves: Vec::new(), ..line() }.to_svg()
+    };
+    let arrows = |svg: &str| svg.matches("stroke:none").count();
+    let once = arrows(&cycles(1));
+    assert!(once >= 8, "{once}");
+    assert_eq!(arrows(&cycles(7)), once);
+}
+
 #[test]
 fn a_line_with_many_targets_has_one_label_a_view() {
     let moves = [0.0, 1.0, 2.0, 3.0].map(|index| mark(13, [index * 20.0; 3], index * 0.01));

@@ -1,5 +1,6 @@
 //! Three views of the tool path, with the same scale.
 
+mod arrows;
 mod names;
 
 use std::collections::BTreeSet;
@@ -10,14 +11,12 @@ use crate::labels::{LabelDistance, LabelPosition, Labels};
 use crate::thinning::thinned;
 use crate::ticks;
 use crate::{Picture, marks};
+use arrows::{Arrows, SPACING};
 use names::{Named, ProgramLine, SAME};
 
 /// Size of a panel, and space around its drawing, in pixels.
 const SIZE: [f64; 2] = [490.0, 470.0];
 const MARGIN: f64 = 36.0;
-
-/// Distance of arrows along the path in pixels.
-const ARROWS: f64 = 110.0;
 
 /// Minimum width of a panel's content in mm.
 const SMALLEST: f64 = 20.0;
@@ -163,15 +162,20 @@ impl Panel<'_> {
         self.arrows(picture, canvas);
     }
 
+    /// Draws arrows along the path. Further cycles on the same path have no arrows of their own.
     fn arrows(&self, picture: &Picture, canvas: &mut Canvas) {
-        let mut way = ARROWS / 2.0;
+        let mut arrows = Arrows::default();
+        let mut way = SPACING / 2.0;
         for pair in picture.samples.windows(2) {
             let [from, to] = pair else { continue };
             let ([x1, y1], [x2, y2]) = (self.at(&from.position), self.at(&to.position));
             let length = libm::hypot(x2 - x1, y2 - y1);
             way += length;
-            if way > ARROWS && length > 1e-6 {
+            if way > SPACING && length > 1e-6 {
                 way = 0.0;
+                if !arrows.add([x2, y2], [(x2 - x1) / length, (y2 - y1) / length]) {
+                    continue;
+                }
                 let (along_x, along_y) = ((x2 - x1) / length * 5.0, (y2 - y1) / length * 5.0);
                 let tip = [x2 + along_x, y2 + along_y];
                 let wings = [

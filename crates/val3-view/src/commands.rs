@@ -1,6 +1,7 @@
 //! Commands of pages.
 
 mod edits;
+mod father;
 mod lookup;
 mod range;
 mod solve;
@@ -21,8 +22,8 @@ use val3_machine::script::ScriptAction;
 
 use crate::positions::{self, GlobalValue};
 use crate::wire::{
-    Arguments as _, CommandError, Operate, PageChoice, PointName, Reach, Save, Saved, SetPoint, Teach, TeachFrame,
-    TeachTool, UnsavedMessage, UserPage,
+    Arguments as _, CommandError, Operate, PageChoice, PointName, Reach, Save, Saved, SetPoint, Solve, Teach,
+    TeachFrame, TeachTool, UnsavedMessage, UserPage,
 };
 use edits::Edits;
 pub(crate) use lookup::tool_of_last_move;
@@ -63,9 +64,10 @@ impl Operator {
                 self.edits.change(point, controller, |point, controller| set_point(point, &local, controller))?;
             }
             "teach" => {
-                let Teach { name, key, tool } = Teach::read(arguments)?;
+                let Teach { name, key, tool, frame } = Teach::read(arguments)?;
                 let datum = datum(&name, key, controller)?;
-                self.edits.change(datum, controller, |datum, controller| teach(datum, tool, controller))?;
+                let frame = frame.map(|frame| father::of_command(frame, &datum, controller)).transpose()?;
+                self.edits.change(datum, controller, |datum, controller| teach(datum, tool, frame, controller))?;
             }
             "teachFrame" => {
                 let TeachFrame { name, key, tool, joints } = TeachFrame::read(arguments)?;
@@ -82,7 +84,7 @@ impl Operator {
             }
             "undo" => self.edits.undo(controller)?,
             "solve" => {
-                let Teach { name, key, tool } = Teach::read(arguments)?;
+                let Solve { name, key, tool } = Solve::read(arguments)?;
                 let datum = datum(&name, key, controller)?;
                 return Ok(response(&solve(&datum, tool, controller)?));
             }

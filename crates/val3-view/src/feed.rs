@@ -154,12 +154,14 @@ impl Feed {
         self.seen = now;
     }
 
-    /// Sends the end of the run.
-    pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) {
+    /// Sends the end of the run, and returns it.
+    pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) -> End {
         let now = controller.now();
         self.look(now, controller);
         self.flush_samples();
-        self.tell(&wire::Message::End(End { t: seconds(now), reason, exit_code }));
+        let end = End { t: seconds(now), reason, exit_code };
+        self.tell(&wire::Message::End(end.clone()));
+        end
     }
 
     fn look(&mut self, time: Time, controller: &Controller) {

@@ -2,8 +2,11 @@
 
 use val3_debug::TaskFrame;
 use val3_lang::values::ConfigValue;
+use val3_machine::arm::ArmHold;
 use val3_machine::controller::{Activity, Controller, TaskPosition};
+use val3_machine::controller_state::WorkingMode;
 use val3_machine::event::seconds;
+use val3_motion::SpeedLimit;
 use val3_vm::{Rate, Task};
 
 use crate::configuration;
@@ -17,9 +20,10 @@ const CALLERS: usize = 16;
 pub(crate) fn message(t: f64, controller: &Controller, lines: &mut Lines) -> StateMessage {
     let state = &controller.devices.state;
     let (arm, robot) = (&state.arm, &state.robot);
-    let hold = arm.hold(robot.drive());
+    let hold = state.arm_hold();
     let positions = controller.task_positions();
     let awaited_hold = positions.iter().find_map(|position| position.activity.hold());
+    let text = |hold| operator_text(hold, robot.working_mode());
     let tasks = controller.vm.tasks().iter().zip(positions);
     let emergency_stop = match robot.es_status() as u8 {
         0 => "none",
@@ -32,11 +36,23 @@ pub(crate) fn message(t: f64, controller: &Controller, lines: &mut Lines) -> Sta
         power: robot.is_powered(),
         mode: robot.working_mode().name().to_owned(),
         emergency_stop: emergency_stop.to_owned(),
-        is_held: hold.is_some(),
-        held_because: hold.map(|hold| hold.text().to_owned()),
-        awaited_hold: awaited_hold.map(|hold| hold.operator_text().to_owned()),
+        is_held: !robot.lets_programs_move(),
+        held_because: hold.map(text),
+        awaited_hold: awaited_hold.map(text),
+        awaits_next_move: arm.speed_limit() == SpeedLimit::NextMove,
         monitor_speed: robot.monitor_speed(),
         config: configuration::words(&ConfigValue::at(arm.model(), &arm.joint()), arm.model().is_scara()),
+    }
+}
+
+/// Returns the reason why the arm does not move, and the action that helps in this working mode.
+fn operator_text(hold: ArmHold, mode: WorkingMode) -> String {
+    match (hold, mode) {
+        (ArmHold::Held, WorkingMode::Remote) => "The arm is held. Press Move.".to_owned(),
+        (ArmHold::Held, mode) => {
+            format!("Held in {} mode. Press Move, or choose remote mode.", mode.name())
+        }
+        (hold, _) => hold.operator_text().to_owned(),
     }
 }
 

@@ -12,9 +12,9 @@ mod state;
 
 pub use cell::{CellObject, CellPart, ObjectCarrier, ObjectShape, PartPlace, PartsMessage};
 pub use commands::{
-    Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice,
-    PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solved, TaughtTool, Teach, TeachFrame,
-    TeachTool, ToolName, UnreachableValue, UserPage,
+    Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, FrameName, Operate, Pace, PaceSpeed,
+    PageChoice, PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solve, Solved, TaughtTool,
+    Teach, TeachFrame, TeachTool, ToolName, UnreachableValue, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};

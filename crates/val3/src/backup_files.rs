@@ -29,6 +29,8 @@ pub(crate) struct OpenedBackup {
     pub(crate) root: Utf8PathBuf,
     /// Paths of folders and links that were not searched, with the reason.
     pub(crate) unread: Vec<(Utf8PathBuf, String)>,
+    /// Paths of files that a controller did not send, with the reason. Their sizes are unknown.
+    pub(crate) denied: Vec<(Utf8PathBuf, String)>,
 }
 
 impl OpenedBackup {
@@ -62,7 +64,8 @@ pub(crate) fn open(root: &Utf8Path) -> Result<OpenedBackup, UserError> {
         });
         (path.into_string(), bytes, date)
     });
-    Ok(OpenedBackup { files: Box::new(MemoryFiles::new(files)), root: root.to_owned(), unread: Vec::new() })
+    let files = Box::new(MemoryFiles::new(files));
+    Ok(OpenedBackup { files, root: root.to_owned(), unread: Vec::new(), denied: Vec::new() })
 }
 
 fn folder(root: &Utf8Path) -> Result<OpenedBackup, UserError> {
@@ -70,7 +73,8 @@ fn folder(root: &Utf8Path) -> Result<OpenedBackup, UserError> {
     search.folder(root, 0)?;
     let FolderSearch { mut files, unread, .. } = search;
     files.sort_by(|one, next| one.path.cmp(&next.path));
-    Ok(OpenedBackup { files: Box::new(FolderFiles { root: root.to_owned(), files }), root: root.to_owned(), unread })
+    let files = Box::new(FolderFiles { root: root.to_owned(), files });
+    Ok(OpenedBackup { files, root: root.to_owned(), unread, denied: Vec::new() })
 }
 
 /// Files in a folder.

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
-use val3_dap::{Client, Handshake, HandshakeResult, RunState, SessionStart, read_messages};
+use val3_dap::{Client, Handshake, HandshakeResult, ReadError, RunState, SessionStart, read_messages};
 
 use self::listener::streams;
 use self::relay::{connect, relay};
@@ -40,7 +40,7 @@ fn attend() -> Result<ExitCode, UserError> {
     loop {
         match handshake.attend() {
             HandshakeResult::None => handshake.wait(FOREVER),
-            HandshakeResult::Disconnected => return Ok(ExitCode::SUCCESS),
+            HandshakeResult::Disconnected => return ended(ExitCode::SUCCESS, handshake.fault()),
             HandshakeResult::Launch(start) => match open(&start, &mut handshake) {
                 Ok((args, settings, ready)) => {
                     return run::debug(handshake.accept(&start, RunState::Fresh), &args, &settings, ready);
@@ -55,6 +55,19 @@ fn attend() -> Result<ExitCode, UserError> {
                 }
                 Err(reason) => handshake.refuse(&start, &reason),
             },
+        }
+    }
+}
+
+/// Returns the exit code of a session that has ended.
+///
+/// # Errors
+/// Bytes from the client were no message, and the next message could not be found.
+pub(crate) fn ended(code: ExitCode, fault: Option<&ReadError>) -> Result<ExitCode, UserError> {
+    match fault {
+        None => Ok(code),
+        Some(error) => {
+            Err(UserError::new(format!("the session has ended, because the client sent no message: {error}")))
         }
     }
 }

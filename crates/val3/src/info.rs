@@ -74,11 +74,15 @@ fn describe(backup: &OpenedBackup, root: &ControllerRoot, paths: &Paths) -> Desc
     let (devices, unread_devices) = devices(backup.files.as_ref(), &root.usr);
     let logs = log_folders(backup.files.files()).into_iter();
     let logs = logs.filter(|folder| Utf8Path::new(&folder.path).starts_with(&root.path));
-    let mut unread: Vec<(String, String)> =
-        backup.unread.iter().map(|(path, reason)| (paths.to_open(path), reason.clone())).collect();
     let of_backup = |path: &str| paths.to_open(&backup.root.join(path));
-    let files = info.unread.iter().chain(&unread_devices);
-    unread.extend(files.map(|file| (of_backup(&file.path), file.reason.clone())));
+    let found = backup.unread.iter().chain(&backup.denied);
+    let mut unread: Vec<(String, String)> = found.map(|(path, reason)| (paths.to_open(path), reason.clone())).collect();
+    let files = info.unread.iter().chain(&unread_devices).map(|file| (of_backup(&file.path), file.reason.clone()));
+    for (path, reason) in files {
+        if !unread.iter().any(|(known, _)| *known == path) {
+            unread.push((path, reason));
+        }
+    }
     DescribedController {
         path: paths.to_open(&place),
         logs: logs.map(|folder| of_backup(&folder.path)).collect(),

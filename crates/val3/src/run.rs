@@ -25,6 +25,7 @@ mod recorder;
 mod replay;
 mod result;
 mod silence;
+mod standby;
 mod tempo;
 mod unpacked;
 mod viewers;

@@ -15,14 +15,26 @@ export function isPart(bytes: Uint8Array): boolean {
   return bytes[0] === KIND && bytes.length >= HEADER;
 }
 
-/** Decodes a part. Its first messages are the complete state at its beginning. */
+/** Decodes a part. */
 export function partOf(bytes: Uint8Array): RunLog {
+  const reading = readPart(bytes);
+  for (;;) {
+    const { done, value } = reading.next();
+    if (done === true) {
+      return value;
+    }
+  }
+}
+
+/** Decodes a part, message by message. Its first messages are the complete state at its beginning. */
+export function* readPart(bytes: Uint8Array): Generator<void, RunLog> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const part = new RunLog(view.getFloat64(8, true));
   let left = view.getUint32(4, true);
   for (const frame of framesIn(bytes.subarray(HEADER))) {
     const isState = left > 0;
     left -= 1;
+    yield;
     if ("samples" in frame) {
       part.samples.add(frame.samples, isState);
       continue;

@@ -1,13 +1,13 @@
 // Past of a run that a page receives after the present, in parts, the latest first.
 
 import { batch, type ReadonlySignal, signal } from "@preact/signals";
-import { isPart, partOf } from "./part";
+import { isPart, readPart } from "./part";
 import type { RunLog } from "./runLog";
 
 /** State of the page into which parts are inserted. */
 export interface PresentState {
-  /** Inserts successive parts before all messages. Returns false if there is no room for all of them. */
-  insert: (parts: readonly RunLog[]) => boolean;
+  /** Inserts successive parts before all messages, in small steps. Returns false if there is no room for all of them. */
+  insert: (parts: readonly RunLog[]) => Generator<void, boolean>;
   /** Time that the user has chosen. */
   chosen: ReadonlySignal<number | undefined>;
   /** Oldest time with data. */
@@ -16,8 +16,11 @@ export interface PresentState {
   end: () => void;
 }
 
+/** Time for which parts are processed before the browser draws and handles input, in ms. */
+const SLICE = 12;
+
 /**
- * Parts are read one after the other, so that messages of the present are processed between them. Inserting parts repeats
+ * Parts are processed in slices, so that messages of the present and the user's input are processed between them. Inserting parts repeats
  * all messages, so that parts wait until they are as long as everything before, or until the user waits for their time.
  */
 export class Past {
@@ -31,6 +34,8 @@ export class Past {
   private inserted = 0;
   private isComplete = true;
   private isScheduled = false;
+  /** Processing that is not finished. */
+  private work: Generator<void> | undefined;
 
   constructor(private readonly present: PresentState) {}
 
@@ -53,7 +58,7 @@ export class Past {
       this.blocks.push(bytes);
       if (this.inserted === 0) {
         // Messages of the present follow.
-        this.readNext();
+        finish(this.process());
       } else {
         this.schedule();
       }
@@ -74,6 +79,7 @@ export class Past {
     this.blocks = [];
     this.parts = [];
     [this.size, this.inserted, this.isComplete] = [0, 0, true];
+    this.work = undefined;
     this.from.value = undefined;
   }
 
@@ -82,25 +88,48 @@ export class Past {
       this.isScheduled = true;
       setTimeout(() => {
         this.isScheduled = false;
-        batch(() => this.readNext());
+        batch(() => this.continue());
       });
     }
   }
 
-  private readNext(): void {
-    const block = this.blocks.shift();
-    if (block !== undefined) {
-      this.parts.push(partOf(block));
-      this.size += block.length;
+  /** Processes parts for one slice. */
+  private continue(): void {
+    if (this.from.peek() === undefined) {
+      return;
     }
-    const isLast = this.isComplete && this.blocks.length === 0;
-    if (isLast || this.size >= this.inserted || this.isAwaited()) {
-      this.insert();
+    const work = (this.work ??= this.process());
+    const end = performance.now() + SLICE;
+    // Another run may begin meanwhile.
+    while (this.work === work && performance.now() < end) {
+      if (work.next().done === true) {
+        this.work = undefined;
+        break;
+      }
     }
-    if (isLast) {
-      this.stop();
-    } else if (this.blocks.length > 0) {
+    const hasMore = this.work !== undefined || this.blocks.length > 0 || this.isComplete;
+    if (this.from.peek() !== undefined && hasMore) {
       this.schedule();
+    }
+  }
+
+  private *process(): Generator<void> {
+    for (let block = this.blocks.shift(); ; block = this.blocks.shift()) {
+      if (block !== undefined) {
+        this.parts.push(yield* readPart(block));
+        this.size += block.length;
+      }
+      const isLast = this.isComplete && this.blocks.length === 0;
+      if (isLast || this.size >= this.inserted || this.isAwaited()) {
+        yield* this.insert();
+      }
+      if (isLast) {
+        this.stop();
+      }
+      if (this.blocks.length === 0) {
+        return;
+      }
+      yield;
     }
   }
 
@@ -110,13 +139,19 @@ export class Past {
     return chosen < this.present.oldest.peek() && chosen >= (this.parts.at(-1)?.start ?? Infinity);
   }
 
-  private insert(): void {
+  private *insert(): Generator<void> {
     const parts = this.parts.toReversed();
     this.parts = [];
     this.inserted += this.size;
     this.size = 0;
-    if (parts.length > 0 && !this.present.insert(parts)) {
+    if (parts.length > 0 && !(yield* this.present.insert(parts))) {
       this.stop();
     }
+  }
+}
+
+function finish(work: Generator<void>): void {
+  while (work.next().done !== true) {
+    // Each step does a part of the work.
   }
 }

@@ -401,7 +401,9 @@ export interface PathStep {
 }
 
 /** Whether the arm reaches a pose. */
-export type PoseReach = "reachable" | "outOfReach";
+export type PoseReach =
+  | "reachable" | "outOfReach"
+  | "noArm";
 
 /** Position in a document. The session determines the unit of `character`. */
 export interface Position {

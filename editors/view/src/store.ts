@@ -2,9 +2,11 @@
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { showPanels } from "./layout/layout";
+import { armEndReason } from "./panels/pendant/robotState";
 import type { PointName } from "./panels/points/edits";
 import type { Answer, ArmRest, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
+import type { IndexedMessage, PanelData } from "./panels/shared/PanelData";
 import { CELL_TABS, showTab } from "./panels/shared/tabChoice";
 import type { TimedPhase } from "./panels/tasks/times";
 import { Past } from "./past";
@@ -16,6 +18,15 @@ import type { Sample, Samples } from "./samples";
 export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
 
 export type Send = (command: object) => void;
+
+const INDEXED: readonly string[] = ["state", "motion", "io", "page", "events", "parts", "data", "reach"];
+
+/** Adds a message to an index, unless the panels need no history of its kind. */
+function addIndexed(data: PanelData, message: RunMessage | undefined): void {
+  if (message !== undefined && INDEXED.includes(message.kind)) {
+    data.add(message as IndexedMessage);
+  }
+}
 
 export class Store {
   readonly scene = signal<Scene | undefined>(undefined);
@@ -61,6 +72,8 @@ export class Store {
     const source = this.shown.value?.source;
     return source === undefined ? undefined : this.sources.get(source);
   });
+  /** Whether Run starts the application again after its end. */
+  private readonly canRestart: ReadonlySignal<boolean> = computed(() => this.scene.value?.role === "operator");
   readonly panels: PanelModel;
   readonly blocked: ReadonlySignal<string | undefined> = computed(() => this.reason());
   send: Send = () => undefined;
@@ -68,6 +81,8 @@ export class Store {
   readonly openLine = signal<OpenLine | undefined>(undefined);
   /** Starts the shown application with or without the debugger, in an editor. */
   readonly launch = signal<((noDebug: boolean) => void) | undefined>(undefined);
+  /** Changes when messages were processed again, so that an older indexing of them ends. */
+  private indexing = 0;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
 
@@ -75,7 +90,8 @@ export class Store {
     this.panels = new PanelModel({
       time: this.time, newest: this.newest, oldest: this.earliest, isPaused: this.isPaused, blocked: this.blocked,
       hasEnded: computed(() => this.end.value !== undefined),
-      canRestart: computed(() => this.scene.value?.role === "operator"),
+      armEnded: computed(() => armEndReason(this.end.value, this.canRestart.value)),
+      canRestart: this.canRestart,
       sample: computed(() => {
         const sample = this.shown.value;
         return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [], toolName: this.tools.get(sample.tool)?.name };
@@ -94,6 +110,8 @@ export class Store {
       },
       toolOf: (index) => this.tools.get(index)?.name ?? undefined,
       seek: (t) => (this.chosen.value = t),
+      isPastOnly: computed(() => this.chosen.value !== undefined && this.reasonNow() === undefined),
+      showPresent: () => (this.chosen.value = undefined),
       selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
       selectPoint: (point) => (this.selection.value = point && { kind: "point", point: { name: point.name, key: point.key } }),
       openLine: this.openLine,
@@ -175,18 +193,12 @@ export class Store {
       case "programs": this.panels.addPrograms(message); break;
       case "source": this.sources.set(message.index, message); break;
       case "tool": this.tools.set(message.index, message); break;
-      case "state": this.panels.addState(message); break;
-      case "motion": this.panels.addMotion(message); break;
-      case "io": this.panels.addIo(message); break;
-      case "page": this.panels.addPage(message); break;
+      case "state": case "motion": case "io": case "page": case "parts": case "data": case "reach": this.panels.add(message); break;
       case "events":
-        this.panels.addEvents(message);
+        this.panels.add(message);
         // Nothing else may change after the last event, such as the fault that has stopped all tasks.
         this.advance(message.events.at(-1)?.t ?? 0);
         break;
-      case "parts": this.panels.addParts(message); break;
-      case "data": this.panels.addData(message); break;
-      case "reach": this.panels.addReach(message); break;
       case "unsaved": this.panels.addUnsaved(message); break;
       case "end": this.end.value = message.reason; break;
       case "clock":
@@ -198,6 +210,7 @@ export class Store {
   }
 
   private begin(scene: Scene): void {
+    this.indexing += 1;
     this.past.restart();
     this.log.clear();
     this.sampleCount.value += 1;
@@ -212,10 +225,35 @@ export class Store {
     this.panels.addScene(scene);
   }
 
-  /** Inserts parts of the run before all messages. Returns false if there is no room for all of them. */
-  private insert(parts: readonly RunLog[]): boolean {
+  /**
+   * Inserts parts of the run before all messages, in many small steps. Returns false if there is no room for all of them.
+   * The panels show the previous messages until all messages are indexed. The first part is shown at once.
+   */
+  private *insert(parts: readonly RunLog[]): Generator<void, boolean> {
+    const isFirst = this.log.messages.length + this.log.state.length === 0;
     const hasRoom = this.log.prepend(parts);
-    this.repeat();
+    if (isFirst) {
+      this.repeat();
+      this.advance(this.samples.end());
+      return hasRoom;
+    }
+    this.sampleCount.value += 1;
+    this.indexing += 1;
+    const [indexing, data] = [this.indexing, this.panels.fresh()];
+    for (const message of this.log.state) {
+      addIndexed(data, message);
+    }
+    // Messages of the present are appended meanwhile.
+    for (let index = 0; index < this.log.messages.length; index += 1) {
+      addIndexed(data, this.log.messages[index]);
+      yield;
+      if (indexing !== this.indexing) {
+        return hasRoom;
+      }
+    }
+    this.panels.use(data);
+    this.oldest.value = this.log.start;
+    this.sampleCount.value += 1;
     this.advance(this.samples.end());
     return hasRoom;
   }
@@ -237,6 +275,7 @@ export class Store {
 
   /** Processes all stored messages again, after they were changed. */
   private repeat(): void {
+    this.indexing += 1;
     this.sampleCount.value += 1;
     this.oldest.value = this.log.start;
     this.panels.clear();
@@ -281,13 +320,17 @@ export class Store {
   }
 
   private reason(): string | undefined {
+    return this.reasonNow() ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+  }
+
+  /** Returns the reason why the present cannot be operated. */
+  private reasonNow(): string | undefined {
     switch (this.scene.value?.role) {
       case "recording": return "This is a recording. Nothing can be operated.";
       case "guest": return "You are a guest. You can look but not operate.";
       case undefined: return this.openLine.value === undefined ? "The run has not begun." : "No application is shown.";
       case "preview": return "The application does not run.";
-      default:
-        return this.lost.value ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+      default: return this.lost.value;
     }
   }
 }

@@ -176,3 +176,17 @@ void test("damaged parts do no harm", () => {
   }
   assert.deepEqual(partOf(Uint8Array.from([2, ...Array<number>(15).fill(0), 0, 9])).messages, []);
 });
+
+void test("parts are read in slices, between which the page handles input", async () => {
+  const change = (index: number): Message => ({ kind: "io", t: index * 0.01, changes: [{ link: "BasicIO-1\\%I0", value: index % 2, isLocked: false, isSimulated: false, isProtected: false, fault: null }] });
+  const run = Array.from({ length: 40_000 }, (_, index) => change(index));
+  const { entrance, older } = late(run, [0, 39_990], run.length);
+  const store = receive(new Store(), entrance);
+  let turns = 0;
+  const timer = setInterval(() => (turns += 1));
+  receive(store, older);
+  await read(store);
+  clearInterval(timer);
+  assert.equal(store.panels.cell.history.signals.of("BasicIO-1\\%I0").length, run.length);
+  assert.ok(turns > 1, `${turns} turns of the event loop`);
+});

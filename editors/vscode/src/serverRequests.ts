@@ -397,7 +397,9 @@ export interface PathStep {
 }
 
 /** Whether the arm reaches a pose. */
-export type PoseReach = "reachable" | "outOfReach";
+export type PoseReach =
+  | "reachable" | "outOfReach"
+  | "noArm";
 
 /** Project kind, by its use in the workspace. */
 export type ProjectKind = "application" | "tests" | "library" | "type";

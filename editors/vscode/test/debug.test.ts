@@ -86,6 +86,18 @@ test("a stop is shown in the code view if it is on the screen", () => {
   assert.deepEqual(place(false), [FILE, 5]);
 });
 
+test("columns of a stop are those of the code view", () => {
+  const columns = (line: number, column: number, endColumn: number): unknown[] => {
+    const source = { path: FILE, name: "pick.pgx" };
+    const frames = response(9, "stackTrace", { stackFrames: [{ id: 1, name: "pick()", line, column, endLine: line, endColumn, source }] });
+    const { stackFrames: [found] } = shown(translator(true), frames) as Protocol.StackTraceResponse["body"];
+    return [found?.line, found?.column, found?.endLine, found?.endColumn];
+  };
+  assert.deepEqual(columns(5, 3, 6), [3, 3, undefined, undefined]);
+  // The first line of the code follows a tag.
+  assert.deepEqual(columns(3, 18, 23), [1, 1, undefined, undefined]);
+});
+
 test("lines outside of the code stay lines of the file", () => {
   const output: Protocol.Event = { seq: 0, type: "event", event: "output", body: { output: "x", line: 1, source: { path: FILE } } };
   const { source, line } = shown(translator(true), output) as Protocol.OutputEvent["body"];

@@ -311,6 +311,6 @@ test("a client may count lines from 0 and name files by URIs", async () => {
   await debug(app.folder(), { before, client }, async (session) => {
     await session.stopped("breakpoint");
     const [frame] = await session.frames();
-    assert.deepEqual([frame.line, frame.column, frame.source.path], [line, 0, path]);
+    assert.deepEqual([frame.line, frame.column, frame.source.path], [line, 4, path], "the line begins with four blanks");
   });
 });

@@ -187,3 +187,47 @@ end`,
   });
   own.remove();
 });
+
+test("the hits of a breakpoint go back with the run", async () => {
+  const line = app.line("add", "x_nTotal=");
+  const before = (session) => session.setBreakpoints(app.file("add"), line);
+  await debug(app.folder(), { before }, async (session) => {
+    await session.stopped("breakpoint");
+    await session.run("continue", "breakpoint");
+    await session.run("continue", "breakpoint");
+    const hits = async () => {
+      const changes = session.arrived("breakpoint").map(({ breakpoint }) => breakpoint.message);
+      return [changes.at(-1), await session.evaluate("x_nValue")];
+    };
+    assert.deepEqual(await hits(), ["hit 3 times", "3"]);
+    await session.run("reverseContinue", "breakpoint");
+    assert.deepEqual(await hits(), ["hit 2 times", "2"]);
+    await session.run("stepBack", "step");
+    assert.deepEqual(await hits(), ["hit once", "2"]);
+    await session.run("continue", "breakpoint");
+    assert.deepEqual(await hits(), ["hit 2 times", "2"]);
+  });
+});
+
+test("a watched local ends with its program, and is watched again after a step back", async () => {
+  const before = (session) => session.setBreakpoints(app.file("add"), app.line("add", "l_nBefore="));
+  await debug(app.folder(), { before }, async (session) => {
+    await session.stopped("breakpoint");
+    const [, { id }] = await session.watchData("l_nBefore");
+    await session.setBreakpoints(app.file("add"));
+    await session.setBreakpoints(app.file("start"), app.line("start", "nMany["));
+    const changed = async (verified) => {
+      const { breakpoint } = await session.eventWhere("breakpoint", ({ breakpoint }) => breakpoint.id === id && breakpoint.verified === verified);
+      return breakpoint.message;
+    };
+    await session.run("continue", "breakpoint");
+    assert.match(await changed(false), /the program of this variable has ended/);
+    await session.run("val3/stepBackInto", "step");
+    assert.match(await session.place(), /^add:/);
+    await changed(true);
+    await session.run("continue", "breakpoint");
+    assert.match(await changed(false), /the program of this variable has ended/);
+    // A later call has a variable of its own.
+    await session.run("continue", "breakpoint");
+  });
+});

@@ -450,9 +450,10 @@ test("a request that has not begun is cancelled", async () => {
     const [{ id: frameId }] = await session.frames();
     const busy = session.refused("evaluate", { expression: "do\n nSum=nSum+1\n until false", frameId, context: "repl" });
     const waiting = session.refused("evaluate", { expression: "1+1", frameId, context: "watch" });
-    await session.ask("cancel", { requestId: session.client.sequence - 1 });
-    assert.equal(await waiting, "cancelled");
-    await busy;
+    const requestId = session.client.sequence - 1;
+    const cancels = [requestId, requestId - 1].map((requestId) => session.ask("cancel", { requestId }));
+    await Promise.all(cancels);
+    assert.deepEqual([await busy, await waiting], ["cancelled", "cancelled"]);
   });
   own.remove();
 });
@@ -468,11 +469,9 @@ test("statements that are executed in the console are cancelled", async () => {
     // The loop has begun.
     await new Promise((resolve) => setTimeout(resolve, 20));
     await session.ask("cancel", { requestId });
+    // Without the request, the loop ends at the limit of lines, with another message.
     assert.equal(await busy, "cancelled");
-    const cancelled = Number(await session.evaluate("nSum"));
-    assert.match(await session.refused("evaluate", loop), /endless loop/);
-    const ended = Number(await session.evaluate("nSum"));
-    assert.ok(cancelled > 0 && cancelled < ended - cancelled, `${cancelled} ${ended}`);
+    assert.ok(Number(await session.evaluate("nSum")) > 0);
   });
   own.remove();
 });
@@ -503,6 +502,68 @@ test("a run in which no task can continue stops, and continues after the input i
       const printed = await session.eventWhere("output", ({ category }) => category === "stdout");
       assert.deepEqual([printed.output, printed.line], ["on\n", own.line("start", "putln")]);
       await session.event("terminated");
+    });
+  } finally {
+    own.remove();
+  }
+});
+
+test("where no task can continue, the text is for people at a screen", async () => {
+  const own = new Application("powerless", {
+    data: { "joint jA": `j3="90"`, "mdesc mFast": `vel="100"` },
+    programs: "\nprogram start()\nbegin\n  movej(jA,flange,mFast)\n  waitEndMove()\nend\n",
+  });
+  try {
+    await debug(own.folder(), {}, async (session) => {
+      const { text } = await session.stopped("pause");
+      assert.match(text, /^task `.*` waits for the arm \(`waitEndMove`\): no power, at start\(\) line \d+\. The arm has no power\. Switch the power on\.$/);
+      const { output } = await session.eventWhere("output", ({ output }) => output.startsWith("no task can continue"));
+      assert.match(output, /\n  The arm has no power\. Switch the power on\.\n$/);
+      await session.ask("val3/operate", { power: true });
+      await session.ask("continue", { threadId: session.thread });
+      await session.event("terminated");
+    });
+  } finally {
+    own.remove();
+  }
+});
+
+test("a step that waits long says for what, and ends when the wait does", async () => {
+  const own = new Application("waiting", {
+    data: { "dio diGo": String.raw`link="BasicIO-1\%I0"`, "num nDone": "" },
+    programs: "\nprogram start()\nbegin\n  taskCreate \"clock\",10,clock()\n  wait(diGo)\n  nDone=1\nend\n" +
+      "program clock()\nbegin\n  while true\n    delay(0.1)\n  endWhile\nend\n",
+  });
+  try {
+    await debug(own.folder(), { stopOnEntry: true, time: "real" }, async (session) => {
+      await session.stopped("entry");
+      await session.run("next", "step");
+      await session.ask("next", { threadId: session.thread });
+      const { output } = await session.eventWhere("output", ({ output }) => output.includes("the step has not ended"));
+      assert.match(output, /^note: the step has not ended yet: task `.*` waits for a condition at start\(\) line \d+\n$/);
+      await session.ask("val3/ioForce", { link: String.raw`BasicIO-1\%I0`, value: true });
+      await session.stopped("step");
+      assert.equal(await session.place(), `start:${own.line("start", "nDone=1")}`);
+    });
+  } finally {
+    own.remove();
+  }
+});
+
+test("a stack frame has the columns of its statement", async () => {
+  const own = new Application("columns", { programs: "\nprogram start()\nbegin\n  delay(0)\n    call work()\nend\nprogram work()\nbegin\n\tdelay(1)\nend\n" });
+  try {
+    await debug(own.folder(), { stopOnEntry: true }, async (session) => {
+      await session.stopped("entry");
+      const places = async () => (await session.frames()).map(({ line, column, endLine, endColumn }) => [line, column, endLine, endColumn]);
+      const at = (program, code, column) => {
+        const line = own.line(program, code);
+        return [line, column, line, column + code.length];
+      };
+      assert.deepEqual(await places(), [at("start", "delay(0)", 3)]);
+      await session.run("next", "step");
+      await session.run("stepIn", "step");
+      assert.deepEqual(await places(), [at("work", "delay(1)", 2), at("start", "call work()", 5)]);
     });
   } finally {
     own.remove();

@@ -2,6 +2,7 @@
 const assert = require("node:assert/strict");
 const { join } = require("node:path");
 const { after, before, test } = require("node:test");
+const { Application } = require("./application");
 const { debug } = require("./session");
 const { shapes } = require("./shapes");
 
@@ -192,6 +193,33 @@ test("scopes of the cell and of libraries", async () => {
     const done = await session.inside(await session.variable("Globals", "nDone"));
     assert.deepEqual(texts(done), ["[\"bag\"]=0", "[\"box\"]=0"]);
   });
+});
+
+test("many libraries are one scope", async () => {
+  const programs = "\nprogram touch()\nbegin\n  nOwn=nOwn+1\nend\n";
+  const aliases = ["conveyor", "gripper", "log", "parts", "vision"];
+  const libraries = Object.fromEntries(aliases.map((alias) => [alias, { data: { "num nOwn": "", "string sOwn": "" }, programs }]));
+  const own = new Application("many", { libraries, programs: "\nprogram start()\nbegin\n  call vision:touch()\n  delay(1)\nend\n" });
+  try {
+    const before = (session) => session.setBreakpoints(own.file("start"), own.line("start", "delay"));
+    await debug(own.folder(), { before }, async (session) => {
+      await session.stopped("breakpoint");
+      const [{ id: frameId }] = await session.frames();
+      const { scopes } = await session.ask("scopes", { frameId });
+      assert.deepEqual(scopes.map(({ name }) => name), ["Parameters", "Locals", "Globals", "Libraries", "I/O", "Robot", "Motion queue"]);
+      const { variables } = await session.scope("Libraries");
+      assert.deepEqual(texts(variables), aliases.map((alias) => `${alias}=2 variables`));
+      const vision = variables.at(-1);
+      assert.deepEqual(texts(await session.inside(vision)).slice(0, 1), ["nOwn=1"]);
+      const { variablesReference } = vision;
+      await session.ask("setVariable", { variablesReference, name: "nOwn", value: "7" });
+      const info = await session.ask("dataBreakpointInfo", { variablesReference, name: "nOwn" });
+      assert.match(info.dataId, /vision:nOwn/);
+      assert.equal(await session.evaluate("vision:nOwn"), "7");
+    });
+  } finally {
+    own.remove();
+  }
 });
 
 test("the numbers of a stop that is over are refused", async () => {

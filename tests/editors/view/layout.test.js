@@ -21,9 +21,24 @@ const places = (page) => page.evaluate(() => {
   }).filter((place) => !place.startsWith("Hide this message"));
 });
 
+/** Returns the names and controls of signals that are not inside the panel. */
+const outside = (page) => page.evaluate(() => {
+  const panel = document.querySelector(".panel.io").getBoundingClientRect();
+  const cells = [...document.querySelectorAll(".signals :is(tbody th, button, select)")].filter((cell) => cell.getBoundingClientRect().top < innerHeight);
+  return cells.length === 0 ? ["no signals"] : cells.filter((cell) => {
+    const { left, right } = cell.getBoundingClientRect();
+    return left < panel.left - 1 || right > panel.right + 1;
+  }).map((cell) => cell.getAttribute("aria-label") ?? cell.textContent);
+});
+
 test("the buttons of the inputs and outputs keep their places", () => served([], async (run) => {
   const page = await run.open();
   await page.getByRole("tab", { name: "Inputs and outputs" }).click();
+  for (const [width, height] of [[1280, 800], [1366, 768], [1920, 1080]]) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(300);
+    assert.deepEqual(await outside(page), [], `in ${width}x${height}`);
+  }
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
     await page.waitForTimeout(300);

@@ -108,6 +108,13 @@ test("a stopped application starts again with its unsaved point", () => served(B
   await page.getByRole("button", { name: "Stop", exact: true }).click();
   await page.waitForFunction(() => window.val3View.store.end.value !== undefined);
   const ended = await page.evaluate(() => window.val3View.store.newest.value);
+  // The application does not start with an error; its old run stays.
+  const program = join(run.folder, "usr/usrapp/palletiser/start.pgx");
+  const code = readFileSync(program, "latin1");
+  writeFileSync(program, code.replace("begin", "begin\n  nUnknown=1"), "latin1");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await page.getByText(/^the application does not start: .*nUnknown/).waitFor();
+  writeFileSync(program, code, "latin1");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.waitForFunction((ended) => window.val3View.store.end.value === undefined && window.val3View.store.newest.value < ended, ended);
   await until(page, 0.5);
@@ -134,11 +141,27 @@ test("a point is taught with a tool, changed back, and reached by hand", () => s
   const local = () => page.evaluate(({ name, key }) => window.val3View.store.panels.cell.points.value.find((found) => found.name === name && found.key === key).local, point);
   await page.getByRole("button", { name: `Undo ${name}` }).waitFor();
   assert.notDeepEqual(await local(), point.local);
+  // The point gets another father, and its own one again.
+  const father = () => page.evaluate(({ name, key }) => window.val3View.store.panels.cell.points.value.find((found) => found.name === name && found.key === key).father, point);
+  const frames = page.getByRole("combobox", { name: "Frame", exact: true });
+  const other = await frames.locator("option").nth(1).innerText();
+  assert.notEqual(other, point.father ?? "world");
+  await frames.selectOption({ index: 1 });
+  await page.getByRole("button", { name: `Teach here: tool flange, frame ${other}` }).click();
+  await page.waitForFunction(({ name, key, father }) => window.val3View.store.panels.cell.points.value.find((found) => found.name === name && found.key === key).father !== father, point);
+  assert.equal((await father()) ?? "world", other);
+  await page.getByRole("button", { name: `Undo ${name}` }).click();
+  await page.waitForFunction(({ name, key, father }) => window.val3View.store.panels.cell.points.value.find((found) => found.name === name && found.key === key).father === father, point);
   await jogTo(page, [15, 10, 90, 0, -40, 0]);
   await hold(page, page.getByRole("button", { name: `Go to ${name}` }), () => [5, 10, 90, 0, -40, 0].every((joint, axis) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[axis] - joint) < 1e-3));
   await page.getByRole("button", { name: `Undo ${name}` }).click();
   await page.getByRole("button", { name: "Save to .dtx", exact: true }).waitFor();
   assert.deepEqual(await local(), point.local);
+  // Ctrl-C loses no point.
+  await page.getByRole("button", { name: /Teach here/ }).first().click();
+  await page.getByRole("button", { name: "Save to .dtx (1)" }).waitFor();
+  await run.end();
+  assert.notEqual(readFileSync(join(run.folder, `${POINTS}.unsaved`), "latin1"), readFileSync(join(run.folder, POINTS), "latin1"));
 }));
 
 test("an exported run plays from the disk with the poses of its trace", () => served([...BOXES, "--export", "run.html", "--trace", "trace.csv"], async (run) => {

@@ -39,11 +39,14 @@ async function powerOn(page) {
   await page.getByRole("button", { name: "Switch power off" }).waitFor();
 }
 
-/** Stops the run and starts the application again. */
-async function startAgain(page) {
+async function stop(page) {
   await page.getByRole("tab", { name: "Pendant" }).click();
   await page.getByRole("button", { name: "Stop", exact: true }).click();
   await page.waitForFunction(() => window.val3View.store.end.value !== undefined);
+}
+
+async function start(page) {
+  await page.getByRole("tab", { name: "Pendant" }).click();
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.waitForFunction(() => window.val3View.store.end.value === undefined);
 }
@@ -59,7 +62,8 @@ test("a fault is repaired, points are taught with two tools and saved, and the a
   await pictures(page, "fault");
 
   setProgram(run.folder, '\n  movej(jHome,tGripper,mFast)\n  waitEndMove()\n  putln("at home")\n  wait(false)');
-  await startAgain(page);
+  await stop(page);
+  await start(page);
   await powerOn(page);
   await isAt(page, [0, -20, 110, 0, 90, 0], 1e-3);
   await page.getByText("at home").first().waitFor();
@@ -75,15 +79,23 @@ test("a fault is repaired, points are taught with two tools and saved, and the a
     await page.getByRole("button", { name: `Teach here: tool ${tool}` }).click();
     await page.getByRole("button", { name: `Undo ${name}` }).waitFor();
   }
+  // Without an application, the arm is moved by hand, and points are saved.
+  await stop(page);
   await jogTo(page, [0, 0, 90, 0, 45, 0]);
+  await page.getByRole("tab", { name: "Points" }).click();
+  const goal = () => page.evaluate(() => window.val3View.store.panels.cell.armGoal.value);
+  await page.waitForFunction(() => window.val3View.store.panels.cell.armGoal.value !== undefined);
+  assert.match((await goal()).text, /^pPick: /);
   await hold(page, page.getByRole("button", { name: "Go to pPick" }), (joints) => joints.every((joint, axis) => Math.abs(joint - window.val3View.store.panels.cell.sample.value.joints[axis]) < 1e-3), TAUGHT[2][2]);
   await pictures(page, "taught");
   const taught = await locals(page);
   await page.getByRole("button", { name: "Save to .dtx (3)" }).click();
   await page.getByText("Saved palletiser.dtx.").waitFor();
   const saved = readFileSync(join(run.folder, POINTS), "latin1");
+  await page.getByRole("tab", { name: "Tasks" }).click();
+  await page.waitForFunction(() => window.val3View.store.panels.cell.armGoal.value === undefined);
 
-  await startAgain(page);
+  await start(page);
   await page.waitForFunction(() => window.val3View.store.panels.cell.unsaved.value.size === 0);
   assert.deepEqual(await locals(page), taught);
   await powerOn(page);

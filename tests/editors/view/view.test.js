@@ -11,8 +11,14 @@ const pose = (page) => page.evaluate(() => window.val3View.pose());
 const hasMoved = (page, from) => page.waitForFunction(
   (from) => window.val3View.pose().some((part, axis) => Math.abs(part - from[axis]) > 5), from);
 
+/** Waits until the figures of the readout name a thing. */
+const readout = (page, name) => page.locator(".foot").getByText(name, { exact: true }).waitFor();
+
 test("the arm is seen to move, and its poses are those of the trace", () => served(["--power", "--trace", "trace.csv"], async (run) => {
   const page = await run.open();
+  for (const name of ["X", "RZ", "J1", "J6", "Speed", "Tool"]) {
+    await readout(page, name);
+  }
   const picture = page.locator("canvas").first();
   await until(page, 0.2);
   const still = await picture.screenshot();
@@ -42,7 +48,17 @@ test("the arm is seen to move, and its poses are those of the trace", () => serv
 test("an emergency stop holds the arm until it is released and the power is on again", () => served(["--power"], async (run) => {
   const page = await run.open();
   await hasMoved(page, await pose(page));
+  const status = page.getByRole("status", { name: "Status" });
+  await page.getByRole("button", { name: "Hold", exact: true }).click();
+  await status.getByText(/^The arm is held\. Press Move\. palletiser~ waits for the arm/).waitFor();
+  await page.getByRole("button", { name: "Move", exact: true }).click();
+  await status.getByText(/^The arm moves\./).waitFor();
+  await page.getByRole("button", { name: "Pause", exact: true }).click();
+  await status.getByText("The run is paused. Press Play to continue.").waitFor();
+  assert.equal(await page.getByRole("button", { name: "Run", exact: true }).getAttribute("title"), "The run is paused. Press Play to continue.");
+  await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.getByRole("button", { name: "E-stop" }).click();
+  await status.getByText(/^The E-stop is pressed\./).waitFor();
   await until(page, (await now(page)) + 1);
   const held = await pose(page);
   await until(page, (await now(page)) + 1);
@@ -64,6 +80,12 @@ test("the time is moved back while the run continues", () => served(BOXES, async
   await page.keyboard.press("Home");
   await page.waitForFunction(() => window.val3View.store.time.value === 0);
   assert.ok((await now(page)) >= 3, "the run goes on");
+  // A stop acts on the present, which the page then shows.
+  await page.getByLabel("Playback speed").waitFor();
+  await page.getByRole("button", { name: "E-stop now" }).click();
+  await page.getByText("The E-stop was pressed. The page shows the present again.").waitFor();
+  await page.waitForFunction(() => window.val3View.store.chosen.value === undefined && window.val3View.store.panels.cell.state.value.emergencyStop === "open");
+  await page.getByLabel("Clock speed").waitFor();
 }));
 
 test("a guest looks but does not operate", () => served(BOXES, async (run) => {
@@ -142,9 +164,16 @@ test("panels fold, and their size and the shown tab survive a reload", () => ser
   await page.waitForFunction((before) => document.querySelector(".picture").clientWidth > before, before);
   const chosen = await width();
   await page.getByRole("tab", { name: "Tasks" }).click();
+  const layer = page.getByRole("checkbox", { name: "Points" });
+  await page.getByText("Layers", { exact: true }).click();
+  await layer.uncheck();
+  await page.getByRole("button", { name: "Dark", exact: true }).click();
   await page.reload();
   await page.getByRole("tab", { name: "Tasks", selected: true }).first().waitFor();
   assert.equal(await width(), chosen);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  await page.getByText("Layers", { exact: true }).click();
+  assert.equal(await layer.isChecked(), false);
   await page.getByRole("button", { name: "Panels" }).click();
   await page.getByRole("separator").waitFor({ state: "detached" });
   await page.waitForFunction((chosen) => document.querySelector(".picture").clientWidth > chosen, chosen);

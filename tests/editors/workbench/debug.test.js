@@ -176,6 +176,17 @@ const STEPS = {
     await user.stopsAt("pick.pgx", 22);
   },
 
+  async "steps back lead to the line before and out of the program, by a key and a button"(user) {
+    await user.keys("Alt+F11");
+    await user.stopsAt("pick.pgx", 21);
+    await user.tool("Step Back Out");
+    await user.stopsAt("cycle.pgx", 22);
+    await user.keys("F11");
+    await user.stopsAt("pick.pgx", 12);
+    await user.keys("F5");
+    await user.stopsAt("pick.pgx", 22);
+  },
+
   async "a breakpoint of the code view stops the run there"(user) {
     await user.command("VAL 3: Open Code without XML");
     await user.tab("pick.pgx (code)");

@@ -343,7 +343,7 @@ class User {
   async stopsAt(name, line) {
     await this.tab(name);
     await this.page.waitForSelector(".editor-instance .debug-top-stack-frame-line");
-    await this.page.waitForSelector(`.statusbar-item:has-text("Ln ${line}, Col 1")`);
+    await this.page.waitForSelector(`.statusbar-item:has-text("Ln ${line}, Col")`);
   }
 
   /** Waits for a variable with this value in the sidebar. */

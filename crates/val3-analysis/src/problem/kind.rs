@@ -2,7 +2,8 @@
 
 use smol_str::SmolStr;
 
-use super::{DataSize, EncodingFault, FileRole, NameKind, PageFault};
+use super::{DataSize, EncodingFault, FileRole, ModbusTableFault, NameKind, PageFault};
+use crate::cell::UnreadableCellFile;
 
 /// Kind of fault. Types are written as in a program: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -290,12 +291,9 @@ pub enum ProblemKind {
         reason: SmolStr,
     },
     /// A file of the cell that exists but cannot be read.
-    CellFileUnreadable {
-        /// Path below `usr`.
-        path: SmolStr,
-        /// Error message of the system or of the table reader.
-        reason: SmolStr,
-    },
+    CellFileUnreadable(UnreadableCellFile),
+    /// A fault of the tables of the cell's Modbus server.
+    ModbusTable(Box<ModbusTableFault>),
     /// A path with backslashes.
     PathSeparator {
         /// The path as written.

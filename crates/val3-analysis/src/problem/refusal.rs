@@ -87,7 +87,7 @@ impl ProblemKind {
             | Self::Page(_)
             | Self::IoLinkUnknown { .. } => false,
             // A fault of the cell: the catalogue also contains the add-on instructions.
-            Self::CellFileUnreadable { .. } => false,
+            Self::CellFileUnreadable(_) | Self::ModbusTable(_) => false,
             // A task that executes such a line gets a run-time error or a return code.
             Self::IndexOutOfBounds { .. }
             | Self::LibraryNeverLoaded { .. }

@@ -120,6 +120,6 @@ fn faults_with_add_on_table(table: &str) -> String {
 fn unreadable_add_on_table() {
     assert_eq!(faults_with_add_on_table("<Language />"), "");
     expect![[r#"
-        main/main.pjx:2 `Project` CellFileUnreadable { path: "app/val3.One.anthro.cfx", reason: "the root element is not `Language` (at byte 0)" }
+        main/main.pjx:2 `Project` CellFileUnreadable(UnreadableCellFile { path: "app/val3.One.anthro.cfx", reason: "the root element is not `Language` (at byte 0)" })
     "#]].assert_eq(&faults_with_add_on_table("<Table />"));
 }

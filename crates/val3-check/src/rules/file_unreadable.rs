@@ -1,5 +1,7 @@
 //! V0502: a file that cannot be read.
 
+use val3_analysis::cell::UnreadableCellFile;
+
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
@@ -42,7 +44,8 @@ pub(crate) fn word(path: &str, reason: &str) -> Wording {
 }
 
 /// Returns the wording of the finding about a file of the cell.
-pub(crate) fn word_cell_file(path: &str, reason: &str) -> Wording {
+pub(crate) fn word_cell_file(file: &UnreadableCellFile) -> Wording {
+    let UnreadableCellFile { path, reason } = file;
     Wording::new(
         format!("the file `usr/{path}` of the cell cannot be read: {reason}"),
         "project of this cell",
@@ -58,12 +61,16 @@ mod tests {
 
     #[test]
     fn the_message_names_the_file_of_the_cell() {
+        let file = UnreadableCellFile {
+            path: "app/val3.One.anthro.cfx".into(),
+            reason: "line 2: a function has no name".into(),
+        };
         expect![[r#"
             the file `usr/app/val3.One.anthro.cfx` of the cell cannot be read: line 2: a function has no name
             | project of this cell
             ? copy the file from the controller again, or delete it if the controller does not have it
         "#]]
-        .assert_eq(&word_cell_file("app/val3.One.anthro.cfx", "line 2: a function has no name").to_string());
+        .assert_eq(&word_cell_file(&file).to_string());
     }
 
     #[test]

@@ -19,4 +19,5 @@ mod listings;
 mod memory;
 mod obstacles;
 mod pulls;
+mod readable;
 mod server;

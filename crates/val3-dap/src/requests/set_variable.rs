@@ -24,6 +24,7 @@ impl DebugRequest for SetVariable {
     ) -> Result<SetVariableResponse, RequestFailure> {
         let inside = match session.handles.node(arguments.variables_reference).ok_or(RequestFailure::Stale)? {
             InspectedItem::Values(inside) => inside.clone(),
+            InspectedItem::Libraries(_) => return Err(RequestFailure::NoData(arguments.name)),
             InspectedItem::Properties(properties) => {
                 let signal = properties.iter().find(|property| property.name == arguments.name);
                 let signal = signal.and_then(|property| property.signal.clone());

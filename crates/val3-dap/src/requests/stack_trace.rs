@@ -19,7 +19,7 @@ impl DebugRequest for StackTrace {
         run: &mut DebuggedRun<'_>,
         arguments: StackTraceArguments,
     ) -> Result<StackTraceResponse, RequestFailure> {
-        let trace = session.handles.stack_trace(&arguments, &run.debugger.controller, &session.conventions);
+        let trace = session.handles.stack_trace(&arguments, &run.debugger.controller, &session.conventions, run.files);
         trace.ok_or(RequestFailure::NoSuchTask)
     }
 }

@@ -43,7 +43,8 @@ impl DebugSession {
             return false;
         }
         let tasks: String = stop_event::waits(controller).map(|task| format!("  {task}\n")).collect();
-        self.client.say(&format!("no task can continue:\n{tasks}"));
+        let remedy = stop_event::arm_remedy(controller).map(|remedy| format!("  {remedy}\n")).unwrap_or_default();
+        self.client.say(&format!("no task can continue:\n{tasks}{remedy}"));
         run.debugger.abandon_step();
         self.end_run_to_end(run);
         self.report_stop(stop_event::stuck(&run.debugger.controller), run);
@@ -135,6 +136,19 @@ mod tests {
         );
         assert_eq!(client.stop_after("continue", json!({ "threadId": MAIN_THREAD }))["reason"], "breakpoint");
         assert_eq!(client.value("nDone"), "1");
+    }
+
+    #[test]
+    fn an_arm_without_power_has_a_remedy_for_the_operator() {
+        let listing = "mdesc mNorm\njoint jA\n\nprogram start()\nbegin\n  jA.j1=10\n  movej(jA,flange,mNorm)\n  \
+                       waitEndMove()\nend\n";
+        let events = TestClient::launched(listing, json!({})).run();
+        let task = "task `main~` waits for the arm (`waitEndMove`): no power, at start() line 7";
+        let remedy = "The arm has no power. Switch the power on.";
+        assert_eq!(bodies(&events, "stopped")[0]["text"], format!("{task}. {remedy}"));
+        let shown: Vec<Value> = bodies(&events, "output").into_iter().map(|mut body| body["output"].take()).collect();
+        let expected = format!("no task can continue:\n  {task}\n  {remedy}\n");
+        assert!(shown.contains(&json!(expected)), "{shown:?}");
     }
 
     #[test]

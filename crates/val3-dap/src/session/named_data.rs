@@ -39,6 +39,7 @@ impl DebugSession {
                 signal = property.and_then(|property| property.signal.as_deref()).unwrap_or(name);
                 None
             }
+            Some(Some(InspectedItem::Libraries(_))) => None,
             Some(None) => return Err(RequestFailure::Stale),
             None => Some((self.context(named.frame, run)?, name.to_owned())),
         };

@@ -1,7 +1,7 @@
 //! Pauses, changes of the next line, and restarts.
 
 use expect_test::expect;
-use val3_debug::{Debugger, GotoFault, PastLimits, RestartFault, StepKind, Stop};
+use val3_debug::{AdvanceResult, BreakpointId, Debugger, GotoFault, PastLimits, RestartFault, StepKind, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_vm::TaskState;
 
@@ -46,7 +46,7 @@ fn global(debugger: &Debugger, name: &str) -> f64 {
 fn cycles(debugger: &mut Debugger, count: usize) {
     for _ in 0..count {
         let progress = debugger.advance();
-        assert!(matches!(progress, val3_debug::AdvanceResult::Ran(_)), "{progress:?}");
+        assert!(matches!(progress, AdvanceResult::Ran(_)), "{progress:?}");
     }
 }
 
@@ -232,4 +232,16 @@ fn a_controller_that_is_let_go_runs_on() {
     cycles(&mut debugger, 10);
     assert!(global(&debugger, "nFirst") > counts.0 && global(&debugger, "nSecond") > counts.1);
     assert_eq!(debugger.reach(), None);
+}
+
+/// The caller handles requests of the client between two calls.
+#[test]
+fn hits_without_a_stop_take_few_calls() {
+    let listing =
+        "num nCount\nnum nSum\n\nprogram start()\nbegin\n  for nCount=1 to 3000\n    nSum=nSum+nCount\n  endFor\nend\n";
+    let mut debugger = debugger(listing);
+    set(&mut debugger, "start", &[(2, Some("3000"))]);
+    let calls = (1..=10_000).find(|_| matches!(debugger.advance(), AdvanceResult::Stopped(_)));
+    assert!(calls.is_some_and(|calls| (3..30).contains(&calls)), "{calls:?}");
+    assert_eq!(debugger.hits(BreakpointId(0)), 3000);
 }

@@ -60,10 +60,21 @@ fn editor() -> Value {
             "default": false,
             "description": "Opens data from the view VAL 3 as tables instead of as files.",
         },
+        "val3.codeLens.programReferences": lens(true, "The number of references above the name of a program."),
+        "val3.codeLens.dataReferences": lens(false, "The number of references above each element of a data file."),
         "val3.inlayHints.parameterNames": switch("The names of parameters before literal arguments, and of fields before the values of braces."),
         "val3.inlayHints.literalTypes": switch("The types of literals in braces, such as `trsf`."),
         "val3.inlayHints.pointFrames": switch("The frame of the target of a move, after the point."),
         "val3.inlayHints.blends": switch("The blend of a move, after its motion descriptor."),
+    })
+}
+
+/// Returns a setting for a kind of code lens. VS Code's settings determine whether lenses are shown.
+fn lens(default: bool, description: &str) -> Value {
+    json!({
+        "type": "boolean",
+        "default": default,
+        "markdownDescription": format!("{description} All lenses: `#editor.codeLens#`."),
     })
 }
 

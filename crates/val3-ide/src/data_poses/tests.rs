@@ -46,7 +46,7 @@ fn check(arm: &str, names: &[&str], expected: Expect) {
 fn line(found: DataPose) -> String {
     let key = found.place.key.unwrap();
     let (name, chain) = (found.place.name, found.chain.join(" on "));
-    let (pose, joints, reached) = (found.pose, found.joints, found.is_reached);
+    let (pose, joints, reached) = (found.pose, found.joints, found.reach);
     format!("{name}[{key}] {pose:?} {chain:?} {reached:?} {joints:?} {:?}\n", found.remark)
 }
 
@@ -56,18 +56,31 @@ fn points_have_a_place_and_joints() {
         ARM,
         &["pPick"],
         expect![[r#"
-        pPick[0] Some([500.0, 100.0, 300.0, 180.0, 0.0, -90.0]) "pPick on fTable" Some(true) Some([5.683, 7.062, 65.378, 0.0, 107.56, 95.683]) Some("TX2-90 with `tGrip`")
+        pPick[0] Some([500.0, 100.0, 300.0, 180.0, 0.0, -90.0]) "pPick on fTable" Some(Reachable) Some([5.683, 7.062, 65.378, 0.0, 107.56, 95.683]) Some("TX2-90 with `tGrip`")
         pPick[1] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "pPick[1] on fTable" None None Some("all values are 0: it has not been taught")
-        pPick[2] Some([2500.0, 0.0, 0.0, 180.0, 0.0, -90.0]) "pPick[2] on fTable" Some(false) None Some("TX2-90 with `tGrip`: the centre of the wrist would be 2462.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm")
+        pPick[2] Some([2500.0, 0.0, 0.0, 180.0, 0.0, -90.0]) "pPick[2] on fTable" Some(OutOfReach) None Some("TX2-90 with `tGrip`: the centre of the wrist would be 2462.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm")
     "#]],
     );
     check(
         "",
         &["pPick"],
         expect![[r#"
-        pPick[0] Some([500.0, 100.0, 300.0, 180.0, 0.0, -90.0]) "pPick on fTable" None None None
-        pPick[1] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "pPick[1] on fTable" None None None
-        pPick[2] Some([2500.0, 0.0, 0.0, 180.0, 0.0, -90.0]) "pPick[2] on fTable" None None None
+        pPick[0] Some([500.0, 100.0, 300.0, 180.0, 0.0, -90.0]) "pPick on fTable" Some(NoArm) None Some("no arm is named: name yours in val3.toml (`arm`) or in arm.cfx")
+        pPick[1] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "pPick[1] on fTable" Some(NoArm) None Some("no arm is named: name yours in val3.toml (`arm`) or in arm.cfx")
+        pPick[2] Some([2500.0, 0.0, 0.0, 180.0, 0.0, -90.0]) "pPick[2] on fTable" Some(NoArm) None Some("no arm is named: name yours in val3.toml (`arm`) or in arm.cfx")
+    "#]],
+    );
+}
+
+#[test]
+fn joints_without_an_arm_have_the_reason() {
+    check(
+        "",
+        &["jHome", "tGrip"],
+        expect![[r#"
+        jHome[0] None "" Some(NoArm) None Some("no arm is named: name yours in val3.toml (`arm`) or in arm.cfx")
+        jHome[1] None "" Some(NoArm) None Some("no arm is named: name yours in val3.toml (`arm`) or in arm.cfx")
+        tGrip[0] Some([0.0, 0.0, 150.0, 0.0, 0.0, 0.0]) "tGrip" None None None
     "#]],
     );
 }
@@ -78,9 +91,9 @@ fn frames_tools_and_joints_have_places() {
         ARM,
         &["fTable", "tGrip", "jHome", "mX"],
         expect![[r#"
-        fTable[0] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "fTable" Some(false) None Some("TX2-90 with `flange`: axis 5 would be at 159.951, its limits are -115 and 140")
-        jHome[0] Some([575.0, 50.0, 425.0, 0.0, 90.0, 0.0]) "" Some(true) Some([0.0, 0.0, 90.0, 0.0, 0.0, 0.0]) None
-        jHome[1] Some([15.798, 50.0, 756.031, 0.0, -160.0, 0.0]) "" Some(false) Some([0.0, 0.0, 0.0, 0.0, 200.0, 0.0]) Some("axis 5 is outside its range from -115 to 140")
+        fTable[0] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "fTable" Some(OutOfReach) None Some("TX2-90 with `flange`: axis 5 would be at 159.951, its limits are -115 and 140")
+        jHome[0] Some([575.0, 50.0, 425.0, 0.0, 90.0, 0.0]) "" Some(Reachable) Some([0.0, 0.0, 90.0, 0.0, 0.0, 0.0]) None
+        jHome[1] Some([15.798, 50.0, 756.031, 0.0, -160.0, 0.0]) "" Some(OutOfReach) Some([0.0, 0.0, 0.0, 0.0, 200.0, 0.0]) Some("axis 5 is outside its range from -115 to 140")
         tGrip[0] Some([0.0, 0.0, 150.0, 0.0, 0.0, 0.0]) "tGrip" None None None
     "#]],
     );

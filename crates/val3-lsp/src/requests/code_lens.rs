@@ -46,13 +46,14 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let supported = found.into_iter().filter(|found| is_supported(snapshot, found.kind, is_test));
     let lenses = supported.map(|found| {
         let command = start(snapshot, found.kind, text_at(file.text(snapshot.db()), found.range));
-        let data = if found.kind == LensKind::References { counted.clone() } else { None };
+        let is_counted = matches!(found.kind, LensKind::ProgramReferences | LensKind::DataReferences);
+        let data = if is_counted { counted.clone() } else { None };
         CodeLens { range: lines.range(found.range), command, data }
     });
     Ok(lenses.collect())
 }
 
-/// Whether the client can execute the lens. A test has no "run" lens if the client can execute it as a test.
+/// Whether the client can execute the lens, and the user's settings show its references. A test has no "run" lens if the client can execute it as a test.
 fn is_supported(snapshot: &Snapshot, kind: LensKind, is_test: bool) -> bool {
     let commands = snapshot.session.commands;
     match kind {
@@ -62,7 +63,8 @@ fn is_supported(snapshot: &Snapshot, kind: LensKind, is_test: bool) -> bool {
         }
         LensKind::RunTest(_) => commands.runs_tests,
         LensKind::DebugTest(_) => commands.debugs_tests,
-        LensKind::References => true,
+        LensKind::ProgramReferences => snapshot.session.options.code_lens.program_references,
+        LensKind::DataReferences => snapshot.session.options.code_lens.data_references,
     }
 }
 
@@ -73,7 +75,7 @@ fn start(snapshot: &Snapshot, kind: LensKind, program: &str) -> Option<Command> 
         LensKind::Debug(manifest) => ("Debug", ClientCommands::DEBUG, manifest),
         LensKind::RunTest(manifest) => ("Run test", ClientCommands::RUN_TEST, manifest),
         LensKind::DebugTest(manifest) => ("Debug test", ClientCommands::DEBUG_TEST, manifest),
-        LensKind::References => return None,
+        LensKind::ProgramReferences | LensKind::DataReferences => return None,
     };
     let arguments = vec![json!(snapshot.uri(manifest)), json!(program)];
     Some(Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(arguments) })

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use serde_json::json;
 use tower_lsp::lsp_types::notification::{DidChangeConfiguration, Notification as _};
-use tower_lsp::lsp_types::request::{InlayHintRefreshRequest, RegisterCapability, WorkspaceConfiguration};
+use tower_lsp::lsp_types::request::{
+    CodeLensRefresh, InlayHintRefreshRequest, RegisterCapability, WorkspaceConfiguration,
+};
 use tower_lsp::lsp_types::{ConfigurationItem, ConfigurationParams, Registration, RegistrationParams};
 
 use super::ServerState;
@@ -50,6 +52,9 @@ impl ServerState {
             self.settings_are_stale();
             if self.session.client.refreshes_hints {
                 self.outbox.request::<InlayHintRefreshRequest>(());
+            }
+            if self.session.client.refreshes_lenses {
+                self.outbox.request::<CodeLensRefresh>(());
             }
         }
     }

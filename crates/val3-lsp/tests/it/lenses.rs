@@ -50,6 +50,23 @@ fn clients_without_commands_get_lenses_without_commands() {
     assert_eq!(session.client.end(), 0);
 }
 
+#[test]
+fn settings_choose_the_counted_references() {
+    let mut session = Session::of(CELL, json!({ "workspace": { "codeLens": { "refreshSupport": true } } }));
+    let counts = |session: &mut Session| {
+        ["usrapp/main/main.dtx", OTHER].map(|path| {
+            let params = json!({ "textDocument": { "uri": uri(&session.cell.path(path)) } });
+            session.client.ask("textDocument/codeLens", params).as_array().unwrap().len()
+        })
+    };
+    assert_eq!(counts(&mut session), [0, 1]);
+    let settings = json!({ "val3": { "codeLens": { "dataReferences": true, "programReferences": false } } });
+    session.client.notify("workspace/didChangeConfiguration", json!({ "settings": settings }));
+    session.client.told("workspace/codeLens/refresh");
+    assert_eq!(counts(&mut session), [4, 0]);
+    assert_eq!(session.client.end(), 0);
+}
+
 fn hints(session: &mut Session) -> Vec<String> {
     each(&raw_hints(session), "label").into_iter().map(str::to_owned).collect()
 }

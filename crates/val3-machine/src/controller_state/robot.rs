@@ -93,11 +93,17 @@ impl Robot {
     #[must_use]
     pub fn drive(&self) -> Drive {
         Drive {
-            may_move: self.power == Power::On && self.activity.lets_programs_move(),
+            may_move: self.power == Power::On && self.lets_programs_move(),
             is_attended: self.mode != WorkingMode::Remote,
             speed: Percent(self.monitor_speed),
             tool_speed: self.is_slow().then_some(self.manual_speed),
         }
+    }
+
+    /// Whether neither the operator nor the working mode holds the arm.
+    #[must_use]
+    pub fn lets_programs_move(&self) -> bool {
+        self.activity.lets_programs_move()
     }
 
     /// Whether the tool speed is limited as in manual mode.

@@ -80,7 +80,8 @@ impl DeviceState {
     }
 
     /// Reason why the arm does not move although moves are not done.
-    pub(crate) fn arm_hold(&self) -> Option<ArmHold> {
+    #[must_use]
+    pub fn arm_hold(&self) -> Option<ArmHold> {
         let hold = self.arm.hold(self.robot.drive())?;
         Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
     }

@@ -12,6 +12,9 @@ const FIXED: usize = 5;
 /// Size of the part before the values of a request that writes several values, in bytes.
 const BEFORE_VALUES: usize = 6;
 
+/// Size of a request with an address and two masks, in bytes.
+const MASKS: usize = 7;
+
 /// Values of a written bit.
 const BITS: [[u8; 2]; 2] = [[0xFF, 0], [0, 0]];
 
@@ -24,6 +27,8 @@ pub(super) fn check(request: &[u8]) -> Result<(), Exception> {
         Some(6) => request.len() == FIXED,
         Some(15) => is_write(request, 1..=1968, |count| count.div_ceil(8)),
         Some(16) => is_write(request, 1..=123, |count| count * 2),
+        Some(22) => request.len() == MASKS,
+        Some(23) => is_exchange(request),
         _ => return Err(Exception::IllegalFunction),
     };
     if is_correct { Ok(()) } else { Err(Exception::IllegalDataValue) }
@@ -39,6 +44,13 @@ fn is_write(request: &[u8], counts: RangeInclusive<usize>, bytes: fn(usize) -> u
     let Some(count) = count(request).filter(|count| counts.contains(count)) else { return false };
     let stated = request.get(FIXED).copied().map(usize::from);
     stated == Some(bytes(count)) && request.len() == BEFORE_VALUES + bytes(count)
+}
+
+/// Whether a request reads and writes permitted numbers of words. The addresses and counts of the reading precede those of
+/// the writing.
+fn is_exchange(request: &[u8]) -> bool {
+    let read = request.get(..FIXED).is_some_and(|read| is_read(read, 1..=125));
+    read && request.get(FIXED - 1..).is_some_and(|written| is_write(written, 1..=121, |count| count * 2))
 }
 
 fn count(request: &[u8]) -> Option<usize> {

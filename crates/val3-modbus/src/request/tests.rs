@@ -44,6 +44,17 @@ fn words_are_written_and_read_with_the_high_byte_first() {
     );
 }
 
+#[test]
+fn words_are_exchanged_in_one_request() {
+    check(
+        &[&[23, 0, 0, 0, 3, 0, 1, 0, 2, 4, 0, 5, 0, 6], &[22, 0, 1, 0xFF, 0xFD, 0, 0x0A], &[3, 0, 1, 0, 1]],
+        expect![[r#"
+            [23, 6, 0, 0, 0, 5, 0, 6]
+            [22, 0, 1, 255, 253, 0, 10]
+            [3, 2, 0, 7]"#]],
+    );
+}
+
 /// Exceptions: 1 for a function, 2 for an address, 3 for a count or a value.
 #[test]
 fn other_requests_are_exceptions() {
@@ -53,7 +64,7 @@ fn other_requests_are_exceptions() {
         assert_eq!((response.len(), response[0], image.take_writes()), (2, request[0] | 0x80, vec![]), "{request:?}");
         response[1]
     };
-    for function in [0, 7, 8, 17, 22, 23, 43, 100, 127] {
+    for function in [0, 7, 8, 17, 24, 43, 100, 127] {
         assert_eq!(exception(&[function]), 1);
         assert_eq!(exception(&[function, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0]), 1);
     }
@@ -65,6 +76,9 @@ fn other_requests_are_exceptions() {
         &[6, 0, 8, 0, 0],
         &[15, 0, 15, 0, 2, 1, 3],
         &[16, 0, 7, 0, 2, 4, 0, 1, 0, 1],
+        &[22, 0, 8, 0, 0, 0, 1],
+        &[23, 0, 7, 0, 2, 0, 0, 0, 1, 2, 0, 9],
+        &[23, 0, 0, 0, 2, 0, 7, 0, 2, 4, 0, 9, 0, 9],
     ] {
         assert_eq!(exception(beyond), 2, "{beyond:?}");
     }
@@ -82,6 +96,11 @@ fn other_requests_are_exceptions() {
         &[16, 0, 0, 0x80, 0, 0],
         &[16, 0, 0, 0, 2, 4, 0],
         &[16, 0, 0, 0, 2, 3, 0, 0, 0],
+        &[22, 0, 0, 0, 0, 0],
+        &[23, 0, 0, 0, 1],
+        &[23, 0, 0, 0, 126, 0, 0, 0, 1, 2, 0, 9],
+        &[23, 0, 0, 0, 1, 0, 0, 0, 0, 0],
+        &[23, 0, 0, 0, 1, 0, 0, 0, 2, 2, 0, 9],
     ] {
         assert_eq!(exception(wrong), 3, "{wrong:?}");
     }

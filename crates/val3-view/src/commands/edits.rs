@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 
+use super::father;
 use super::store::write;
 use crate::positions::{self, GlobalValue};
 use crate::wire::{CommandError, PointName, UnsavedMessage};
@@ -27,6 +28,8 @@ struct Edit {
     name: PointName,
     /// Numbers before the change.
     before: Vec<f64>,
+    /// Father before the change.
+    father: Option<PointName>,
     /// Whether the value before the change is not in its file.
     was_unsaved: bool,
 }
@@ -44,13 +47,14 @@ impl Edits {
     ) -> Result<T, CommandError> {
         let before = positions::all_nums(&controller.vm.space.memory, datum.place);
         let before = before.ok_or_else(|| CommandError(format!("`{}` does not exist any more", datum.name)))?;
+        let father = father::name_of(&datum, controller);
         let written = write(&datum, controller)?;
         let name = PointName { name: datum.name, key: datum.key };
         let was_unsaved = !self.unsaved.insert(name.clone());
         if self.done.len() >= MOST_EDITS {
             self.done.remove(0);
         }
-        self.done.push(Edit { name, before, was_unsaved });
+        self.done.push(Edit { name, before, father, was_unsaved });
         Ok(written)
     }
 
@@ -60,7 +64,7 @@ impl Edits {
     ///
     /// There is no change to undo, or the program has removed the value.
     pub(super) fn undo(&mut self, controller: &mut Controller) -> Result<(), CommandError> {
-        let Some(Edit { name, before, was_unsaved }) = self.done.pop() else {
+        let Some(Edit { name, before, father, was_unsaved }) = self.done.pop() else {
             return Err("nothing was changed".into());
         };
         if !was_unsaved {
@@ -70,6 +74,7 @@ impl Edits {
         }
         let datum = positions::data(controller).into_iter().find(|datum| is_named(datum, &name));
         let datum = datum.ok_or_else(|| CommandError(format!("`{}` does not exist any more", name.name)))?;
+        set_father(&datum, father.as_ref(), controller)?;
         write(&datum, (0..).zip(before), controller)
     }
 
@@ -93,7 +98,11 @@ impl Edits {
         let mut kept = BTreeSet::new();
         for old in positions::data(from).into_iter().filter(|datum| self.has_changed(datum)) {
             let new = loaded.iter().find(|new| (&new.name, &new.key, new.base) == (&old.name, &old.key, old.base));
-            if new.is_some_and(|new| copy_numbers(&old, from, new, to).is_some()) {
+            let father = father::name_of(&old, from);
+            let is_copied = |new: &GlobalValue| {
+                set_father(new, father.as_ref(), to).is_ok() && copy_numbers(&old, from, new, to).is_some()
+            };
+            if new.is_some_and(is_copied) {
                 kept.insert(PointName { name: old.name, key: old.key });
             }
         }
@@ -114,6 +123,20 @@ impl Edits {
 fn is_named(datum: &GlobalValue, name: &PointName) -> bool {
     let is_position = matches!(datum.base, BaseType::Point | BaseType::Joint | BaseType::Frame | BaseType::Tool);
     is_position && datum.name == name.name && datum.key == name.key
+}
+
+/// Gives a value this father, unless it has this father already.
+fn set_father(
+    datum: &GlobalValue,
+    father: Option<&PointName>,
+    controller: &mut Controller,
+) -> Result<(), CommandError> {
+    match father {
+        Some(father) if father::name_of(datum, controller).as_ref() != Some(father) => {
+            father::set(datum, father, controller)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Copies all numbers of a value, including its configuration; `None` if the counts differ.

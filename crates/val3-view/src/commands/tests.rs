@@ -46,6 +46,41 @@ fn a_point_gets_other_values() {
     assert!(pose.iter().zip([400.0, 0.0, 350.0, 0.0, 0.0, 90.0]).all(|(is, expected)| (is - expected).abs() < 1e-9));
 }
 
+/// The frame becomes the father of the point. Undoing the change restores both.
+#[test]
+fn a_point_is_taught_in_another_frame() {
+    let mut controller = controller();
+    let mut operator = Operator::default();
+    let mut execute = |controller: &mut Controller, name: &str, arguments: Value| {
+        let done = operator.execute(name, arguments.as_object().unwrap(), controller);
+        done.map(|_| ()).map_err(|error| error.to_string())
+    };
+    let before = shown_point(&controller);
+    execute(&mut controller, "teach", json!({ "name": "pPick", "key": 1, "tool": { "name": "flange", "key": null } }))
+        .unwrap();
+    let in_table = shown_point(&controller);
+    let in_world =
+        json!({ "name": "pPick", "key": 1, "tool": { "name": "flange", "key": null }, "frame": { "name": "world" } });
+    execute(&mut controller, "teach", in_world).unwrap();
+    let taught = shown_point(&controller);
+    assert_eq!((&in_table["father"], &taught["father"]), (&json!("fTable"), &json!(null)));
+    assert_ne!(in_table["local"], taught["local"]);
+    let numbers = |value: &Value| -> Vec<f64> {
+        value["pose"].as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+    };
+    let poses = numbers(&in_table).into_iter().zip(numbers(&taught));
+    assert!(poses.clone().all(|(one, other)| (one - other).abs() < 1e-9), "{in_table} {taught}");
+    execute(&mut controller, "undo", json!({})).unwrap();
+    assert_eq!(shown_point(&controller), in_table);
+    execute(&mut controller, "undo", json!({})).unwrap();
+    assert_eq!(shown_point(&controller), before);
+    let missing = json!({ "name": "pPick", "key": 1, "frame": { "name": "fNone" } });
+    assert_eq!(
+        execute(&mut controller, "teach", missing).unwrap_err(),
+        "there is no frame `fNone` with a single value"
+    );
+}
+
 #[test]
 fn an_index_is_a_number_or_a_text() {
     let mut controller = controller();

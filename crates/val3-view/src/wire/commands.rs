@@ -31,7 +31,7 @@ pub enum Command {
     /// Restores the value before the last change.
     Undo,
     /// Computes the joint positions that reach a point or joint position. Changes nothing.
-    Solve(Teach),
+    Solve(Solve),
     /// Lists the points and joint positions that are out of reach. Changes nothing.
     Reach(Reach),
     /// Writes changed points to their files.
@@ -64,9 +64,33 @@ pub struct PointName {
     pub key: Option<String>,
 }
 
-/// Arguments of `teach` and `solve`.
+/// Arguments of `teach`.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 pub struct Teach {
+    /// Data name, prefixed by the library.
+    pub name: String,
+    /// Index or key; `null` for data with a single value.
+    pub key: Option<ElementKey>,
+    /// Tool whose centre point counts; the tool of the last move if missing.
+    #[schemars(with = "ToolName", default)]
+    pub tool: Option<ToolName>,
+    /// Frame in which a point is taught, which becomes its father; its present father if missing.
+    #[schemars(with = "FrameName", default)]
+    pub frame: Option<FrameName>,
+}
+
+/// Frame name, with an index or key.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+pub struct FrameName {
+    /// Data name, prefixed by the library, or `world`.
+    pub name: String,
+    /// Index or key; `null` for data with a single value.
+    pub key: Option<ElementKey>,
+}
+
+/// Arguments of `solve`.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+pub struct Solve {
     /// Data name, prefixed by the library.
     pub name: String,
     /// Index or key; `null` for data with a single value.
@@ -298,12 +322,20 @@ impl Arguments for Operate {
 impl Arguments for SetPoint {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
         let local = value(arguments, "local", "`local` has six numbers: x, y, z, rx, ry, rz")?;
-        let Teach { name, key, .. } = Teach::read(arguments)?;
+        let Solve { name, key, .. } = Solve::read(arguments)?;
         Ok(Self { name, key, local })
     }
 }
 
 impl Arguments for Teach {
+    fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
+        let Solve { name, key, tool } = Solve::read(arguments)?;
+        let reason = "`frame` has the `name` and `key` of a frame";
+        Ok(Self { name, key, tool, frame: optional::<Option<FrameName>>(arguments, "frame", reason)?.flatten() })
+    }
+}
+
+impl Arguments for Solve {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
         let name = value(arguments, "name", "`name` is that of a point")?;
         let reason = "`key` is a whole number from 0, or a text: \"1\", \"1,2\" or the key of a collection";
@@ -315,14 +347,14 @@ impl Arguments for Teach {
 
 impl Arguments for TeachFrame {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
-        let Teach { name, key, tool } = Teach::read(arguments)?;
+        let Solve { name, key, tool } = Solve::read(arguments)?;
         Ok(Self { name, key, tool, joints: value(arguments, "joints", "`joints` has three joint positions")? })
     }
 }
 
 impl Arguments for TeachTool {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
-        let Teach { name, key, .. } = Teach::read(arguments)?;
+        let Solve { name, key, .. } = Solve::read(arguments)?;
         Ok(Self { name, key, joints: value(arguments, "joints", "`joints` is an array of joint positions")? })
     }
 }

@@ -17,12 +17,14 @@ pub struct StateMessage {
     pub mode: String,
     /// State of the emergency stop: `none`, `released` or `open`.
     pub emergency_stop: String,
-    /// Whether the arm is held.
+    /// Whether the operator or the working mode holds the arm, also if no move is recorded.
     pub is_held: bool,
-    /// Reason why the arm is held.
+    /// Why the arm does not move although moves are recorded, as sentences for an operator.
     pub held_because: Option<String>,
     /// Why the arm that a task waits for does not move, as sentences for an operator.
     pub awaited_hold: Option<String>,
+    /// Whether the arm rests on its path because its next move is not recorded yet.
+    pub awaits_next_move: bool,
     /// Monitor speed in %.
     pub monitor_speed: f64,
     /// Configuration of the arm in words, as in points.

@@ -3,6 +3,7 @@
 
 use std::io::{self, BufReader, Read, Write};
 use std::net::{Ipv4Addr, TcpStream};
+use std::sync::mpsc::channel;
 use std::thread;
 
 use serde_json::{Map, Value};
@@ -30,7 +31,8 @@ pub(super) fn connect(configuration: &Map<String, Value>) -> Result<TcpStream, S
 /// process, which reads `output`.
 ///
 /// # Errors
-/// The other process does not read the first messages of the session.
+/// The other process does not read the first messages of the session, or bytes from the client were no message, and the
+/// next message could not be found.
 pub(super) fn relay(
     handshake: Handshake,
     start: &SessionStart,
@@ -45,13 +47,19 @@ pub(super) fn relay(
         content: MessageContent::request(&StandardRequest::Initialize(introduction))?,
     })?;
     to_server.pass_on(&start.message())?;
+    let (broken, fault) = channel();
     thread::spawn(move || {
         for incoming in from_client {
             match incoming {
                 Incoming::Message(message) if to_server.pass_on(&message).is_err() => return,
                 Incoming::Message(_) => {}
-                Incoming::Garbage(error) => to_stderr(|out| writeln!(out, "{error}")),
-                Incoming::End => return,
+                Incoming::Garbage(error) => to_stderr(|out| writeln!(out, "error: {error}")),
+                Incoming::End(Some(error)) => {
+                    // The receiver is dropped if the other process has ended the session.
+                    _ = broken.send(io::Error::other(error.to_string()));
+                    return;
+                }
+                Incoming::End(None) => return,
             }
         }
     });
@@ -63,5 +71,5 @@ pub(super) fn relay(
             break;
         }
     }
-    Ok(())
+    fault.try_recv().map_or(Ok(()), Err)
 }

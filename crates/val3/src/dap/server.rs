@@ -39,7 +39,7 @@ fn attend(stream: TcpStream, secret: Secret) -> io::Result<()> {
     let mut handshake = Handshake::through_port(client(stream)?, secret);
     match start(&mut handshake) {
         Some(start) => serve_in_a_process(handshake, &start),
-        None => Ok(()),
+        None => handshake.fault().map_or(Ok(()), |error| Err(io::Error::other(error.to_string()))),
     }
 }
 
@@ -58,10 +58,11 @@ fn start(handshake: &mut Handshake) -> Option<SessionStart> {
 fn serve_in_a_process(handshake: Handshake, start: &SessionStart) -> io::Result<()> {
     let mut adapter =
         Command::new(std::env::current_exe()?).arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-    if let (Some(to_adapter), Some(from_adapter)) = (adapter.stdin.take(), adapter.stdout.take()) {
+    let relayed = match (adapter.stdin.take(), adapter.stdout.take()) {
         // When its input ends, the adapter exits and closes its output.
-        relay(handshake, start, from_adapter, to_adapter)?;
-    }
+        (Some(to_adapter), Some(from_adapter)) => relay(handshake, start, from_adapter, to_adapter),
+        _ => Ok(()),
+    };
     adapter.wait()?;
-    Ok(())
+    relayed
 }

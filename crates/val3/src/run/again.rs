@@ -2,7 +2,6 @@
 
 use super::course::Course;
 use super::end::EndedRun;
-use super::guide::ATTENTION;
 use super::observers::Observers;
 use super::opening::{OpenedApplication, open};
 use super::replay::RunRecording;
@@ -29,7 +28,7 @@ impl EndedRun {
             let command = self.next_start(signals)?;
             match reopen(args, color) {
                 Ok(mut course) => {
-                    self.viewers.carry(&self.controller, &mut course.debugger.controller);
+                    self.viewers.carry(&self.standby.controller, &mut course.debugger.controller);
                     to_stderr(|out| writeln!(out, "note: the application starts again"));
                     command.answer(Ok(serde_json::Map::new()));
                     self.viewers.begin(&course.debugger.controller);
@@ -41,16 +40,18 @@ impl EndedRun {
         }
     }
 
-    /// Next command that starts the application. At a signal, `None` after unsaved points were written.
+    /// Next command that starts the application. Until then, the operator may move the arm by hand. At a signal, `None`
+    /// after unsaved points were written.
     fn next_start(&mut self, signals: &Signals) -> Option<PendingCommand> {
         while signals.exit_code().is_none() {
-            self.viewers.wait(ATTENTION);
-            let start = self.viewers.attend_end(&mut self.controller);
+            self.viewers.wait(self.standby.wait_time());
+            let start = self.viewers.attend_end(&mut self.standby);
             if start.is_some() {
                 return start;
             }
+            self.standby.advance(&mut self.viewers);
         }
-        self.viewers.rescue(&mut self.controller);
+        self.viewers.rescue(&mut self.standby.controller);
         None
     }
 }

@@ -24,6 +24,7 @@ use super::opening::ReadyApplication;
 use super::replay::RunRecording;
 use super::result::{ResultRecorder, RunEnd};
 use super::silence::Silence;
+use super::standby::Standby;
 use super::tempo::Tempo;
 use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
@@ -443,7 +444,7 @@ impl<'a> Course<'a> {
             viewers.rescue(&mut controller);
             return Ok(None);
         }
-        Ok(Some(EndedRun { viewers, controller }))
+        Ok(Some(EndedRun { viewers, standby: Standby::new(controller, self.tempo, end) }))
     }
 }
 

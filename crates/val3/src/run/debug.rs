@@ -10,7 +10,7 @@ use super::guide::ATTENTION;
 use super::observers::Observers;
 use super::opening::{OpenedApplication, ReadyApplication, Show, open};
 use crate::args::RunArgs;
-use crate::dap::listener;
+use crate::dap::{ended, listener};
 use crate::output::{text, to_stderr};
 use crate::secret::DebugSecret;
 use crate::signals::Signals;
@@ -58,32 +58,43 @@ enum Next {
 /// restart.
 ///
 /// # Errors
-/// Signals cannot be caught.
+/// Signals cannot be caught, or bytes from the client were no message, and the next message could not be found.
 pub(crate) fn debug(
     mut session: DebugSession,
     args: &RunArgs,
     settings: &DebugSettings,
     ready: ReadyApplication,
 ) -> Result<ExitCode, UserError> {
+    let code = attend(&mut session, args, settings, ready)?;
+    ended(ExitCode::from(code), session.fault())
+}
+
+/// Runs an application until the session has ended, and returns the exit code.
+fn attend(
+    session: &mut DebugSession,
+    args: &RunArgs,
+    settings: &DebugSettings,
+    ready: ReadyApplication,
+) -> Result<u8, UserError> {
     let signals = Signals::catch()?;
-    let mut next = run(&mut session, args, settings, ready, &signals);
+    let mut next = run(session, args, settings, ready, &signals);
     loop {
         let next_or_failed = next.unwrap_or_else(|error| {
             session.say(&format!("{error}\n"));
             Next::Over(EXIT_USAGE)
         });
         match next_or_failed {
-            Next::Exit(code) => return Ok(ExitCode::from(code)),
+            Next::Exit(code) => return Ok(code),
             Next::Over(code) => {
                 session.end(code);
-                if !wants_restart(&mut session, &signals) {
-                    return Ok(ExitCode::from(code));
+                if !wants_restart(session, &signals) {
+                    return Ok(code);
                 }
             }
             Next::Restart => {}
         }
-        next = match reopen(&mut session, args, settings) {
-            Some(ready) => run(&mut session, args, settings, ready, &signals),
+        next = match reopen(session, args, settings) {
+            Some(ready) => run(session, args, settings, ready, &signals),
             None => Ok(Next::Over(1)),
         };
     }

@@ -1,8 +1,9 @@
 //! End of a run: its reason, and the rest of a served run.
 
-use val3_machine::controller::{Controller, RunStatus};
+use val3_machine::controller::RunStatus;
 use val3_machine::event::EndReason;
 
+use super::standby::Standby;
 use super::viewers::Viewers;
 
 /// End reason of a run.
@@ -25,6 +26,6 @@ pub(super) enum End {
 /// Ended run with its viewers.
 pub(super) struct EndedRun {
     pub(super) viewers: Viewers,
-    /// The memory from which points are saved.
-    pub(super) controller: Controller,
+    /// The controller, in whose memory points are changed and whose arm is moved by hand.
+    pub(super) standby: Standby,
 }

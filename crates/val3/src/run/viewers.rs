@@ -12,6 +12,7 @@ use val3_view::{Feed, Operator};
 
 use super::missing::program_text;
 use super::recorder::ScenarioRecorder;
+use super::standby::{ENDED, Standby};
 use super::tempo::Tempo;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
@@ -28,11 +29,11 @@ const RECORD: &str = "record";
 /// Command that starts the application again after its end.
 const RUN: &str = "run";
 
-/// Commands that are executed after the end of a run, between which no cycle is required.
-const AFTER_END: [&str; 8] = ["save", "setPoint", "teach", "teachFrame", "teachTool", "undo", "solve", "reach"];
+/// Command that acts as the operator of the controller.
+const OPERATE: &str = "operate";
 
-/// Reason why other commands are not executed after the end of a run.
-const ENDED: &str = "the run has ended; Run starts the application again";
+/// Other commands that are executed after the end of a run, between which no cycle is required.
+const AFTER_END: [&str; 8] = ["save", "setPoint", "teach", "teachFrame", "teachTool", "undo", "solve", "reach"];
 
 /// Real time between two clock messages.
 const HEARTBEAT: Duration = Duration::from_secs(1);
@@ -57,6 +58,8 @@ pub(super) struct Viewers {
     /// Commands that have arrived during a wait.
     arrived: VecDeque<PendingCommand>,
     heartbeat: Heartbeat,
+    /// End of the run, which later parts repeat.
+    end: Option<wire::End>,
 }
 
 /// Clock messages in regular intervals, by which viewers recognise a server that works while nothing changes.
@@ -105,6 +108,7 @@ impl Viewers {
             part: PART,
             arrived,
             heartbeat: Heartbeat { last: None },
+            end: None,
         };
         viewers.publish();
         Ok(viewers)
@@ -115,7 +119,7 @@ impl Viewers {
         self.feed = Feed::new(controller, Role::Operator, program_text);
         self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
         self.recorder.restart();
-        (self.sent, self.part, self.heartbeat) = (0, PART, Heartbeat { last: None });
+        (self.sent, self.part, self.heartbeat, self.end) = (0, PART, Heartbeat { last: None }, None);
         self.server.begin_run();
         self.publish();
     }
@@ -127,8 +131,13 @@ impl Viewers {
 
     /// Publishes a finished cycle that began at `start`.
     pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
-        self.feed.see(start, events, controller);
         self.recorder.add_events(start, events);
+        self.see_standby(start, events, controller);
+    }
+
+    /// Publishes a cycle after the end of the run, which belongs to no scenario.
+    pub(super) fn see_standby(&mut self, start: Time, events: &[Event], controller: &Controller) {
+        self.feed.see(start, events, controller);
         self.publish();
         if self.sent > self.part {
             self.begin_part(controller);
@@ -142,7 +151,8 @@ impl Viewers {
         let now = seconds(controller.now());
         let clock = self.heartbeat.last.as_ref().map(|(_, clock)| wire::Clock { t: now, ..clock.clone() });
         let unsaved = wire::Message::Unsaved(self.operator.unsaved());
-        let more = clock.map(wire::Message::Clock).into_iter().chain([unsaved]);
+        let end = self.end.clone().map(wire::Message::End);
+        let more = clock.map(wire::Message::Clock).into_iter().chain([unsaved]).chain(end);
         let more = more.map(|message| val3_view::ViewerMessage::Object(serde_json::json!(message)));
         let state: Vec<StoredMessage> = state.into_iter().chain(more).map(encoded).collect();
         let bytes: usize = state.iter().map(StoredMessage::bytes).sum();
@@ -154,7 +164,7 @@ impl Viewers {
     pub(super) fn see_end(&mut self, events: &[Event], reason: EndReason, exit_code: u8, controller: &Controller) {
         self.feed.see_events(events, controller);
         self.recorder.add_events(controller.now(), events);
-        self.feed.end(reason, exit_code, controller);
+        self.end = Some(self.feed.end(reason, exit_code, controller));
         self.publish();
     }
 
@@ -214,18 +224,25 @@ impl Viewers {
     }
 
     /// Executes the pending commands after the end of the run. Returns the command that starts the application again.
-    pub(super) fn attend_end(&mut self, controller: &mut Controller) -> Option<PendingCommand> {
+    pub(super) fn attend_end(&mut self, standby: &mut Standby) -> Option<PendingCommand> {
         let mut start = None;
         for command in self.take_commands() {
             match command.name.as_str() {
-                RECORD => self.recorder.record(command, controller.now()),
+                RECORD => self.recorder.record(command, standby.controller.now()),
                 RUN if start.is_none() => start = Some(command),
                 RUN => command.answer(Err("the application is starting".to_owned())),
-                name if AFTER_END.contains(&name) => {
-                    let result = self.operate(name, &command.message, controller);
-                    controller.write_files();
+                OPERATE => {
+                    let prepared = standby.prepare(&command.message);
+                    let result =
+                        prepared.and_then(|()| self.operate(OPERATE, &command.message, &mut standby.controller));
                     command.answer(result);
-                    self.feed.refresh(controller);
+                    self.feed.refresh(&standby.controller);
+                }
+                name if AFTER_END.contains(&name) => {
+                    let result = self.operate(name, &command.message, &mut standby.controller);
+                    standby.controller.write_files();
+                    command.answer(result);
+                    self.feed.refresh(&standby.controller);
                 }
                 _ => command.answer(Err(ENDED.to_owned())),
             }

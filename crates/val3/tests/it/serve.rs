@@ -126,6 +126,19 @@ impl Viewer {
         }
     }
 
+    /// The next message `state` with a property.
+    #[track_caller]
+    fn next_state(&mut self, has_property: impl Fn(&Value) -> bool) -> Value {
+        let mut wait = Wait::new("message `state` with a property");
+        loop {
+            let state = self.next_of("state");
+            if has_property(&state) {
+                return state;
+            }
+            wait.saw(state.to_string());
+        }
+    }
+
     /// Sends a command and returns the answer.
     pub(crate) fn command(&mut self, command: Value) -> Value {
         self.0.send(Message::text(command.to_string())).unwrap();
@@ -172,6 +185,37 @@ fn the_server_stays_after_the_end_of_the_run() {
     assert_eq!(answer["error"], "the run has ended; Run starts the application again");
     run.signal(Signal::INT);
     assert_eq!(run.ending().0, 0);
+}
+
+/// The arm is jogged without an application. The moves that the application has not executed do not disturb it.
+#[test]
+fn the_arm_is_jogged_after_the_end_of_the_run() {
+    let code = "joint jA\nmdesc mA\ntool tA\nmovej({60,0,90,0,0,0},tA,mA)\ndelay(0.1)\n";
+    let mut run = ServedRun::of(code, &["--arm", "TX2-60L", "--power", "--until", "0.3"]);
+    run.wait_for("the run has ended");
+    let mut viewer = Viewer::new(&run.operator);
+    assert_eq!(viewer.next_of("end")["reason"], "finished");
+    let operate = |viewer: &mut Viewer, keys: Value| {
+        viewer.command(json!({ "id": 1, "command": "operate", "keys": keys }))["error"].clone()
+    };
+    assert_eq!(operate(&mut viewer, json!({ "mode": "manual" })), Value::Null);
+    viewer.next_state(|state| state["mode"] == "manual" && state["power"] == false);
+    assert_eq!(operate(&mut viewer, json!({ "power": true, "jog": [10, 20, 90, 0, -30, 0] })), Value::Null);
+    viewer.next_state(|state| state["power"] == true);
+    let late = viewer.next_state(|state| state["config"].as_str().unwrap().contains("wnegative"));
+    assert!(late["t"].as_f64().unwrap() > 0.3, "{late}");
+    assert_eq!(operate(&mut viewer, json!({ "stop": true })), "the run has ended; Run starts the application again");
+}
+
+/// Tasks of a run that was ended by its limit could continue, so that its arm is not moved.
+#[test]
+fn the_arm_of_an_interrupted_run_is_not_jogged() {
+    let mut run = ServedRun::of("delay(3600)\n", &["--until", "0.1"]);
+    run.wait_for("the run has ended");
+    let mut viewer = Viewer::new(&run.operator);
+    assert_eq!(viewer.next_of("end")["reason"], "limit");
+    let answer = viewer.command(json!({ "id": 1, "command": "operate", "keys": { "power": true } }));
+    assert!(answer["error"].as_str().unwrap().contains("while the application was running"), "{answer}");
 }
 
 #[test]

@@ -59,7 +59,7 @@ export function worldText({ world }: DataPose): string {
 
 /** Returns the text of the cell; the title contains the details. */
 export function reachText({ reach }: DataPose): string {
-  return reach === null ? "" : reach === "reachable" ? "reachable" : "out of reach";
+  return reach === null ? "" : { reachable: "reachable", outOfReach: "out of reach", noArm: "no arm" }[reach];
 }
 
 export function poseTitle({ chain, why, joints }: DataPose): string {

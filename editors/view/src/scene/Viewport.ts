@@ -12,6 +12,7 @@ import { lengthText, unitOf } from "../panels/shared/lengths";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
 import { along, armLines } from "./armLines";
+import { ArmGhost } from "./ArmGhost";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type CarrierFrames, CellObjects } from "./CellObjects";
@@ -40,6 +41,9 @@ const FAR_KINDS: ReadonlySet<Label["kind"]> = new Set(["failed", "selected"]);
 const FAR_FAILED = 10;
 const FAR_NAMED = 3;
 
+/** Time for which an update adds samples to the path, in ms. Further samples follow after the browser has handled input. */
+const FOLLOWING = 30;
+
 export class Viewport {
   readonly camera: Camera;
   readonly trail = new Trail();
@@ -60,6 +64,7 @@ export class Viewport {
   private readonly drops = new DropLines();
   private readonly nearPairs = new NearPairs();
   private readonly failed = new FailedTargets();
+  private readonly ghost = new ArmGhost();
   private room = new Group();
   private arm: ArmShape | undefined;
   private objects: CellObjects | undefined;
@@ -71,6 +76,8 @@ export class Viewport {
   /** Positions along the links of the arm. */
   private obstacles: readonly (readonly number[])[] = [];
   private isWaiting = false;
+  /** Whether the path has not all samples yet, and another update follows. */
+  private isBehind = false;
   /** Whether the picture shows everything, because the user has not changed its view. */
   private isFirst = false;
   /** Growth count of the path when everything was last shown. */
@@ -89,7 +96,7 @@ export class Viewport {
     this.renderer.localClippingEnabled = true;
     this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
-    this.scene.add(...this.trail.objects, ...this.motion.objects, this.marks.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.marks.object, this.ruler.object, this.points.object, this.drops.object, this.nearPairs.object, this.failed.object, ...this.ghost.objects);
   }
 
   get drawCalls(): number {
@@ -141,7 +148,14 @@ export class Viewport {
       return;
     }
     const base = frameOf(cell.base);
-    this.trail.follow(store.samples, cell.arm, base, cell.phases, (index) => store.tools.get(index)?.pose ?? []);
+    const hasAll = this.trail.follow(store.samples, cell.arm, base, cell.phases, (index) => store.tools.get(index)?.pose ?? [], FOLLOWING);
+    if (!hasAll && !this.isBehind) {
+      this.isBehind = true;
+      setTimeout(() => {
+        this.isBehind = false;
+        this.update();
+      });
+    }
     this.trail.showUpTo(store.time.value);
     const sample = store.panels.cell.sample.value;
     const placed = armFrames(cell.arm, base, sample?.joints ?? []);
@@ -163,9 +177,10 @@ export class Viewport {
     const { faults, refused } = store.panels.cell.history;
     const failed = [...failedMoves(motion.value.queue, faults, store.time.value), ...refused.at(store.time.value)];
     this.failed.place(failed, this.length * 0.02, this.look);
+    this.ghost.place(cell, store.panels.cell.armGoal.value, tool, this.length * 0.11, this.look);
     const hasFrames = !hiddenLayers.peek().has("frames");
     this.marks.place({ cell: store.panels.cell, selection: store.selection.value, flange: placed.flange, base, hasFrames }, this.length, this.look);
-    this.names = [...this.failed.labels, ...this.nearPairs.labels, ...this.points.labels, ...this.marks.labels];
+    this.names = [...this.failed.labels, ...this.ghost.labels, ...this.nearPairs.labels, ...this.points.labels, ...this.marks.labels];
     this.drops.place([this.tcp.position, ...points.value.map(({ pose }) => pose), ...frames.value.map(({ pose }) => pose)], this.floor, this.length * 0.012, this.look);
     this.placeRuler();
     this.showLayers();

@@ -16,6 +16,9 @@ import { ThinLines } from "./thinLines";
 const LONGEST = 0.2;
 const NEAR = 0.2;
 
+/** Number of samples after which the time is read. */
+const CHECKED = 1000;
+
 /** Largest number of drawn pieces. Above it, the older half is simplified. */
 const MOST = 60_000;
 
@@ -74,21 +77,28 @@ export class Trail {
   /** Positions that the last piece represents. */
   private straight: Position[] = [];
 
-  /** Adds the new samples. `toolOf` returns the tool for an index. */
-  follow(samples: Samples, arm: Chain, base: Frame, phases: readonly string[], toolOf: (index: number) => readonly number[]): void {
+  /**
+   * Adds the new samples, at most for a time in ms. Returns whether all are added. `toolOf` returns the tool for an index.
+   */
+  follow(samples: Samples, arm: Chain, base: Frame, phases: readonly string[], toolOf: (index: number) => readonly number[], most = Infinity): boolean {
     this.phases = phases;
     if (samples.epoch !== this.epoch) {
       this.clear();
       this.epoch = samples.epoch;
     }
     if (samples.count === this.taken) {
-      return;
+      return true;
     }
     const positions = new ToolPositions(arm, base);
+    const end = performance.now() + most;
     for (const { index, joints, sample } of samples.columnsFrom(this.taken)) {
       this.add(sample, positions.at(joints, index, toolOf(sample.tool)));
+      this.taken += 1;
+      if (this.taken % CHECKED === 0 && performance.now() > end) {
+        break;
+      }
     }
-    this.taken = samples.count;
+    return samples.count === this.taken;
   }
 
   clear(): void {

@@ -74,7 +74,7 @@ function stateStatus(state: CellState, role: string): Status {
     return { kind: "fault", text: `${failed.length === 1 ? failedText(failed) : "All tasks have failed."} ${remedy(role)}`.trim(), word: "fault" };
   }
   const live = { ...state, tasks: state.tasks.filter(({ error }) => error === null) };
-  const present = robotStatus(live) ?? taskStatus(live.tasks);
+  const present = robotStatus(live) ?? armStatus(live);
   return failed.length === 0 ? present : { kind: "fault", text: `${failedText(failed)} ${present.text}`, word: "fault" };
 }
 
@@ -93,8 +93,8 @@ function remedy(role: string): string {
   }
 }
 
-/** Returns why the arm does not move, if a task waits for it. */
-function robotStatus({ power, emergencyStop, awaitedHold, tasks }: CellState): Status | undefined {
+/** Returns why the arm does not move, if a task waits for it or moves are recorded. */
+function robotStatus({ power, emergencyStop, awaitedHold, heldBecause, tasks }: CellState): Status | undefined {
   if (emergencyStop === "open") {
     return { kind: "stopped", text: "The E-stop is pressed. Release it, then switch the power on.", word: "E-stop" };
   }
@@ -104,7 +104,24 @@ function robotStatus({ power, emergencyStop, awaitedHold, tasks }: CellState): S
     return { kind: "stopped", text: `${awaitedHold} ${waitsText(held)}`.trim(), word: "arm held" };
   }
   const unpowered = power ? [] : tasks.filter(awaitsPower);
-  return unpowered.length === 0 ? undefined : { kind: "stopped", text: `${NO_POWER} ${waitsText(unpowered)}`, word: "no power" };
+  if (unpowered.length > 0) {
+    return { kind: "stopped", text: `${NO_POWER} ${waitsText(unpowered)}`, word: "no power" };
+  }
+  return heldBecause == null ? undefined : { kind: "stopped", text: `${heldBecause} ${taskStatus(tasks).text}`, word: "arm held" };
+}
+
+/** Returns the activity of the tasks, and what the arm waits for. */
+function armStatus(state: CellState): Status {
+  const status = taskStatus(state.tasks);
+  return { ...status, text: `${status.text} ${armText(state)}`.trim() };
+}
+
+/** Returns what an arm without recorded moves, or at the end of them, waits for. */
+function armText({ isHeld, mode, emergencyStop, awaitsNextMove }: CellState): string {
+  if (emergencyStop !== "open" && isHeld) {
+    return mode === "remote" ? "The arm is held. Press Move." : `Held in ${mode} mode.`;
+  }
+  return awaitsNextMove === true ? "The arm waits for the next move." : "";
 }
 
 function awaitsPower({ waits, lineCode }: TaskState): boolean {

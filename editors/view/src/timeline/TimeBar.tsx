@@ -151,7 +151,7 @@ function PastControls({ store, player }: { store: Store; player: Player }): JSX.
       <button type="button" onClick={() => (isPlaying ? player.pause() : player.play())}>{isPlaying ? "Pause" : "Play"}</button>
       <button type="button" title="One cycle back" onClick={() => step(-1)}>−4 ms</button>
       <button type="button" title="One cycle forward" onClick={() => step(1)}>+4 ms</button>
-      <label>Speed{" "}
+      <label title="How fast the past is shown">Playback speed{" "}
         <select value={player.speed.value} onChange={({ currentTarget: { value } }) => (player.speed.value = value === "max" ? value : Number(value))}>
           {SPEEDS.map((speed) => <option key={speed} value={speed}>{speed} ×</option>)}
           <option value="max">as fast as it goes</option>
@@ -172,9 +172,9 @@ function LiveControls({ store, notice }: { store: Store; notice: Notice }): JSX.
   }
   return (
     <>
-      <Button reason={blocked} onPress={() => void notice.send(cell, "pace", { isPaused: !isPaused })} onRefused={refused}>{isPaused ? "Play" : "Pause"}</Button>
+      <Button reason={blocked} title={isPaused ? "Continue the clock of the run" : "Stop the clock of the run, with all tasks and the arm"} onPress={() => void notice.send(cell, "pace", { isPaused: !isPaused })} onRefused={refused}>{isPaused ? "Play" : "Pause"}</Button>
       <Button reason={blocked ?? (isPaused ? undefined : "Pause the run to execute single cycles.")} title="Execute one cycle of 4 ms" onPress={() => void notice.send(cell, "cycle", {})} onRefused={refused}>+4 ms</Button>
-      <label>Speed{" "}
+      <label title="How fast the clock of the controller runs. The arm keeps its speed on this clock.">Clock speed{" "}
         <select value={String(speed)} disabled={blocked !== undefined} title={blocked} onChange={({ currentTarget: { value } }) => void notice.send(cell, "pace", { speed: value === "max" ? value : Number(value) })}>
           {SPEEDS.some((known) => known === speed) || speed === "max" ? null : <option value={speed}>{speed} ×</option>}
           {SPEEDS.map((known) => <option key={known} value={known}>{known} ×</option>)}

@@ -3,8 +3,9 @@ import { test } from "node:test";
 import { signal } from "@preact/signals";
 import { Holder, type Step } from "../../src/panels/pendant/Holder";
 import { goStep } from "../../src/panels/pendant/jogSteps";
+import { pressNow } from "../../src/panels/pendant/stopNow";
 import { startAgain } from "../../src/panels/pendant/startAgain";
-import { endReason, hasFailed, nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
+import { armEndReason, endReason, hasFailed, nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
 import { type Answer, type Cell, type CellState, Notice } from "../../src/panels/shared/cell";
 
 const STATE: CellState = { tasks: [], power: true, mode: "manual", emergencyStop: "none", isHeld: true, monitorSpeed: 50 };
@@ -85,11 +86,14 @@ test("reasons say what the operator has to do first", () => {
   assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "open" }), "Release the E-stop before you switch the power on.");
   assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "released" }), undefined);
   assert.match(stopText({ ...STATE, emergencyStop: "released" }), /acknowledge/);
-  assert.deepEqual([runReason(true, false, true), runReason(false, false, true)], [undefined, "The application is running."]);
+  assert.deepEqual([runReason(true, false, true), runReason(false, false, true)], ["The run is paused. Press Play to continue.", "The application is running."]);
+  assert.equal(runReason(true, false, false), "The debugger has stopped the run. Continue in the editor.");
   assert.deepEqual([runReason(false, true, true), runReason(false, true, false)], [undefined, "The run is over. Start it again in the editor."]);
   const ended = "The run has ended. Press Run to start the application again.";
   assert.deepEqual([endReason(false, true), endReason(true, true), endReason(true, false)], [undefined, ended, "The run has ended."]);
   assert.equal(jogReason({ ...STATE, mode: "remote" }, ended), ended, "another mode does not help");
+  assert.deepEqual([undefined, "finished", "stopped", "limit"].map((end) => armEndReason(end, true)), [undefined, undefined, undefined, ended]);
+  assert.equal(armEndReason("finished", false), "The run has ended.", "the server of a debugger ends with its run");
 });
 
 test("Run ends an application whose tasks have all failed, then starts it again", async () => {
@@ -103,4 +107,12 @@ test("Run ends an application whose tasks have all failed, then starts it again"
   hasEnded.value = true;
   await started;
   assert.deepEqual(sent.slice(2), [{}]);
+});
+
+test("a stop while the page shows the past acts on the present", async () => {
+  const { cell, sent } = bench();
+  const blocked = signal<string | undefined>("You are looking at the past.");
+  const notice = new Notice();
+  await pressNow({ ...cell, blocked, showPresent: () => (blocked.value = undefined) }, notice, { estop: true }, "The E-stop was pressed.");
+  assert.deepEqual([sent, notice.text.value], [[{ keys: { estop: true } }], "The E-stop was pressed. The page shows the present again."]);
 });

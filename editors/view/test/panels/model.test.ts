@@ -19,7 +19,7 @@ function state(t: number, more: Partial<StateMessage> = {}): StateMessage {
 function model(executed = signal<MovingLine | undefined>(undefined)): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const time = signal(0);
   const around: Surroundings = {
-    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), canRestart: signal(true), blocked: signal(undefined),
+    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), armEnded: signal(undefined), isPastOnly: signal(false), showPresent: () => undefined, canRestart: signal(true), blocked: signal(undefined),
     sample: signal<ArmSample | undefined>(undefined), samples: { after: () => [], epoch: () => 0 }, rests: () => [], toolOf: (index) => (index === 2 ? "tGripper" : undefined), sourceOf: (index) => (index === 3 ? { program: "start", line: 12, file: "/cell/start.pgx" } : undefined),
     applicationName: signal("cell"), executed, showPrograms: () => undefined,
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
@@ -31,7 +31,7 @@ function model(executed = signal<MovingLine | undefined>(undefined)): { model: P
 
 test("the parts are at their places of the shown time", () => {
   const { model: panels, cell, show } = model();
-  const part = (t: number, carrier: "world" | "flange"): void => panels.addParts({ t, parts: [{ name: "box[0]", carrier: { kind: carrier }, pose: [0, 0, 0, 0, 0, 0] }] });
+  const part = (t: number, carrier: "world" | "flange"): void => panels.add({ kind: "parts", t, parts: [{ name: "box[0]", carrier: { kind: carrier }, pose: [0, 0, 0, 0, 0, 0] }] });
   part(0, "world");
   part(2.6, "flange");
   part(5.1, "world");
@@ -47,16 +47,16 @@ test("the parts are at their places of the shown time", () => {
 test("the panels show the state and the page of the shown time", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell, show } = model();
-  panels.addState(state(1));
-  panels.addState(state(2, { power: true }));
-  panels.addMotion({ t: 2, path: [], queue: [{ id: 7, type: "movej", source: 3, phase: "nominal", target: [], leave: null, reach: null, leaveDistance: null, reachDistance: null }] });
-  panels.addPage({ t: 1, screen: "", title: "one", lines: [] });
+  panels.add({ kind: "state", ...state(1) });
+  panels.add({ kind: "state", ...state(2, { power: true }) });
+  panels.add({ kind: "motion", t: 2, path: [], queue: [{ id: 7, type: "movej", source: 3, phase: "nominal", target: [], leave: null, reach: null, leaveDistance: null, reachDistance: null }] });
+  panels.add({ kind: "page", t: 1, screen: "", title: "one", lines: [] });
   show(1.5);
   assert.deepEqual([cell.state.value?.power, cell.page.value?.title], [false, "one"]);
   assert.deepEqual(cell.motion.value.queue, []);
   show(2);
   assert.deepEqual(cell.motion.value.queue.map(({ program, line }) => [program, line]), [["start", 12]]);
-  panels.addState(state(2, { power: false }));
+  panels.add({ kind: "state", ...state(2, { power: false }) });
   assert.equal(cell.state.value?.power, false);
 });
 
@@ -64,7 +64,7 @@ test("the line of the present move is that of the arm, at rest that of the first
   const executed = signal<MovingLine | undefined>(undefined);
   const { model: panels, cell, show } = model(executed);
   assert.equal(cell.moving.value, undefined);
-  panels.addMotion({ t: 1, path: [], queue: [{ id: 1, type: "movej", source: 3, phase: "nominal", target: [], leave: null, reach: null, leaveDistance: null, reachDistance: null }] });
+  panels.add({ kind: "motion", t: 1, path: [], queue: [{ id: 1, type: "movej", source: 3, phase: "nominal", target: [], leave: null, reach: null, leaveDistance: null, reachDistance: null }] });
   show(1);
   assert.deepEqual(cell.moving.value, { program: "start", line: 12, file: "/cell/start.pgx", instruction: "movej", isWaiting: true });
   executed.value = { program: "start", line: 13, file: "/cell/start.pgx", instruction: "movel", isWaiting: false };
@@ -74,7 +74,7 @@ test("the line of the present move is that of the arm, at rest that of the first
 test("points that operators change are unsaved, those that programs change are not", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell, show } = model();
-  panels.addData({ t: 1, points: [{ name: "pA", key: null, local: [5], pose: [5] }] });
+  panels.add({ kind: "data", t: 1, points: [{ name: "pA", key: null, local: [5], pose: [5] }] });
   show(1);
   assert.deepEqual([cell.points.value[0]?.local, cell.unsaved.value.size], [[5], 0]);
   panels.addUnsaved({ points: [{ name: "pA", key: null }, { name: "pB", key: "2" }] });
@@ -89,7 +89,7 @@ test("joint positions follow their changes", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell, show } = model();
   panels.addScene({ ...SCENE, joints: [{ name: "jHome", key: null, values: [0, 0] }] });
-  panels.addData({ t: 1, points: [], joints: [{ name: "jHome", key: null, values: [5, 6] }] });
+  panels.add({ kind: "data", t: 1, points: [], joints: [{ name: "jHome", key: null, values: [5, 6] }] });
   assert.deepEqual(cell.joints.value.map(({ values }) => values), [[0, 0]]);
   show(1);
   assert.deepEqual(cell.joints.value.map(({ values }) => values), [[5, 6]]);
@@ -108,8 +108,8 @@ test("the range of the chart follows the run until it is zoomed", (context) => {
 test("a new scene forgets everything before it", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell } = model();
-  panels.addState(state(0));
-  panels.addEvents({ events: [{ t: 0, kind: "print", text: "x" }] });
+  panels.add({ kind: "state", ...state(0) });
+  panels.add({ kind: "events", events: [{ t: 0, kind: "print", text: "x" }] });
   panels.addScene(SCENE);
   assert.deepEqual([cell.state.value, cell.history.events.length], [undefined, 0]);
 });
@@ -131,8 +131,8 @@ test("a slow signal shows the last value in the end", (context) => {
 test("values out of reach are those of the last move's tool at the shown time, or of the chosen tool", () => {
   const { model: panels, cell, show } = model();
   const far = { name: "pA", key: null, reason: "too far" };
-  panels.addReach({ t: 0, tool: 1, unreachable: [] });
-  panels.addReach({ t: 4, tool: 2, unreachable: [far] });
+  panels.add({ kind: "reach", t: 0, tool: 1, unreachable: [] });
+  panels.add({ kind: "reach", t: 4, tool: 2, unreachable: [far] });
   const shown = (): string => `${cell.unreachable.value.tool ?? "unknown"}: ${[...cell.unreachable.value.reasons.keys()].join()}`;
   show(3);
   assert.equal(shown(), "unknown: ");

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { signal } from "@preact/signals";
 import { firstChoice, solutionsOf, solutionText } from "../../src/panels/points/solutions";
 import { reasonsOf } from "../../src/panels/points/reachQuery";
+import { frameArguments, framesFor, frameText } from "../../src/panels/points/frames";
 import { FLANGE, handTool, taughtConfig, toolArguments, toolText } from "../../src/panels/points/tools";
 import { shownTools } from "../../src/scene/FrameMarks";
 import { MILLIMETRES } from "../../src/panels/shared/lengths";
@@ -66,4 +67,15 @@ test("values out of reach have their reasons by name", () => {
   const unreachable = [{ name: "pA", key: "2", reason: "too far" }, { name: "pB" }];
   assert.deepEqual([...reasonsOf(unreachable)], [["pA[2]", "too far"]]);
   assert.equal(reasonsOf(undefined).size, 0);
+});
+
+test("a point is taught in its father, in world, or in a frame of its application", () => {
+  const frames = ["fTable", "part:fGrip"].map((name) => ({ name, key: null }));
+  const rack = { name: "fRack", key: "left" };
+  const texts = (name: string, father: string | null): string[] => framesFor({ name, father }, [...frames, rack]).map((frame) => frameText(frame, null));
+  assert.deepEqual(texts("pPick", "fTable"), ["world", 'fRack["left"]']);
+  assert.deepEqual(texts("pPick", "fRack[left]"), ["world", "fTable"]);
+  assert.deepEqual(texts("part:pPick", null), ["part:fGrip"]);
+  assert.deepEqual([frameText(undefined, null), frameText(undefined, "fTable")], ["world", "fTable"]);
+  assert.deepEqual([frameArguments(undefined), frameArguments(rack)], [{}, { frame: rack }]);
 });

@@ -114,7 +114,12 @@ export class SourceTranslator {
 
   private showFrames(response: Protocol.Response): void {
     if (response.command === "stackTrace" && response.success) {
-      (response as Protocol.StackTraceResponse).body.stackFrames.forEach((frame) => this.show(frame));
+      for (const frame of (response as Protocol.StackTraceResponse).body.stackFrames) {
+        // VS Code selects a range, so that the next typed character would replace the statement.
+        delete frame.endLine;
+        delete frame.endColumn;
+        this.show(frame);
+      }
     }
   }
 
@@ -158,16 +163,21 @@ function placeInFile<Given extends Place>(place: Given, mapping: Mapping): Given
 /** Converts a location in a file to a location in a view: the first line if it is outside the code. */
 function showIn(place: Place, view: View): void {
   place.source = { ...place.source, name: view.name, path: view.code };
-  for (const key of ["line", "endLine"] as const) {
-    if (place[key] !== undefined) {
-      place[key] = lineInCode(place[key], view.mapping) ?? 1;
+  for (const [line, column] of [["line", "column"], ["endLine", "endColumn"]] as const) {
+    const inFile = { line: place[line], column: place[column] };
+    if (inFile.line !== undefined) {
+      place[line] = lineInCode(inFile.line, view.mapping) ?? 1;
+    }
+    if (inFile.column !== undefined) {
+      place[column] = columnInCode(inFile, view.mapping);
     }
   }
-  for (const key of ["column", "endColumn"] as const) {
-    if (place[key] !== undefined) {
-      place[key] = 1;
-    }
-  }
+}
+
+/** Returns the column in a view for a column in its file; the first column outside the code. Both start at 1. */
+function columnInCode({ line, column = 1 }: Place, mapping: Mapping): number {
+  const found = line === undefined ? undefined : mapping.toCode({ line: line - 1, character: column - 1 });
+  return (found?.character ?? 0) + 1;
 }
 
 /** Returns the line in a view for a line in its file; `undefined` outside the code. Both start at 1. */

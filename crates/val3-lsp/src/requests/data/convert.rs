@@ -139,7 +139,11 @@ pub(super) fn pose(found: ide::DataPose) -> DataPose {
         within,
         world: found.pose,
         chain: found.chain.join(" on "),
-        reach: found.is_reached.map(|reached| if reached { PoseReach::Reachable } else { PoseReach::OutOfReach }),
+        reach: found.reach.map(|reach| match reach {
+            val3_ide::PoseReach::Reachable => PoseReach::Reachable,
+            val3_ide::PoseReach::OutOfReach => PoseReach::OutOfReach,
+            val3_ide::PoseReach::NoArm => PoseReach::NoArm,
+        }),
         why: found.remark,
         joints: found.joints,
     }

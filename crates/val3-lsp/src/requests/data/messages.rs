@@ -351,4 +351,6 @@ pub(crate) struct DataPose {
 pub(super) enum PoseReach {
     Reachable,
     OutOfReach,
+    /// No file names the arm.
+    NoArm,
 }

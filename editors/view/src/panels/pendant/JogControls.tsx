@@ -12,7 +12,7 @@ import { HoldButton } from "./HoldButton";
 import { Holder, type Step } from "./Holder";
 import { cartesianStep, FIRST_STEP, fraction, type JogStep, jointStep, stepsIn } from "./jogSteps";
 import { composed, type Frame, frameOf, inverse, poseOf } from "./pose";
-import { endReason, jogReason } from "./robotState";
+import { jogReason } from "./robotState";
 import { fixed } from "../shared/fixed";
 import { lengthFigure, lengthText, type LengthUnit, unitOf } from "../shared/lengths";
 
@@ -31,7 +31,7 @@ export function JogControls({ cell, notice }: Props): JSX.Element | null {
   if (scene === undefined) {
     return null;
   }
-  const reason = cell.blocked.value ?? jogReason(cell.state.value, endReason(cell.hasEnded.value, cell.canRestart.value));
+  const reason = cell.blocked.value ?? jogReason(cell.state.value, cell.armEnded.value);
   const unit = unitOf(scene);
   const steps = stepsIn(unit);
   const step: JogStep = steps[chosenStep] ?? { length: 1, angle: 1 };

@@ -5,6 +5,7 @@ import { Button } from "../shared/Button";
 import type { Cell, Notice } from "../shared/cell";
 import { endReason, hasFailed, MODES, nextSpeed, powerReason, runReason, speedFrom } from "./robotState";
 import { startAgain } from "./startAgain";
+import { AT_ONCE, pressNow } from "./stopNow";
 
 interface Props {
   cell: Cell;
@@ -15,27 +16,34 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
   const state = cell.state.value;
   const blocked = cell.blocked.value;
   const ended = endReason(cell.hasEnded.value, cell.canRestart.value);
+  const armEnded = cell.armEnded.value;
   const isOver = cell.hasEnded.value || hasFailed(state);
   const operate = (keys: object): void => void notice.operate(cell, keys);
   const refused = (reason: string): void => void (notice.text.value = reason);
-  const run = (): void => void (isOver ? startAgain(cell, notice) : notice.send(cell, "pace", { isPaused: false }));
+  const run = (): void => void startAgain(cell, notice);
+  const isPast = cell.isPastOnly.value;
+  const stopNow = (keys: object, text: string): void => void pressNow(cell, notice, keys, text);
   const isPowered = state?.power ?? false;
   const isStopped = state?.emergencyStop === "open";
   const isHeld = state?.isHeld ?? false;
   return (
     <div class="robot-controls" role="group" aria-label="Robot">
       <div class="row">
-        <Button title={isOver ? "Read the files and start the application again" : "Continue the run"} reason={blocked ?? runReason(cell.isPaused.value, isOver, cell.canRestart.value)} onPress={run} onRefused={refused}>Run</Button>
+        <Button title="Read the files and start the application again" reason={blocked ?? runReason(cell.isPaused.value, isOver, cell.canRestart.value)} onPress={run} onRefused={refused}>Run</Button>
         <Button reason={blocked ?? ended} title="Stop the application" onPress={() => operate({ stop: true })} onRefused={refused}>Stop</Button>
-        <Button reason={blocked ?? ended} title={isHeld ? "Let the programs move the arm" : "Hold the arm"} onPress={() => operate({ move: isHeld })} onRefused={refused}>
-          {isHeld ? "Move" : "Hold"}
-        </Button>
-        <Button className={isPowered ? "power on" : "power"} title={isPowered ? "The power is on" : "The power is off"} reason={blocked ?? ended ?? powerReason(state)} onPress={() => operate({ power: !isPowered })} onRefused={refused}>
+        {isPast ? <Button reason={ended} title={`Hold the arm. ${AT_ONCE}`} onPress={() => stopNow({ move: false }, "Hold was pressed.")} onRefused={refused}>Hold now</Button> : (
+          <Button reason={blocked ?? ended} title={isHeld ? "Let the programs move the arm" : "Hold the arm"} onPress={() => operate({ move: isHeld })} onRefused={refused}>
+            {isHeld ? "Move" : "Hold"}
+          </Button>
+        )}
+        <Button className={isPowered ? "power on" : "power"} title={isPowered ? "The power is on" : "The power is off"} reason={blocked ?? armEnded ?? powerReason(state)} onPress={() => operate({ power: !isPowered })} onRefused={refused}>
           Switch power {isPowered ? "off" : "on"}
         </Button>
-        <Button className={isStopped ? "e-stop pressed" : "e-stop"} reason={blocked ?? ended} onPress={() => operate({ estop: !isStopped })} onRefused={refused}>
-          {isStopped ? "Release E-stop" : "E-stop"}
-        </Button>
+        {isPast ? <Button className="e-stop" reason={armEnded} title={`Press the E-stop. ${AT_ONCE}`} onPress={() => stopNow({ estop: true }, "The E-stop was pressed.")} onRefused={refused}>E-stop now</Button> : (
+          <Button className={isStopped ? "e-stop pressed" : "e-stop"} reason={blocked ?? armEnded} onPress={() => operate({ estop: !isStopped })} onRefused={refused}>
+            {isStopped ? "Release E-stop" : "E-stop"}
+          </Button>
+        )}
       </div>
       <div class="row">
         <ModeChoice cell={cell} notice={notice} />
@@ -47,7 +55,7 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
 
 function ModeChoice({ cell, notice }: Props): JSX.Element {
   const mode = cell.state.value?.mode ?? "";
-  const blocked = cell.blocked.value ?? endReason(cell.hasEnded.value, cell.canRestart.value);
+  const blocked = cell.blocked.value ?? cell.armEnded.value;
   return (
     <label>
       Mode{" "}
@@ -61,7 +69,7 @@ function ModeChoice({ cell, notice }: Props): JSX.Element {
 
 function SpeedField({ cell, notice }: Props): JSX.Element {
   const speed = cell.state.value?.monitorSpeed ?? 0;
-  const blocked = cell.blocked.value ?? endReason(cell.hasEnded.value, cell.canRestart.value);
+  const blocked = cell.blocked.value ?? cell.armEnded.value;
   const turn = (to: number): void => void notice.operate(cell, { monitor_speed: to });
   const enter = (field: HTMLInputElement): void => {
     const to = speedFrom(field.value);
@@ -74,7 +82,7 @@ function SpeedField({ cell, notice }: Props): JSX.Element {
   };
   return (
     <div class="speed" role="group" aria-label="Monitor speed">
-      <span>Speed</span>
+      <span>Monitor speed</span>
       <Button label="Slower" reason={blocked} onPress={() => turn(nextSpeed(speed, -1))}>−</Button>
       <input aria-label="Monitor speed in per cent" inputMode="decimal" value={speed} readOnly={blocked !== undefined} title={blocked} onChange={({ currentTarget }) => enter(currentTarget)} />
       <span aria-hidden="true">%</span>

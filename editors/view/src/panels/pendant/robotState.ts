@@ -31,9 +31,14 @@ export function powerReason(state: CellState | undefined): string | undefined {
   return state?.power !== true && state?.emergencyStop === "open" ? "Release the E-stop before you switch the power on." : undefined;
 }
 
-/** Returns the reason why the switches of the robot have no effect after the end of the run. */
+/** Returns the reason why nothing of the application can be operated after the end of the run. */
 export function endReason(hasEnded: boolean, canRestart: boolean): string | undefined {
   return hasEnded ? `The run has ended.${canRestart ? " Press Run to start the application again." : ""}` : undefined;
+}
+
+/** Returns the reason why the arm and its switches cannot be operated after the end of the run; `undefined` before it, and while the server still drives an arm without an application. */
+export function armEndReason(end: string | undefined, canRestart: boolean): string | undefined {
+  return canRestart && (end === "finished" || end === "stopped") ? undefined : endReason(end !== undefined, canRestart);
 }
 
 /** Whether all tasks were stopped by errors. */
@@ -55,10 +60,11 @@ export function jogReason(state: CellState | undefined, ended: string | undefine
   return state.power ? undefined : "Switch the power on to jog.";
 }
 
-/** Returns the reason why Run is disabled. It also starts an application again whose tasks have all failed. */
+/** Returns the reason why Run is disabled. It starts an application again that has ended, or whose tasks have all failed; Play continues a run. */
 export function runReason(isPaused: boolean, isOver: boolean, canRestart: boolean): string | undefined {
   if (isOver) {
     return canRestart ? undefined : "The run is over. Start it again in the editor.";
   }
-  return isPaused ? undefined : "The application is running.";
+  const paused = canRestart ? "The run is paused. Press Play to continue." : "The debugger has stopped the run. Continue in the editor.";
+  return isPaused ? paused : "The application is running.";
 }

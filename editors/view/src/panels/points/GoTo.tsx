@@ -5,7 +5,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { HoldButton } from "../pendant/HoldButton";
 import { Holder } from "../pendant/Holder";
 import { goStep } from "../pendant/jogSteps";
-import { endReason, jogReason } from "../pendant/robotState";
+import { jogReason } from "../pendant/robotState";
 import type { Cell, Notice } from "../shared/cell";
 import { unitOf } from "../shared/lengths";
 import { type PointName, pointText } from "./edits";
@@ -38,11 +38,18 @@ export function GoTo({ cell, notice, point: { name, key }, tool }: Props): JSX.E
     }
     return () => { isCurrent = false; };
   }, [cell, notice, name, key, toolName, blocked]);
+  const chosen = solutions[index];
+  const target = chosen?.joints ?? undefined;
+  // The picture shows the arm there until the choice is closed.
+  useEffect(() => {
+    const config = chosen?.config ?? undefined;
+    cell.armGoal.value = blocked !== undefined || target === undefined ? undefined : { joints: target, text: `${pointText({ name, key })}${config === undefined ? "" : `: ${config}`}` };
+    return () => { cell.armGoal.value = undefined; };
+  }, [cell, target, name, key, blocked]);
   if (blocked !== undefined || solutions.length === 0) {
     return null;
   }
-  const target = solutions[index]?.joints ?? undefined;
-  const reason = target === undefined ? "The arm cannot reach it." : jogReason(cell.state.value, endReason(cell.hasEnded.value, cell.canRestart.value));
+  const reason = target === undefined ? "The arm cannot reach it." : jogReason(cell.state.value, cell.armEnded.value);
   const label = `Go to ${pointText({ name, key })}`;
   return (
     <fieldset class="go-to">

@@ -5,6 +5,8 @@ import { useState } from "preact/hooks";
 import type { Cell, CellPoint, Notice } from "../shared/cell";
 import { unitOf } from "../shared/lengths";
 import { COORDINATES, coordinateTitle, editedTrsf, fieldTexts, pointText } from "./edits";
+import { FrameChoice } from "./FrameChoice";
+import { type ChosenFrame, frameText } from "./frames";
 import { GoTo } from "./GoTo";
 import { TeachButton } from "./TeachButton";
 import { type ChosenTool, taughtConfig, toolText } from "./tools";
@@ -20,10 +22,11 @@ interface Props {
 export function PointEditor({ cell, notice, point, tool, fathers }: Props): JSX.Element {
   const unit = unitOf(cell.scene.value);
   const [texts, setTexts] = useState(() => fieldTexts(point.local, unit));
+  const [frame, setFrame] = useState<ChosenFrame>(undefined);
   const { name, key } = point;
   const blocked = cell.blocked.value;
   const config = taughtConfig(point.config, cell.state.value?.config).join("/");
-  const details = `tool ${toolText(tool, cell.sample.value?.toolName)}${config === "" ? "" : `, ${config}`}`;
+  const details = `tool ${toolText(tool, cell.sample.value?.toolName)}, frame ${frameText(frame, point.father)}${config === "" ? "" : `, ${config}`}`;
   const refused = (reason: string): void => void (notice.text.value = reason);
   const apply = (): void => {
     const edited = editedTrsf(texts, point.local, unit);
@@ -53,8 +56,11 @@ export function PointEditor({ cell, notice, point, tool, fathers }: Props): JSX.
       </div>
       <div class="row">
         <button type="submit" aria-disabled={blocked === undefined ? undefined : true} title={blocked}>Apply</button>
-        <TeachButton cell={cell} notice={notice} point={point} tool={tool} details={details} />
         <button type="button" onClick={() => setTexts(fieldTexts(point.local, unit))}>Reset fields</button>
+      </div>
+      <div class="row">
+        <FrameChoice point={point} frames={cell.frames.value} frame={frame} onChoose={setFrame} />
+        <TeachButton cell={cell} notice={notice} point={point} tool={tool} frame={frame} details={details} />
       </div>
       <GoTo cell={cell} notice={notice} point={point} tool={tool} />
     </form>

@@ -50,7 +50,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
           </>
         )}
       />
-      {present === undefined ? <p class="hint">Choose a point to change it, or to move the arm there.</p> : <PointEditor key={`${pointText(present)} ${present.local.join()} ${present.config ?? ""}`} cell={cell} notice={notice} point={present} tool={tool} fathers={fatherText(present.father, fathers)} />}
+      {present === undefined ? <p class="hint">Choose a point to change it, or to move the arm there.</p> : <PointEditor key={`${pointText(present)} ${present.father ?? ""} ${present.local.join()} ${present.config ?? ""}`} cell={cell} notice={notice} point={present} tool={tool} fathers={fatherText(present.father, fathers)} />}
       <JointsTable cell={cell} notice={notice} joints={cell.joints.value} reach={reach} />
       <FramesAndTools cell={cell} notice={notice} tool={tool} />
     </section>

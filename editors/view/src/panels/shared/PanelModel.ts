@@ -1,19 +1,18 @@
 // State of the cell for the panels, from the messages of a run and the shown time.
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
 import type { MovingLine } from "../program/marks";
 import type { CodeLine } from "../program/programs";
 import { ProgramView } from "../program/ProgramView";
-import { DataValues } from "../points/pointsAt";
 import { reasonsOf, type ToolReach } from "../points/reachQuery";
 import type { TimedPhases } from "../tasks/times";
-import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellPoint, CellScene, JointValue, OpenLine, QueuedMove } from "./cell";
-import { PanelHistory } from "./history";
-import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, PartsMessage, ProgramsMessage, QueueEntry, ReachMessage, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
+import type { Answer, ArmRest, ArmSample, Cell, CellHistory, CellMotion, CellScene, OpenLine, QueuedMove } from "./cell";
+import type { PanelHistory } from "./history";
+import type { MotionMessage, ProgramsMessage, QueueEntry, ReachMessage, SceneMessage, UnsavedMessage } from "./messages";
+import { type IndexedMessage, PanelData } from "./PanelData";
 import { throttled } from "./throttled";
-import { latest, TimedLevels } from "./timed";
+import { latest } from "./timed";
 
 /** Parts of the page on which the panels depend. */
 export interface Surroundings {
@@ -24,6 +23,9 @@ export interface Surroundings {
   oldest: ReadonlySignal<number>;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
+  armEnded: ReadonlySignal<string | undefined>;
+  isPastOnly: ReadonlySignal<boolean>;
+  showPresent: () => void;
   /** Whether Run starts the application again after its end. */
   canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
@@ -52,17 +54,7 @@ const SLOW = 200;
 
 export class PanelModel {
   readonly cell: Cell;
-  private readonly past = new PanelHistory();
-  private readonly states: StateMessage[] = [];
-  private readonly motions: MotionMessage[] = [];
-  private readonly pages: PageMessage[] = [];
-  private readonly placed: PartsMessage[] = [];
-  private readonly reaches: ReachMessage[] = [];
-  private readonly levels = new TimedLevels<SignalState>();
-  private readonly points = new DataValues<CellPoint>(({ points }) => points);
-  private readonly joints = new DataValues<JointValue>(({ joints }) => joints ?? []);
-  private readonly frames = new DataValues<CellPoint>(({ frames }) => frames ?? []);
-  private readonly tools = new DataValues<CellPoint>(({ tools }) => tools ?? []);
+  private data = new PanelData(undefined);
   private readonly code = new ProgramView();
   private readonly undo = signal<PointName | undefined>(undefined);
   private readonly scene = signal<CellScene | undefined>(undefined);
@@ -88,18 +80,17 @@ export class PanelModel {
 
   /** Discards messages, but not the scene. Remaining messages are added again afterwards. */
   clear(): void {
-    this.past.clear();
-    this.states.length = 0;
-    this.motions.length = 0;
-    this.pages.length = 0;
-    this.placed.length = 0;
-    this.reaches.length = 0;
-    this.levels.clear();
-    const scene = this.scene.peek();
-    this.points.restart(scene?.points ?? []);
-    this.joints.restart(scene?.joints ?? []);
-    this.frames.restart(scene?.frames ?? []);
-    this.tools.restart(scene?.tools ?? []);
+    this.use(this.fresh());
+  }
+
+  /** Returns an empty index of messages for the present scene. */
+  fresh(): PanelData {
+    return new PanelData(this.scene.peek());
+  }
+
+  /** Shows the content of another index. */
+  use(data: PanelData): void {
+    this.data = data;
     Object.values(this.counts).forEach((count) => (count.value += 1));
   }
 
@@ -107,46 +98,11 @@ export class PanelModel {
     this.code.add(message);
   }
 
-  addState(message: StateMessage): void {
-    this.states.push(message);
-    this.past.addState(message);
-    this.counts.state.value += 1;
-  }
-
-  addMotion(message: MotionMessage): void {
-    this.motions.push(message);
-    this.past.addMotion(message);
-    this.counts.motion.value += 1;
-  }
-
-  addIo(message: IoMessage): void {
-    this.past.addIo(message);
-    message.changes.forEach(({ link, ...state }) => this.levels.add(message.t, link, state));
-    this.counts.io.value += 1;
-  }
-
-  addPage(message: PageMessage): void {
-    this.pages.push(message);
-    this.counts.page.value += 1;
-  }
-
-  addParts(message: PartsMessage): void {
-    this.placed.push(message);
-    this.counts.parts.value += 1;
-  }
-
-  addReach(message: ReachMessage): void {
-    this.reaches.push(message);
-    this.counts.reach.value += 1;
-  }
-
-  addEvents({ events }: EventsMessage): void {
-    this.past.addEvents(events);
-  }
-
-  addData(message: DataMessage): void {
-    [this.points, this.joints, this.frames, this.tools].forEach((values) => values.add(message));
-    this.counts.data.value += 1;
+  add(message: IndexedMessage): void {
+    this.data.add(message);
+    if (message.kind !== "events") {
+      this.counts[message.kind].value += 1;
+    }
   }
 
   addUnsaved({ points, undo }: UnsavedMessage): void {
@@ -161,20 +117,19 @@ export class PanelModel {
       count.valueOf();
       return at(time.value);
     });
-    const shownMotion = after(motion, (t) => latest(this.motions, t));
+    const shownMotion = after(motion, (t) => latest(this.data.motions, t));
     const chosenReach = signal<ToolReach | undefined>(undefined);
-    const shownReach = after(reach, (t) => latest(this.reaches, t));
+    const shownReach = after(reach, (t) => latest(this.data.reaches, t));
     const reached = computed(() => this.asReach(shownReach.value));
     const slowTime = throttled(time, SLOW);
     const whole = computed((): readonly [number, number] => [oldest.value, Math.max(newest.value, oldest.value + 0.05)]);
     const slowWhole = throttled(whole, SLOW);
     const levels = computed(() => {
       io.valueOf();
-      return this.levels.at(slowTime.value);
+      return this.data.levels.at(slowTime.value);
     });
-    const { signals, segments, moves, refused, encounters, events, faults, transfers, states } = this.past;
     const shownQueue = computed(() => this.asMotion(shownMotion.value));
-    const history: CellHistory = { signals, segments, moves, refused, encounters, events, faults, transfers, states, samples: around.samples, rests: around.rests };
+    const history = this.history(around);
     return {
       ...around,
       scene: this.scene,
@@ -185,17 +140,18 @@ export class PanelModel {
         const [first, last] = whole.peek();
         this.chosenRange.value = start <= first && end >= last ? undefined : [start, end];
       },
-      state: after(state, (t) => latest(this.states, t)),
+      state: after(state, (t) => latest(this.data.states, t)),
       motion: shownQueue,
-      page: after(page, (t) => latest(this.pages, t)),
-      parts: after(parts, (t) => latest(this.placed, t)?.parts ?? []),
+      page: after(page, (t) => latest(this.data.pages, t)),
+      parts: after(parts, (t) => latest(this.data.placed, t)?.parts ?? []),
       levels,
-      points: after(data, (t) => this.points.at(t)),
-      joints: after(data, (t) => this.joints.at(t)),
-      frames: after(data, (t) => this.frames.at(t)),
-      tools: after(data, (t) => this.tools.at(t)),
+      points: after(data, (t) => this.data.points.at(t)),
+      joints: after(data, (t) => this.data.joints.at(t)),
+      frames: after(data, (t) => this.data.frames.at(t)),
+      tools: after(data, (t) => this.data.tools.at(t)),
       toolName: computed(() => around.sample.value?.toolName),
       chosenTool: signal(undefined),
+      armGoal: signal(undefined),
       chosenReach,
       unreachable: computed(() => chosenReach.value ?? reached.value),
       history,
@@ -207,6 +163,23 @@ export class PanelModel {
         this.code.showLine(line);
         around.showPrograms();
       },
+    };
+  }
+
+  /** Returns the present history, also after another index is used. */
+  private history({ samples, rests }: Surroundings): CellHistory {
+    const past = (): PanelHistory => this.data.past;
+    return {
+      samples, rests,
+      get signals() { return past().signals; },
+      get segments() { return past().segments; },
+      get moves() { return past().moves; },
+      get refused() { return past().refused; },
+      get encounters() { return past().encounters; },
+      get events() { return past().events; },
+      get faults() { return past().faults; },
+      get transfers() { return past().transfers; },
+      get states() { return past().states; },
     };
   }
 

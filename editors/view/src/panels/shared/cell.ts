@@ -47,8 +47,10 @@ export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
 /** Recorded move with its line instead of a source index. */
 export type QueuedMove = Omit<QueueEntry, "source"> & CodeLine;
 
-/** State of the cell. Runs of earlier versions have no `awaitedHold` and `config`. */
-export type CellState = Omit<wire.StateMessage, "t" | "heldBecause" | "awaitedHold" | "config" | "tasks"> & { tasks: readonly TaskState[]; awaitedHold?: string | null | undefined; config?: string | undefined };
+/** State of the cell. Runs of earlier versions have no `awaitedHold`, `heldBecause`, `awaitsNextMove` and `config`. */
+export type CellState = Omit<wire.StateMessage, "t" | "heldBecause" | "awaitedHold" | "awaitsNextMove" | "config" | "tasks"> & { tasks: readonly TaskState[] } & {
+  [Key in "awaitedHold" | "heldBecause" | "awaitsNextMove" | "config"]?: wire.StateMessage[Key] | undefined;
+};
 
 /** Recorded moves, and the path ahead. */
 export interface CellMotion {
@@ -70,6 +72,12 @@ export interface ArmSample {
   tool: Pose;
   /** Name of the tool, if data have its pose. */
   toolName?: string | null | undefined;
+}
+
+/** Position to which the operator is about to move the arm, and its name. */
+export interface ArmGoal {
+  joints: readonly number[];
+  text: string;
 }
 
 export interface ArmRest {
@@ -128,6 +136,8 @@ export interface Cell {
   toolName: ReadonlySignal<string | null | undefined>;
   /** Tool with which the operator jogs, teaches and checks the reach. */
   chosenTool: Signal<ChosenTool>;
+  /** Position to which *Go to* moves the arm, which the picture shows. */
+  armGoal: Signal<ArmGoal | undefined>;
   /** Reach of the chosen tool; `undefined` without one. */
   chosenReach: Signal<ToolReach | undefined>;
   /** Points and joint positions out of reach of the chosen tool, otherwise of the last move's tool. */
@@ -135,10 +145,15 @@ export interface Cell {
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
+  /** Reason why the arm and its switches cannot be operated after the end of the run. */
+  armEnded: ReadonlySignal<string | undefined>;
   /** Whether Run starts the application again after its end. */
   canRestart: ReadonlySignal<boolean>;
   /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
+  /** Whether nothing but the shown past prevents operating. */
+  isPastOnly: ReadonlySignal<boolean>;
+  showPresent: () => void;
   /** Names of points, joint positions, frames and tools that were changed by hand and not saved. */
   unsaved: ReadonlySignal<ReadonlySet<string>>;
   /** Value whose last change can be undone. */

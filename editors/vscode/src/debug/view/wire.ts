@@ -716,13 +716,15 @@ export interface Source {
 export interface StateMessage {
   /** Why the arm that a task waits for does not move, as sentences for an operator. */
   awaitedHold: string | null;
+  /** Whether the arm rests on its path because its next move is not recorded yet. */
+  awaitsNextMove: boolean;
   /** Configuration of the arm in words, as in points. */
   config: string;
   /** State of the emergency stop: `none`, `released` or `open`. */
   emergencyStop: string;
-  /** Reason why the arm is held. */
+  /** Why the arm does not move although moves are recorded, as sentences for an operator. */
   heldBecause: string | null;
-  /** Whether the arm is held. */
+  /** Whether the operator or the working mode holds the arm, also if no move is recorded. */
   isHeld: boolean;
   /** Working mode. */
   mode: string;
