@@ -65,9 +65,15 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "documentation",
+        // What cargo documents without a list of targets. Because of the examples, of which there are none, dependencies have
+        // the features that they have for clippy, so that none of them is checked again.
         run: StepCommand::Cargo(&[
             "doc",
             "--workspace",
+            "--lib",
+            "--bin",
+            "val3",
+            "--examples",
             "--no-deps",
             "--document-private-items",
             "--locked",
