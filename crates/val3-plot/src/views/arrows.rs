@@ -1,4 +1,4 @@
-//! Arrows along the path. A path that is repeated has the arrows of its first cycle.
+//! Arrows along the path. Further cycles on a path add arrows only where the first one has left a gap.
 
 use super::names::SAME;
 
