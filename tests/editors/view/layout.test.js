@@ -21,10 +21,10 @@ const places = (page) => page.evaluate(() => {
   }).filter((place) => !place.startsWith("Hide this message"));
 });
 
-/** Returns the names and controls of signals that are not inside the panel. */
+/** Returns the names of signals and the buttons *Lock* and *Sim* that are not inside the panel. */
 const outside = (page) => page.evaluate(() => {
   const panel = document.querySelector(".panel.io").getBoundingClientRect();
-  const cells = [...document.querySelectorAll(".signals :is(tbody th, button, select)")].filter((cell) => cell.getBoundingClientRect().top < innerHeight);
+  const cells = [...document.querySelectorAll(".signals :is(tbody th[scope=row], button)")].filter((cell) => cell.getBoundingClientRect().top < innerHeight);
   return cells.length === 0 ? ["no signals"] : cells.filter((cell) => {
     const { left, right } = cell.getBoundingClientRect();
     return left < panel.left - 1 || right > panel.right + 1;

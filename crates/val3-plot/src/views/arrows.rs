@@ -1,12 +1,12 @@
-//! Arrows along the path. A path that is repeated has the arrows of its first cycle.
+//! Arrows along the path. Further cycles on a path add arrows only where the first one has left a gap.
 
 use super::names::SAME;
 
 /// Distance of arrows along the path in pixels.
 pub(super) const SPACING: f64 = 110.0;
 
-/// An arrow of a later cycle is omitted if an earlier arrow is nearer than this share of [`SPACING`] on the same line, and
-/// the cosine of the angle between both is larger than [`SAME_DIRECTION`].
+/// An arrow of a later cycle is omitted if an earlier arrow is nearer than this share of [`SPACING`] on the same line,
+/// and the cosine of the angle between both is larger than [`SAME_DIRECTION`].
 const SAME_PIECE: f64 = 0.75;
 const SAME_DIRECTION: f64 = 0.9;
 

@@ -17,8 +17,8 @@ use crate::wire::{CommandError, ToolName};
 use crate::{configuration, units};
 
 /// Sets a point to the pose of a tool centre point with the configuration of the arm, or a joint position to the joints
-/// of the arm. A point is taught in its frame, or in a new `frame`, which becomes its father. A `movej` to the new value
-/// does not change the joints.
+/// of the arm. A point is taught in its frame, or in a new `frame`, which becomes its father. A `movej` to the new
+/// value does not change the joints.
 pub(super) fn teach(
     datum: &GlobalValue,
     tool: Option<ToolName>,

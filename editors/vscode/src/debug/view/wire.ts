@@ -169,7 +169,7 @@ export type Command =
   | TeachFrame & { command: "teachFrame" }
   | TeachTool & { command: "teachTool" }
   | { command: "undo" }
-  | Teach & { command: "solve" }
+  | Solve & { command: "solve" }
   | Reach & { command: "reach" }
   | Save & { command: "save" }
   | UserPage & { command: "userPage" }
@@ -221,6 +221,14 @@ export interface EventsMessage {
 
 /** Word for the fastest pace. */
 export type Fastest = "max";
+
+/** Frame name, with an index or key. */
+export interface FrameName {
+  /** Index or key; `null` for data with a single value. */
+  key?: ElementKey | null;
+  /** Data name, prefixed by the library, or `world`. */
+  name: string;
+}
 
 /** Program that a click on an element executes. */
 export interface HtmlClick {
@@ -692,6 +700,16 @@ export interface SignalState {
   value: number;
 }
 
+/** Arguments of `solve`. */
+export interface Solve {
+  /** Index or key; `null` for data with a single value. */
+  key?: ElementKey | null;
+  /** Data name, prefixed by the library. */
+  name: string;
+  /** Tool whose centre point counts; the tool of the last move if missing. */
+  tool?: ToolName;
+}
+
 /** Response of `solve`. */
 export interface Solved {
   /** Configurations in their order; a single entry for a joint position. */
@@ -774,8 +792,10 @@ export interface TaughtTool {
   residual: number;
 }
 
-/** Arguments of `teach` and `solve`. */
+/** Arguments of `teach`. */
 export interface Teach {
+  /** Frame in which a point is taught, which becomes its father; its present father if missing. */
+  frame?: FrameName;
   /** Index or key; `null` for data with a single value. */
   key?: ElementKey | null;
   /** Data name, prefixed by the library. */
