@@ -5,7 +5,7 @@ use crate::support::Folder;
 const MODBUS: &str = r#"<?xml version="1.0" encoding="ISO-8859-1" standalone="yes"?>
 <TOPICSLIST>
   <TOPIC Name="Modbus" Card="0" Channel="0" Equipment="0" RefreshPeriod="200" Actif="1">
-    <MODULE Tag_name_root="Bit" IDModule="BOOLEAN" InputSize="" OutputSize="10">
+    <MODULE Tag_name_root="Bit" IDModule="BOOLEAN" InputSize="" OutputSize="9">
       <ITEM Name="bStart" Syntaxe="%Q0" Offset="0"/>
       <ITEM Name="bIn" Syntaxe="%Q1:8" Offset="1"/>
     </MODULE>
