@@ -154,6 +154,12 @@ impl Feed {
         self.seen = now;
     }
 
+    /// Sends the complete present state, because the clock stops: samples do not wait for a full batch.
+    pub fn rest(&mut self, controller: &Controller) {
+        self.refresh(controller);
+        self.flush_samples();
+    }
+
     /// Sends the end of the run, and returns it.
     pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) -> End {
         let now = controller.now();

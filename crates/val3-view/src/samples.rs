@@ -63,6 +63,11 @@ impl Batch {
         }
     }
 
+    #[cfg(test)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+
     /// Adds a sample at a time.
     pub(crate) fn add(&mut self, time: Time, sample: &Sample, origin: SampleOrigin) {
         if self.times.is_empty() {

@@ -234,6 +234,27 @@ fn equal_runs_have_equal_messages() {
     assert_eq!(run(LISTING, text), run(LISTING, text));
 }
 
+/// No later cycle would send the samples of a batch that is not full.
+#[test]
+fn no_sample_waits_while_the_clock_stands_still() {
+    let mut running = Running::start(LISTING);
+    running.controller.devices.state.robot.set_power(true);
+    let mut feed = Feed::new(&running.controller, Role::Operator, text);
+    let mut waiting = 0;
+    while running.controller.now() < 1_000_000_000 {
+        let start = running.controller.now();
+        running.controller.step();
+        running.controller.jump(start + CYCLE);
+        feed.see(start, &[], &running.controller);
+        if start.is_multiple_of(5 * CYCLE) {
+            waiting += usize::from(!feed.batch.is_empty());
+            feed.rest(&running.controller);
+            assert!(feed.batch.is_empty(), "{start} ns");
+        }
+    }
+    assert!(waiting > 10, "{waiting} moments of a motion");
+}
+
 #[test]
 fn an_arm_that_rests_has_one_sample() {
     let messages = run("program start()\nbegin\n  delay(10)\nend\n", |_| None);

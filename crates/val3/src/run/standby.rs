@@ -73,8 +73,11 @@ impl Standby {
         if is_busy && !self.is_advancing {
             self.tempo.restart_clock(self.controller.now());
         }
-        self.is_advancing = is_busy;
+        let was_advancing = std::mem::replace(&mut self.is_advancing, is_busy);
         if !is_busy {
+            if was_advancing {
+                viewers.see_rest(&self.controller);
+            }
             return;
         }
         let start = self.controller.now();

@@ -144,6 +144,12 @@ impl Viewers {
         }
     }
 
+    /// Publishes the present state at which the clock stops. No later cycle publishes it.
+    pub(super) fn see_rest(&mut self, controller: &Controller) {
+        self.feed.rest(controller);
+        self.publish();
+    }
+
     /// Begins a part of the run, at which late viewers begin.
     fn begin_part(&mut self, controller: &Controller) {
         let state = self.feed.complete_state(controller);
