@@ -11,7 +11,10 @@ test("a locked input shows its locked value, and its button changes it in both d
   const value = page.getByRole("button", { name: "%I0 is" }).first();
   await page.getByRole("tab", { name: "Inputs and outputs" }).click();
   await page.getByRole("searchbox").fill("%I0");
-  await page.getByRole("button", { name: "Lock BasicIO-1\\%I0", exact: true }).click();
+  const lock = { name: "Lock BasicIO-1\\%I0", exact: true };
+  await page.getByRole("button", lock).click();
+  // Before the signal is shown as locked, the button of the value changes the terminal.
+  await page.getByRole("button", { ...lock, pressed: true }).waitFor();
   for (const text of ["true", "false", "true"]) {
     await value.click();
     await value.getByText(text, { exact: true }).waitFor();
