@@ -65,8 +65,8 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "documentation",
-        // What cargo documents without a list of targets. Because of the examples, of which there are none, dependencies have
-        // the features that they have for clippy, so that none of them is checked again.
+        // The targets are those that cargo documents by default. `--examples` selects none, but gives the dependencies the
+        // features of development dependencies, as clippy does, so that cargo does not check them again.
         run: StepCommand::Cargo(&[
             "doc",
             "--workspace",

@@ -5,7 +5,7 @@ use val3_debug::{Inside, ScopeKind};
 use super::{Handles, InspectedItem};
 use crate::protocol::{Scope, Variable, VariablePresentationHint, VariablePresentationHintAttributes};
 
-/// Largest number of libraries with a scope of their own.
+/// Number of libraries up to which each library has its scope.
 const FEW: usize = 4;
 
 /// Data of a library.

@@ -17,7 +17,7 @@ const EFFECT: Time = SECOND / 5;
 /// Reason why commands are not executed after the end of a run.
 pub(super) const ENDED: &str = "the run has ended; Run starts the application again";
 
-/// Reason why the arm of a run that was ended in the middle of its application is not moved.
+/// Reason why the arm is not moved if the run has ended before its application.
 const INTERRUPTED: &str = "the run has ended while the application was running, so the arm is not moved; Run starts \
                            the application again";
 
