@@ -123,7 +123,8 @@ impl<T: Clone> Watch<T> {
         }
         let present = Present { step: &step, label, at_start: self.observation.is_new() };
         let pairs = scene.pairs.iter().zip(&mut self.pairs);
-        let encounters = pairs.flat_map(|(pair, watched)| watched.see(scene, pair, &present)).flatten().collect();
+        let mut encounters = Vec::new();
+        pairs.for_each(|(pair, watched)| watched.see(scene, pair, &present, &mut encounters));
         self.observation.record(sight);
         encounters
     }
@@ -131,10 +132,8 @@ impl<T: Clone> Watch<T> {
     /// Ends all encounters at the end of a run.
     pub fn finish(&mut self) -> Vec<Encounter<T>> {
         let scene = &self.observation.scene;
-        let ended = scene.pairs.iter().zip(&mut self.pairs).filter_map(|(pair, watched)| {
-            Some(watched.nearest.take()?.encounter(EncounterState::Clear, scene.names(pair)))
-        });
-        ended.collect()
+        let pairs = scene.pairs.iter().zip(&mut self.pairs);
+        pairs.filter_map(|(pair, watched)| watched.end(scene, pair)).collect()
     }
 }
 
@@ -147,12 +146,12 @@ struct Present<'p, T> {
 }
 
 impl<T: Clone> WatchedPair<T> {
-    /// Evaluates a pair. Returns one encounter if it begins or becomes a contact, and one if it ends.
-    fn see(&mut self, scene: &Scene, pair: &Pair, present: &Present<'_, T>) -> [Option<Encounter<T>>; 2] {
+    /// Evaluates a pair. Adds one encounter if it begins or becomes a contact, and one if it ends.
+    fn see(&mut self, scene: &Scene, pair: &Pair, present: &Present<'_, T>, encounters: &mut Vec<Encounter<T>>) {
         let Some(comparison) = present.step.comparison(pair) else {
             self.track = Track::default();
-            let ended = self.nearest.take().map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)));
-            return [None, ended];
+            encounters.extend(self.end(scene, pair));
+            return;
         };
         // Distances of parts are measured between their cores.
         let least = if pair.clearance > 0.0 { pair.clearance + pair.touch } else { TOUCHING };
@@ -161,13 +160,19 @@ impl<T: Clone> WatchedPair<T> {
             Some(nearest) => Wanted { threshold: nearest.measured.distance, margin: EXACT, limit: least + EXACT },
         };
         let found = self.track.follow(present.step, pair, wanted);
-        let begun = found.and_then(|found| {
-            let state = self.approach(&found, pair, comparison, present)?;
-            Some(self.nearest.as_ref()?.encounter(state, scene.names(pair)))
-        });
-        let is_apart = self.track.at_least() > least + EXACT;
-        let ended = if is_apart { self.nearest.take() } else { None };
-        [begun, ended.map(|nearest| nearest.encounter(EncounterState::Clear, scene.names(pair)))]
+        if let Some(found) = found
+            && let Some(state) = self.approach(&found, pair, comparison, present)
+        {
+            encounters.extend(self.nearest.as_ref().map(|nearest| nearest.encounter(state, scene.names(pair))));
+        }
+        if self.track.at_least() > least + EXACT {
+            encounters.extend(self.end(scene, pair));
+        }
+    }
+
+    /// Ends the encounter, if there is one.
+    fn end(&mut self, scene: &Scene, pair: &Pair) -> Option<Encounter<T>> {
+        Some(self.nearest.take()?.encounter(EncounterState::Clear, scene.names(pair)))
     }
 
     /// Records a smaller distance. Returns the encounter's state if it has changed.
