@@ -1,4 +1,4 @@
-// Prints each test in the format of the other editor tests. The suite has the name of its folder.
+// Prints each test in the format of the other editor tests. The suite has the name of its last folder.
 import { basename, dirname } from "node:path";
 
 export default async function* reporter(events) {
@@ -6,7 +6,7 @@ export default async function* reporter(events) {
   const count = { "test:pass": 0, "test:fail": 0 };
   for await (const { type, data } of events) {
     // A file is a test that consists of its tests.
-    if (!(type in count) || data.name.endsWith(".test.js")) continue;
+    if (!(type in count) || /\.test\.m?js$/.test(data.name)) continue;
     count[type] += 1;
     suite = basename(dirname(data.file));
     if (type === "test:pass") {

@@ -9,7 +9,7 @@ const { chromium } = require("playwright-core");
 
 // Only the picture is drawn by an emulated graphics card. If it drew the whole page, tests would take almost twice the time.
 const FLAGS = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"];
-const TIMEOUT = 60_000;
+const TIMEOUT = 180_000;
 
 /** Number of attempts to hold a button before the test fails. */
 const PRESSES = 6;
