@@ -36,28 +36,40 @@ logging.getLogger("pyftpdlib").disabled = True
 class Server:
     """An FTP server in a thread, whose root is a folder."""
 
-    def __init__(self, root: Path, old: bool = False, rights: str = "elradfmwMT") -> None:
+    def __init__(
+        self, root: Path, old: bool = False, rights: str = "elradfmwMT", base: type = FTPHandler, port: int = 0
+    ) -> None:
         authorizer = DummyAuthorizer()
         authorizer.add_user("maintenance", SECRET, str(root), perm=rights)
         authorizer.add_user("default", "", str(root), perm="elr")
         outer = self
         self.root, self.authorizer = root, authorizer
 
-        class Handler(FTPHandler):  # type: ignore[misc]
+        class Handler(base):  # type: ignore[misc]
             def pre_process_command(self, line: str, cmd: str, arg: str) -> None:
                 outer.on_command()
+                outer.names.append(cmd)
                 super().pre_process_command(line, cmd, arg)
 
         Handler.authorizer = authorizer
         Handler.auth_failed_timeout = 0
         if old:
-            Handler.proto_cmds = {name: rules for name, rules in FTPHandler.proto_cmds.items() if name not in MODERN}
+            Handler.proto_cmds = {name: rules for name, rules in base.proto_cmds.items() if name not in MODERN}  # type: ignore[attr-defined]
         self.commands = 0
+        #: Names of the commands.
+        self.names: list[str] = []
         #: Called with the number of each command.
         self.hook: Callable[[int], None] = lambda _: None
-        self.server: Any = FTPServer(("127.0.0.1", 0), Handler)
-        self.thread = threading.Thread(target=self.server.serve_forever, kwargs={"timeout": 0.01}, daemon=True)
+        self.server: Any = FTPServer(("127.0.0.1", port), Handler)
+        self.is_closed = threading.Event()
+        self.thread = threading.Thread(target=self.serve, daemon=True)
         self.thread.start()
+
+    def serve(self) -> None:
+        """Serve connections until the server is closed."""
+        while not self.is_closed.is_set():
+            self.server.serve_forever(timeout=0.01, blocking=False, handle_exit=False)
+        self.server.close_all()
 
     def on_command(self) -> None:
         """Count a command."""
@@ -75,7 +87,8 @@ class Server:
 
     def close(self) -> None:
         """Stop the server."""
-        self.server.close_all()
+        self.is_closed.set()
+        self.thread.join()
 
 
 def environment() -> dict[str, str]:
@@ -95,7 +108,7 @@ def replace(path: Path, old: str, new: str) -> None:
     path.write_text(text.replace(old, new), encoding="utf-8-sig")
 
 
-class ControllerTest(unittest.TestCase):
+class ControllerCase(unittest.TestCase):
     """The palletiser on a server."""
 
     def setUp(self) -> None:
@@ -130,10 +143,9 @@ class ControllerTest(unittest.TestCase):
         self.assertNotIn(SECRET, output)
         return output
 
-    def day(self, old: bool) -> None:
+    def day(self, server: Server, *options: str) -> None:
         """The flow of a day: acceptance test of the commands."""
-        server = self.start(old)
-        self.run_val3("pull", "--all", server.address())
+        self.run_val3("pull", "--all", *options, server.address())
         self.assertNotIn(SECRET.encode(), b"".join(contents(self.cell).values()))
         self.run_val3("status")
         grip = self.cell / "usr/usrapp/partBag/grip.pgx"
@@ -161,11 +173,53 @@ class ControllerTest(unittest.TestCase):
         self.assertTrue('vel="60"' in text and 'j2="-30"' in text)
         self.assertFalse([name for name in contents(self.root) if "val3" in Path(name).suffix or "lock" in name])
 
+
+class ControllerTest(ControllerCase):
+    """Servers without encryption."""
+
     def test_a_day_with_a_new_controller(self) -> None:
-        self.day(old=False)
+        self.day(self.start(old=False))
 
     def test_a_day_with_an_old_controller(self) -> None:
-        self.day(old=True)
+        self.day(self.start(old=True))
+
+    def test_a_day_in_active_mode(self) -> None:
+        server = self.start()
+        self.day(server, "--active")
+        self.assertIn("PORT", server.names)
+        self.assertNotIn("PASV", server.names)
+        self.assertIn("active = true", (self.cell / ".val3/controller.toml").read_text())
+        self.run_val3("pull", "--passive")
+        self.assertIn("PASV", server.names)
+        self.assertNotIn("active", (self.cell / ".val3/controller.toml").read_text())
+
+    def test_a_controller_that_cannot_connect_to_this_computer_has_a_remedy(self) -> None:
+        class Blocked(FTPHandler):  # type: ignore[misc]
+            def ftp_PORT(self, _: str) -> None:
+                self.respond("425 Can't connect to specified address.")
+
+        server = Server(self.root, base=Blocked)
+        self.addCleanup(server.close)
+        output = self.run_val3("pull", "--active", server.address(), code=2)
+        self.assertIn("cannot open the data connection to this computer: 425", output)
+        self.assertIn("--passive", output)
+
+    def test_a_controller_that_closes_idle_connections_is_read(self) -> None:
+        class Impatient(FTPHandler):  # type: ignore[misc]
+            def ftp_RETR(self, line: str) -> None:
+                if line.endswith("palletiser.dtx") and not seen:
+                    seen.append(line)
+                    self.respond("421 Control connection timed out.")
+                    self.close_when_done()
+                else:
+                    super().ftp_RETR(line)
+
+        seen: list[str] = []
+        server = Server(self.root, base=Impatient)
+        self.addCleanup(server.close)
+        self.run_val3("pull", server.address())
+        self.assertEqual((len(seen), server.names.count("PASS")), (1, 2))
+        self.run_val3("status")
 
     def test_a_profile_without_write_access_cannot_push(self) -> None:
         server = self.start(rights="elr")

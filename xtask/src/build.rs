@@ -13,7 +13,8 @@ pub struct Arguments {
     /// Build as for tests, without optimisation
     #[arg(long)]
     pub debug: bool,
-    /// Build for this target of the compiler, for example `x86_64-unknown-linux-musl`
+    /// Build for this target of the compiler, for example `x86_64-unknown-linux-musl`. C code for musl is compiled with
+    /// cargo-zigbuild
     #[arg(long, value_name = "TRIPLE", conflicts_with = "debug")]
     pub target: Option<String>,
     /// On Linux, link for this version of glibc and later ones with cargo-zigbuild, for example `2.17`
@@ -69,6 +70,12 @@ impl Build {
         debug_info::split(&binary, &self.target, &folder)
     }
 
+    /// Whether cargo-zigbuild compiles C code and links: for an older glibc, and for musl, for which systems with another C
+    /// library have no C compiler.
+    fn needs_zig(&self) -> bool {
+        self.glibc.is_some() || self.is_named && self.target.ends_with("-linux-musl")
+    }
+
     /// Returns the arguments of cargo for this build, without the command.
     pub fn cargo_arguments(&self) -> Vec<String> {
         let mut arguments: Vec<String> =
@@ -84,7 +91,7 @@ impl Build {
     fn binary(&self) -> anyhow::Result<Utf8PathBuf> {
         if self.is_debug {
             project::succeed(&mut project::cargo(&["build-val3"]))?;
-        } else if self.glibc.is_some() {
+        } else if self.needs_zig() {
             let mut build = packaging_tools::command(Packages::Zig, "cargo-zigbuild")?;
             project::succeed(build.arg("zigbuild").args(self.cargo_arguments()))?;
         } else {
@@ -113,6 +120,15 @@ mod tests {
         assert_eq!(musl.cargo_arguments().last().unwrap(), "aarch64-unknown-linux-musl");
         let old = build(Some("x86_64-unknown-linux-gnu"), Some("2.17")).unwrap();
         assert_eq!(old.cargo_arguments().last().unwrap(), "x86_64-unknown-linux-gnu.2.17");
+    }
+
+    #[test]
+    fn targets_without_a_compiler_of_the_system_are_built_with_zig() {
+        assert!(build(Some("x86_64-unknown-linux-musl"), None).unwrap().needs_zig());
+        assert!(build(Some("x86_64-unknown-linux-gnu"), Some("2.17")).unwrap().needs_zig());
+        for target in [None, Some("x86_64-unknown-linux-gnu"), Some("x86_64-pc-windows-msvc")] {
+            assert!(!build(target, None).unwrap().needs_zig(), "{target:?}");
+        }
     }
 
     #[test]

@@ -18,7 +18,7 @@ const PROGRAMS: &str = if cfg!(windows) { "Scripts" } else { "bin" };
 pub enum Packages {
     /// Tools for wheels: `packaging/wheel.txt`.
     Wheel,
-    /// Linker for older systems: `packaging/zig.txt`.
+    /// C compiler and linker for older systems and for musl: `packaging/zig.txt`.
     Zig,
 }
 

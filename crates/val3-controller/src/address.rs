@@ -20,9 +20,11 @@ pub enum ControllerAddress {
     Folder(Utf8PathBuf),
 }
 
-/// Address of an FTP server, without the password.
+/// Address of an FTP server, with or without TLS, and without the password.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FtpAddress {
+    /// Whether the connections are encrypted by TLS: `ftps://`.
+    pub is_encrypted: bool,
     /// Name of the profile on the controller.
     pub user: String,
     /// Name or number of the host; an IPv6 number without brackets.
@@ -36,10 +38,8 @@ pub struct FtpAddress {
 /// Reason why a text is no address.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AddressFault {
-    /// Another protocol than FTP.
+    /// Another protocol than FTP, with or without TLS.
     Protocol,
-    /// FTP over TLS, which is not supported.
-    Tls,
     /// No host.
     Host,
     /// The port is no number from 1 to 65535.
@@ -51,35 +51,38 @@ pub enum AddressFault {
 }
 
 impl ControllerAddress {
-    /// Parses `ftp://user@host:port/path`, or the path of a folder.
+    /// Parses `ftp://user@host:port/path`, the same with `ftps://`, or the path of a folder.
     ///
     /// # Errors
     /// If the text has the form of a URL, but is not a valid address.
     pub fn parse(text: &str) -> Result<Self, AddressFault> {
         match text.split_once("://") {
             None => Ok(Self::Folder(text.into())),
-            Some((scheme, rest)) if scheme.eq_ignore_ascii_case("ftp") => FtpAddress::parse(rest).map(Self::Ftp),
-            Some((scheme, _)) if scheme.eq_ignore_ascii_case("ftps") => Err(AddressFault::Tls),
+            Some((scheme, rest)) if scheme.eq_ignore_ascii_case("ftp") => FtpAddress::parse(rest, false).map(Self::Ftp),
+            Some((scheme, rest)) if scheme.eq_ignore_ascii_case("ftps") => FtpAddress::parse(rest, true).map(Self::Ftp),
             Some(_) => Err(AddressFault::Protocol),
         }
     }
 }
 
 impl ControllerAddress {
-    /// Whether both addresses lead to the same files. The profile of the login may differ.
+    /// Whether both addresses lead to the same files. The profile of the login and the encryption may differ.
     pub(crate) fn is_same_place(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Ftp(one), Self::Ftp(other)) => {
-                one.host.eq_ignore_ascii_case(&other.host) && (one.port, &one.base) == (other.port, &other.base)
-            }
+            (Self::Ftp(one), Self::Ftp(other)) => one.is_same_server(other) && one.base == other.base,
             _ => self == other,
         }
     }
 }
 
 impl FtpAddress {
-    /// Parses the part after `ftp://`.
-    fn parse(rest: &str) -> Result<Self, AddressFault> {
+    /// Whether both addresses name the same host and port.
+    pub(crate) fn is_same_server(&self, other: &Self) -> bool {
+        self.host.eq_ignore_ascii_case(&other.host) && self.port == other.port
+    }
+
+    /// Parses the part after `ftp://` or `ftps://`.
+    fn parse(rest: &str, is_encrypted: bool) -> Result<Self, AddressFault> {
         let (authority, path) = rest.split_once('/').unwrap_or((rest, ""));
         let (user, server) = authority.rsplit_once('@').unwrap_or((DEFAULT_USER, authority));
         if user.contains(':') {
@@ -88,7 +91,7 @@ impl FtpAddress {
         let (host, port) = host_and_port(server)?;
         let names = path.split('/').filter(|name| !name.is_empty()).map(decoded);
         let base = names.map(|name| Ok(format!("/{}", name?))).collect::<Result<String, AddressFault>>()?;
-        let address = Self { user: decoded(user)?, host: decoded(host)?, port, base };
+        let address = Self { is_encrypted, user: decoded(user)?, host: decoded(host)?, port, base };
         if address.host.is_empty() { Err(AddressFault::Host) } else { Ok(address) }
     }
 
@@ -130,8 +133,8 @@ impl Display for ControllerAddress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Folder(folder) => write!(f, "{folder}"),
-            Self::Ftp(FtpAddress { user, host, port, base }) => {
-                write!(f, "ftp://{}@", encoded(user))?;
+            Self::Ftp(FtpAddress { is_encrypted, user, host, port, base }) => {
+                write!(f, "{}://{}@", if *is_encrypted { "ftps" } else { "ftp" }, encoded(user))?;
                 if host.contains(':') { write!(f, "[{host}]") } else { write!(f, "{host}") }?;
                 if *port != FTP_PORT {
                     write!(f, ":{port}")?;
@@ -145,8 +148,7 @@ impl Display for ControllerAddress {
 impl Display for AddressFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Protocol => "only `ftp://` addresses and folders are supported",
-            Self::Tls => "FTP over TLS is not supported",
+            Self::Protocol => "only `ftp://` and `ftps://` addresses and folders are supported",
             Self::Host => "it names no host",
             Self::Port => "the port is no number from 1 to 65535",
             Self::Password => "a password does not belong in an address, which is stored and shown",
@@ -162,7 +164,8 @@ mod tests {
     use super::*;
 
     fn ftp(user: &str, host: &str, port: u16, base: &str) -> ControllerAddress {
-        ControllerAddress::Ftp(FtpAddress { user: user.to_owned(), host: host.to_owned(), port, base: base.to_owned() })
+        let [user, host, base] = [user, host, base].map(str::to_owned);
+        ControllerAddress::Ftp(FtpAddress { is_encrypted: false, user, host, port, base })
     }
 
     #[test]
@@ -180,6 +183,15 @@ mod tests {
     }
 
     #[test]
+    fn an_address_with_tls_leads_to_the_same_files() {
+        let address = ControllerAddress::parse("FTPS://me@robot").unwrap();
+        assert!(matches!(&address, ControllerAddress::Ftp(FtpAddress { is_encrypted: true, port: 21, .. })));
+        assert_eq!(address.to_string(), "ftps://me@robot");
+        assert!(address.is_same_place(&ftp("default", "ROBOT", 21, "")));
+        assert!(!address.is_same_place(&ftp("me", "robot", 2121, "")));
+    }
+
+    #[test]
     fn wrong_addresses_have_a_reason() {
         for (text, fault) in [
             ("ftp://", AddressFault::Host),
@@ -189,7 +201,7 @@ mod tests {
             ("ftp://[::1", AddressFault::Host),
             ("ftp://ro%0abot", AddressFault::Text),
             ("http://robot", AddressFault::Protocol),
-            ("ftps://robot", AddressFault::Tls),
+            ("ftps://me:secret@robot", AddressFault::Password),
         ] {
             assert_eq!(ControllerAddress::parse(text), Err(fault), "{text}");
         }

@@ -129,20 +129,8 @@ impl ControllerError {
     /// What to do; empty if the message says it.
     #[must_use]
     pub fn help(&self) -> &'static str {
-        use crate::access::AccessFault::{Connection, Name, Rejected, Special, Timeout};
         match self {
-            Self::Access(error) => match &error.reason {
-                Rejected { code: 530, .. } => {
-                    "check the profile and its password: `connectionPassword`, not `password`"
-                }
-                Rejected { code: 550 | 553, .. } => {
-                    "the profile needs `readAccess`, and for a push `writeAccess`; a loaded application can refuse too"
-                }
-                Rejected { code: 452 | 552, .. } => "the controller is full: remove applications that are not used",
-                Connection(_) | Timeout => "check the cable, the address and that the controller is on",
-                Special(_) | Name(_) => "rename or remove it on the controller, or name applications with --app",
-                _ => "",
-            },
+            Self::Access(error) => error.help(),
             Self::Missing(_) => "name a file as `val3 status` does: usr/usrapp/demo/start.pgx",
             Self::DamagedState { .. } => {
                 "restore the file, for example from git; or remove it and run `val3 pull ADDRESS`, which stops at files that differ"

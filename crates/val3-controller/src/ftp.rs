@@ -5,18 +5,20 @@
 
 mod connection;
 mod listing;
+mod tls;
+mod transfer;
 
-use std::io::Read as _;
-use std::io::Write as _;
 use std::time::Duration;
 
-use suppaftp::{FtpError, FtpStream};
+use suppaftp::FtpError;
 
 use crate::access::{AccessError, AccessFault, ControllerFiles, ListedEntry};
 use crate::address::FtpAddress;
+use crate::certificate::CertificateFingerprint;
+use crate::connection_settings::{ConnectionSettings, FtpTimeouts};
 use crate::path::ControllerPath;
-use connection::{connect, fault};
-use listing::{LISTING_LIMIT, ListingCommand};
+use connection::{ConnectFailure, Connection, FtpClient, connect, fault, presented_certificate};
+use listing::ListingCommand;
 
 /// Password that no message shows.
 #[derive(Clone, PartialEq, Eq)]
@@ -42,29 +44,15 @@ impl std::fmt::Debug for Password {
     }
 }
 
-/// Time limits of a connection.
-#[derive(Debug, Clone, Copy)]
-pub struct FtpTimeouts {
-    /// For the connection.
-    pub connect: Duration,
-    /// Without a byte, for replies and transfers.
-    pub transfer: Duration,
-}
-
-impl Default for FtpTimeouts {
-    fn default() -> Self {
-        Self { connect: Duration::from_secs(5), transfer: Duration::from_secs(30) }
-    }
-}
-
 /// Files behind an FTP connection.
 pub struct FtpFiles {
     address: FtpAddress,
     password: Password,
+    settings: ConnectionSettings,
     timeouts: FtpTimeouts,
     place: String,
     /// `None` after an error that leaves replies unread.
-    connection: Option<FtpStream>,
+    connection: Option<Connection>,
     listing: ListingCommand,
 }
 
@@ -75,15 +63,30 @@ impl std::fmt::Debug for FtpFiles {
 }
 
 impl FtpFiles {
-    /// Connects and logs in.
+    /// Connects and logs in. The password is sent after the server has proved that it has the accepted certificate, if
+    /// the address requires encryption.
     ///
     /// # Errors
-    /// If the server cannot be reached or rejects the login.
-    pub fn connect(address: FtpAddress, password: Password, timeouts: FtpTimeouts) -> Result<Self, AccessError> {
-        let place = address.place();
-        let mut files = Self { address, password, timeouts, place, connection: None, listing: ListingCommand::List };
+    /// If the server cannot be reached, has not the accepted certificate, or rejects the login.
+    pub fn connect(
+        address: FtpAddress,
+        password: Password,
+        settings: ConnectionSettings,
+        timeouts: FtpTimeouts,
+    ) -> Result<Self, AccessError> {
+        let (place, listing) = (address.place(), ListingCommand::List);
+        let mut files = Self { address, password, settings, timeouts, place, connection: None, listing };
         files.reconnect()?;
         Ok(files)
+    }
+
+    /// Returns the fingerprint of a server's certificate, without a login. The server has proved that it has the key of
+    /// the certificate.
+    ///
+    /// # Errors
+    /// If the server cannot be reached or does not offer TLS.
+    pub fn fingerprint(address: &FtpAddress, timeouts: FtpTimeouts) -> Result<CertificateFingerprint, AccessError> {
+        presented_certificate(address, timeouts).map_err(|failure| access_error(failure, &address.place()))
     }
 
     /// Path as the server expects it.
@@ -95,21 +98,40 @@ impl FtpFiles {
     fn execute<T>(
         &mut self,
         step: impl FnOnce() -> String,
-        commands: impl FnOnce(&mut FtpStream) -> Result<T, AccessFault>,
+        commands: impl FnOnce(&mut Connection) -> Result<T, AccessFault>,
     ) -> Result<T, AccessError> {
         let result = match &mut self.connection {
             None => Err(AccessFault::Connection("it was lost before".to_owned())),
             Some(connection) => commands(connection),
         };
         result.map_err(|reason| {
-            if matches!(
-                reason,
-                AccessFault::Connection(_) | AccessFault::Timeout | AccessFault::Rejected { code: 421, .. }
-            ) {
+            let error = AccessError { step: step(), place: self.place.clone(), reason };
+            if error.ends_connection() {
                 self.connection = None;
             }
-            AccessError { step: step(), place: self.place.clone(), reason }
+            error
         })
+    }
+
+    /// Executes commands that only read. If the server has closed the connection, for example because it was idle during
+    /// a question or a check, they are repeated once on a new connection.
+    fn execute_reading<T>(
+        &mut self,
+        step: impl Fn() -> String,
+        mut commands: impl FnMut(&mut Connection, &mut ListingCommand) -> Result<T, AccessFault>,
+    ) -> Result<T, AccessError> {
+        let mut listing = self.listing;
+        let first = self.execute(&step, |connection| commands(connection, &mut listing));
+        let result = match first {
+            Err(error) if error.is_closed() => {
+                self.reconnect()?;
+                listing = self.listing;
+                self.execute(step, |connection| commands(connection, &mut listing))
+            }
+            first => first,
+        };
+        self.listing = listing;
+        result
     }
 
     /// Executes one command with one path.
@@ -117,10 +139,13 @@ impl FtpFiles {
         &mut self,
         verb: &str,
         path: &ControllerPath,
-        command: impl FnOnce(&mut FtpStream, &str) -> Result<(), FtpError>,
+        command: impl FnOnce(&mut FtpClient, &str) -> Result<(), FtpError>,
     ) -> Result<(), AccessError> {
         let remote = self.remote(path);
-        self.execute(|| format!("{verb} `{path}`"), |ftp| command(ftp, &remote).map_err(fault))
+        self.execute(
+            || format!("{verb} `{path}`"),
+            |connection| command(&mut connection.client, &remote).map_err(fault),
+        )
     }
 }
 
@@ -128,8 +153,8 @@ impl FtpFiles {
 impl Drop for FtpFiles {
     fn drop(&mut self) {
         if let Some(mut connection) = self.connection.take() {
-            let _ = connection.get_ref().set_read_timeout(Some(Duration::from_secs(1)));
-            let _ = connection.quit();
+            let _ = connection.client.get_ref().set_read_timeout(Some(Duration::from_secs(1)));
+            let _ = connection.client.quit();
         }
     }
 }
@@ -141,31 +166,28 @@ impl ControllerFiles for FtpFiles {
 
     fn list(&mut self, folder: &ControllerPath) -> Result<Vec<ListedEntry>, AccessError> {
         let remote = self.remote(folder);
-        let mut command = self.listing;
-        let entries =
-            self.execute(|| format!("list `{folder}`"), |ftp| listing::list(ftp, folder, &remote, &mut command));
-        self.listing = command;
-        entries
+        self.execute_reading(
+            || format!("list `{folder}`"),
+            |connection, command| listing::list(connection, folder, &remote, command),
+        )
     }
 
     fn read(&mut self, file: &ControllerPath, limit: u64) -> Result<Vec<u8>, AccessError> {
         let remote = self.remote(file);
-        self.execute(|| format!("read `{file}`"), |ftp| read(ftp, &remote, limit))
+        self.execute_reading(|| format!("read `{file}`"), |connection, _| transfer::read(connection, &remote, limit))
     }
 
     fn write(&mut self, file: &ControllerPath, bytes: &[u8]) -> Result<(), AccessError> {
-        self.on_path("write", file, |ftp, remote| {
-            let mut stream = ftp.put_with_stream(remote)?;
-            let written = stream.write_all(bytes).and_then(|()| stream.flush());
-            // The reply contains the reason if the server has closed the transfer.
-            stream.finish()?;
-            written.map_err(FtpError::ConnectionError)
-        })
+        let remote = self.remote(file);
+        self.execute(|| format!("write `{file}`"), |connection| transfer::write(connection, &remote, bytes))
     }
 
     fn rename(&mut self, from: &ControllerPath, to: &ControllerPath) -> Result<(), AccessError> {
         let [old, new] = [self.remote(from), self.remote(to)];
-        self.execute(|| format!("rename `{from}` to `{}`", to.name()), |ftp| ftp.rename(&old, &new).map_err(fault))
+        self.execute(
+            || format!("rename `{from}` to `{}`", to.name()),
+            |connection| connection.client.rename(&old, &new).map_err(fault),
+        )
     }
 
     fn remove(&mut self, file: &ControllerPath) -> Result<(), AccessError> {
@@ -182,43 +204,18 @@ impl ControllerFiles for FtpFiles {
 
     fn reconnect(&mut self) -> Result<(), AccessError> {
         self.connection = None;
-        let (connection, listing) = connect(&self.address, &self.password.0, self.timeouts).map_err(|failure| {
-            AccessError { step: failure.step.to_owned(), place: self.place.clone(), reason: failure.reason }
+        let connected = connect(&self.address, &self.password.0, self.settings, self.timeouts);
+        let mut connection = connected.map_err(|failure| access_error(failure, &self.place))?;
+        let listing = ListingCommand::of_server(&mut connection.client);
+        self.listing = listing.map_err(|reason| {
+            let step = "query the features";
+            access_error(ConnectFailure { step, reason }, &self.place)
         })?;
-        (self.connection, self.listing) = (Some(connection), listing);
+        self.connection = Some(connection);
         Ok(())
     }
 }
 
-/// Receives a file up to a limit.
-fn read(ftp: &mut FtpStream, remote: &str, limit: u64) -> Result<Vec<u8>, AccessFault> {
-    let mut stream = ftp.retr_as_stream(remote).map_err(fault)?;
-    let mut bytes = Vec::new();
-    let received = (&mut stream).take(limit.saturating_add(1)).read_to_end(&mut bytes);
-    if bytes.len() as u64 > limit {
-        // The reply to the interrupted transfer has no meaning.
-        let _ = stream.finish();
-        return Err(AccessFault::TooLarge(limit));
-    }
-    // A transfer that ends early has no reply of success, even if the connection was closed properly.
-    stream.finish().map_err(fault)?;
-    received.map_err(|error| fault(FtpError::ConnectionError(error)))?;
-    Ok(bytes)
-}
-
-/// Receives the lines of a listing command.
-fn read_lines(ftp: &mut FtpStream, command: &str) -> Result<Vec<String>, AccessFault> {
-    use suppaftp::Status;
-    let opened = [Status::AboutToSend, Status::AlreadyOpen];
-    let (_, mut stream) = ftp.custom_data_command(command, &opened).map_err(fault)?;
-    let mut bytes = Vec::new();
-    let received = (&mut stream).take(LISTING_LIMIT + 1).read_to_end(&mut bytes);
-    if bytes.len() as u64 > LISTING_LIMIT {
-        let _ = stream.finish();
-        return Err(AccessFault::TooLarge(LISTING_LIMIT));
-    }
-    stream.finish().map_err(fault)?;
-    received.map_err(|error| fault(FtpError::ConnectionError(error)))?;
-    let text = String::from_utf8_lossy(&bytes);
-    Ok(text.lines().map(str::to_owned).filter(|line| !line.is_empty()).collect())
+fn access_error(ConnectFailure { step, reason }: ConnectFailure, place: &str) -> AccessError {
+    AccessError { step: step.to_owned(), place: place.to_owned(), reason }
 }

@@ -1,4 +1,4 @@
-//! The files of a controller, by FTP or in the folder of an emulator: pull, comparison, and a push after which the
+//! The files of a controller, by FTP with or without TLS, or in the folder of an emulator: pull, comparison, and a push after which the
 //! controller has the old application or the new one.
 //!
 //! [`ControllerFiles`] are the operations of a controller; [`FtpFiles`] and [`FolderFiles`] implement them. A
@@ -8,7 +8,9 @@
 
 mod access;
 mod address;
+mod certificate;
 mod compare;
+mod connection_settings;
 mod digest;
 mod error;
 mod folder;
@@ -26,11 +28,13 @@ mod status;
 
 pub use access::{AccessError, AccessFault, ControllerFiles, ListedEntry};
 pub use address::{AddressFault, ControllerAddress, FtpAddress};
+pub use certificate::{CertificateFingerprint, FingerprintFault};
 pub use compare::{FileDifference, FileDifferences, SideChange, compare};
+pub use connection_settings::{ConnectionSettings, FtpTimeouts};
 pub use digest::{FileDigest, FileDigests};
 pub use error::ControllerError;
 pub use folder::FolderFiles;
-pub use ftp::{FtpFiles, FtpTimeouts, Password};
+pub use ftp::{FtpFiles, Password};
 pub use identity::ControllerIdentity;
 pub use observer::{SilentObserver, TransferObserver, TransferStep};
 pub use path::{ControllerPath, NameFault, NameFaultKind};

@@ -1,7 +1,7 @@
 //! A local project: a folder with the files of a controller, and what is remembered of the controller.
 //!
-//! `.val3/controller.toml` contains the address, the identity and the digests of the last pull or push, `.val3/base`
-//! the contents for merges. Neither contains a password.
+//! `.val3/controller.toml` contains the address, the accepted certificate, the identity and the digests of the last pull
+//! or push, `.val3/base` the contents for merges. Neither contains a password.
 
 use std::io::Write as _;
 
@@ -9,6 +9,9 @@ use camino::{Utf8Path, Utf8PathBuf};
 use serde::{Deserialize, Serialize};
 use val3_files::{FileClass, FolderEntryKind, LogFile, Unreadable};
 
+use crate::address::ControllerAddress;
+use crate::certificate::CertificateFingerprint;
+use crate::connection_settings::ConnectionSettings;
 use crate::digest::{FileDigest, FileDigests};
 use crate::error::ControllerError;
 use crate::identity::ControllerIdentity;
@@ -44,6 +47,12 @@ pub struct ProjectState {
     version: u32,
     /// Address without a password.
     pub address: String,
+    /// Fingerprint of the accepted certificate; only for an address with TLS.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    fingerprint: Option<CertificateFingerprint>,
+    /// Whether the controller opens the data connections.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    active: bool,
     /// Folders on the controller that the project contains.
     pub folders: Vec<ControllerPath>,
     /// Serial numbers.
@@ -64,8 +73,22 @@ pub struct ControllerProject {
 impl ProjectState {
     /// Creates the state before the first pull.
     #[must_use]
-    pub fn new(address: String, controller: ControllerIdentity) -> Self {
-        Self { version: VERSION, address, controller, folders: Vec::new(), files: FileDigests::new() }
+    pub fn new(address: String, connection: ConnectionSettings, controller: ControllerIdentity) -> Self {
+        let ConnectionSettings { fingerprint, is_active: active } = connection;
+        let (folders, files) = (Vec::new(), FileDigests::new());
+        Self { version: VERSION, address, fingerprint, active, folders, controller, files }
+    }
+
+    /// Settings of the connections to an address: those of the last pull if it was from the same server, else the defaults.
+    #[must_use]
+    pub fn connection(&self, address: &ControllerAddress) -> ConnectionSettings {
+        match (ControllerAddress::parse(&self.address), address) {
+            (Ok(ControllerAddress::Ftp(last)), ControllerAddress::Ftp(server)) if last.is_same_server(server) => {
+                let fingerprint = self.fingerprint.filter(|_| server.is_encrypted);
+                ConnectionSettings { fingerprint, is_active: self.active }
+            }
+            _ => ConnectionSettings::default(),
+        }
     }
 }
 

@@ -129,7 +129,7 @@ fn remember(
             project::move_file(&incoming, &project.stored(BASE, path))?;
         }
     }
-    let mut state = ProjectState::new(request.address, request.identity);
+    let mut state = ProjectState::new(request.address, request.connection, request.identity);
     let known = project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default();
     state.folders = ControllerPath::outermost(known.into_iter().chain(request.folders.iter().cloned()));
     let controller = status.controller.clone().into_iter().filter(|(path, _)| !open.contains(path));

@@ -3,6 +3,7 @@
 mod arm;
 mod byte_size;
 mod check;
+mod connection;
 mod controller;
 mod coverage;
 mod destination;
@@ -33,6 +34,7 @@ use crate::version::VERSION;
 pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, ArmUrdfArgs, AxisRange};
 pub(crate) use byte_size::ByteSize;
 pub(crate) use check::CheckArgs;
+pub(crate) use connection::ConnectionArgs;
 pub(crate) use controller::{ControllerArgs, calendar};
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};

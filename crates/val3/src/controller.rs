@@ -4,17 +4,20 @@ mod checked;
 mod netrc;
 mod observer;
 pub(crate) mod password;
+pub(crate) mod question;
 mod report;
 pub(crate) mod soap_client;
+mod target;
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_controller::{
-    AddressFault, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerProject,
-    FolderFiles, FtpFiles, FtpTimeouts, RecoveredPush, RecoveryOutcome, check_identity, recover,
+    AddressFault, ConnectionSettings, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity,
+    ControllerProject, ProjectState, RecoveredPush, RecoveryOutcome, check_identity, recover,
 };
 
+use crate::args::ConnectionArgs;
 use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
@@ -24,6 +27,7 @@ use crate::user_error::UserError;
 pub(crate) use checked::{CheckOutcome, check_new_tree};
 pub(crate) use observer::ProgressObserver;
 pub(crate) use report::{change_word, counted_files, listed_files, planned_lines, shown_bytes, status_lines};
+pub(crate) use target::{ControllerTarget, check_no_option};
 
 /// A project with a connection to its controller.
 pub(crate) struct ControllerSession {
@@ -33,6 +37,8 @@ pub(crate) struct ControllerSession {
     pub(crate) observer: ProgressObserver,
     /// Address without a password.
     pub(crate) address: String,
+    /// Settings of the connections.
+    pub(crate) connection: ConnectionSettings,
     /// Pushes that were recovered.
     pub(crate) recovered: Vec<RecoveredPush>,
 }
@@ -41,16 +47,18 @@ impl ControllerSession {
     /// Connects to the controller of a project, checks its identity, and recovers a push that was killed.
     pub(crate) fn open(
         mut project: ControllerProject,
-        address: &ControllerAddress,
+        mut target: ControllerTarget,
         accepts_new: bool,
     ) -> Result<Self, UserError> {
         // Until the password is entered, a signal ends the process.
-        let mut files = connect(address)?;
+        let mut files = target.connect()?;
+        let ControllerTarget { address, settings: connection } = target;
         let mut observer = ProgressObserver::new(Signals::catch()?);
-        let identity = check_identity(&project, address, &mut *files, accepts_new)?;
+        let identity = check_identity(&project, &address, &mut *files, accepts_new)?;
         let recovered = recover(&mut project, &mut *files, &identity, now(), &mut observer)?;
         observer.end();
-        let session = Self { project, files, identity, observer, address: address.to_string(), recovered };
+        let address = address.to_string();
+        let session = Self { project, files, identity, observer, address, connection, recovered };
         session.recovered.iter().for_each(|one| note(&recovered_line(one)));
         Ok(session)
     }
@@ -72,13 +80,8 @@ pub(crate) fn parse_address(text: &str) -> Result<ControllerAddress, UserError> 
             AddressFault::Password => format!("this is no address of a controller: {fault}"),
             _ => format!("`{text}` is no address of a controller: {fault}"),
         };
-        UserError::new(message).with_help(match fault {
-            AddressFault::Tls => {
-                "write `ftp://PROFILE@HOST` in the network of the cell, or copy `usr` with an FTPS client and name the folder \
-                 that contains it"
-            }
-            _ => "write `ftp://PROFILE@HOST`, or the folder of an emulator",
-        })
+        UserError::new(message)
+            .with_help("write `ftp://PROFILE@HOST`, `ftps://PROFILE@HOST` for TLS, or the folder of an emulator")
     })?;
     Ok(match address {
         ControllerAddress::Folder(folder) => {
@@ -88,20 +91,8 @@ pub(crate) fn parse_address(text: &str) -> Result<ControllerAddress, UserError> 
     })
 }
 
-/// Opens the files at an address. The password is read only for a server.
-pub(crate) fn connect(address: &ControllerAddress) -> Result<Box<dyn ControllerFiles>, UserError> {
-    Ok(match address {
-        ControllerAddress::Folder(folder) => Box::new(FolderFiles::open(folder).map_err(ControllerError::from)?),
-        ControllerAddress::Ftp(server) => {
-            let password = password::read(&server.user, &server.host)?;
-            let files = FtpFiles::connect(server.clone(), password, FtpTimeouts::default());
-            Box::new(files.map_err(ControllerError::from)?)
-        }
-    })
-}
-
 /// Opens the project around a folder, which has a controller.
-pub(crate) fn open_project(folder: &Utf8Path) -> Result<(ControllerProject, ControllerAddress), UserError> {
+pub(crate) fn open_project(folder: &Utf8Path) -> Result<(ControllerProject, ControllerTarget), UserError> {
     let folder = Paths::new(&[], &current_folder()?).absolute(folder);
     let none = || {
         UserError::new(format!("`{folder}` belongs to no controller"))
@@ -109,8 +100,17 @@ pub(crate) fn open_project(folder: &Utf8Path) -> Result<(ControllerProject, Cont
     };
     let root = ControllerProject::around(&folder).ok_or_else(none)?;
     let project = ControllerProject::open(&root)?;
-    let address = project.state.as_ref().map(|state| parse_address(&state.address)).ok_or_else(none)??;
-    Ok((project, address))
+    let state = project.state.as_ref().ok_or_else(none)?;
+    let target = ControllerTarget::new(parse_address(&state.address)?, &ConnectionArgs::default(), Some(state))?;
+    Ok((project, target))
+}
+
+/// State of the project around the current folder, for a command that also works without one.
+pub(crate) fn surrounding_state() -> Result<Option<ProjectState>, UserError> {
+    Ok(match ControllerProject::around(&current_folder()?) {
+        None => None,
+        Some(folder) => ControllerProject::open(&folder)?.state,
+    })
 }
 
 /// Seconds since 1970.

@@ -18,6 +18,7 @@ use val3_diff::{Comparison, ReportClass, compare_with, listing};
 use self::compared_versions::ComparedVersions;
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
+use crate::controller::check_no_option;
 use crate::output::{OutputContent, to_stdout_as};
 use crate::paths::{current_folder, is_address};
 use crate::printable::one_line;
@@ -26,6 +27,9 @@ use crate::user_error::UserError;
 /// Runs the command. The exit code states whether the versions differ.
 pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
+    if !args.paths.first().is_some_and(|path| is_address(path)) {
+        check_no_option(&args.connection)?;
+    }
     if let Some(file) = &args.textconv {
         return textconv(&current.join(file), file).map(|()| ExitCode::SUCCESS);
     }
@@ -36,7 +40,7 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
         && is_address(address)
     {
         let ([] | [_]) = local else { return Err(wrong_number(args.paths.len())) };
-        controller::versions(address, local.first().map(|path| path.as_path()))?
+        controller::versions(address, local.first().map(|path| path.as_path()), &args.connection)?
     } else if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
         pair::versions(&current, old, new)?

@@ -16,6 +16,7 @@ use self::devices::{DeviceInfo, devices};
 use crate::args::{InfoArgs, InfoFormat};
 use crate::backup_files::{OpenedBackup, RemoteFolders, open, open_address};
 use crate::color::Color;
+use crate::controller::check_no_option;
 use crate::output::{OutputContent, to_stdout_as};
 use crate::paths::{Paths, current_folder, is_address};
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -45,8 +46,11 @@ pub(crate) fn run(args: &InfoArgs, color: Color) -> Result<ExitCode, UserError> 
     let current = current_folder()?;
     let paths = Paths::new(&[], &current);
     let backup = match is_address(&args.path) {
-        true => open_address(&args.path, &FOLDERS)?,
-        false => open(&current.join(&args.path))?,
+        true => open_address(&args.path, &args.connection, &FOLDERS)?,
+        false => {
+            check_no_option(&args.connection)?;
+            open(&current.join(&args.path))?
+        }
     };
     let roots = controller_roots(backup.files.files());
     let described: Vec<DescribedController> = roots.iter().map(|root| describe(&backup, root, &paths)).collect();

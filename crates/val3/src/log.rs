@@ -20,6 +20,7 @@ use self::selection::{LogCounts, Selection};
 use self::sources::Sources;
 use crate::args::{LogArgs, LogFormat};
 use crate::color::Color;
+use crate::controller::check_no_option;
 use crate::output::{OutputContent, to_stderr, to_stdout_as};
 use crate::paths::{Paths, current_folder, is_address};
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -33,11 +34,14 @@ pub(crate) fn run(args: &LogArgs, color: Color) -> Result<ExitCode, UserError> {
     let is_remote = is_address(&args.path);
     let path = if is_remote { args.path.clone() } else { current.join(&args.path) };
     let paths = Paths::new(&[], &current);
+    if !is_remote {
+        check_no_option(&args.connection)?;
+    }
     if args.follow {
         return follow::run(args, &path, &paths, color);
     }
     let ReadLog { logged, folder, backup } = match is_remote {
-        true => reading::read_address(&path, args.sources.is_some(), &paths)?,
+        true => reading::read_address(args, &paths)?,
         false => reading::read(&path, &paths)?,
     };
     let unsearched = backup.as_ref().map(|backup| reading::unsearched(backup, &paths)).unwrap_or_default();

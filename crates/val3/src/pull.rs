@@ -12,7 +12,7 @@ use val3_controller::{
 };
 
 use crate::args::PullArgs;
-use crate::controller::{ControllerSession, note, parse_address, project_folder, report_error};
+use crate::controller::{ControllerSession, ControllerTarget, note, parse_address, project_folder, report_error};
 use crate::merge;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -26,13 +26,13 @@ const SETTINGS: [&str; 4] = ["usr/configs", "usr/app", "usr/applicom", "usr/temp
 pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
     let folder = project_folder(args.folder.as_deref())?;
     let project = ControllerProject::open(&folder)?;
-    let address = address(args, &project)?;
+    let target = ControllerTarget::new(address(args, &project)?, &args.connection, project.state.as_ref())?;
     if let Some(path) = &args.print {
-        return print::run(path, &project, &address, args.new_controller);
+        return print::run(path, &project, target, args.new_controller);
     }
     let folders = folders(args, &project)?;
     let decisions = PullDecisions { local: paths(&args.keep_local)?, controller: paths(&args.keep_controller)? };
-    let mut session = ControllerSession::open(project, &address, args.new_controller)?;
+    let mut session = ControllerSession::open(project, target, args.new_controller)?;
     note(&session.identity_line());
     let mut is_clean = true;
     let mut merge = |path: &ControllerPath, versions: &ConflictVersions| {
@@ -43,6 +43,7 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
     };
     let request = PullRequest {
         address: session.address.clone(),
+        connection: session.connection,
         identity: session.identity.clone(),
         folders,
         merge: if args.merge { Some(&mut merge) } else { None },

@@ -5,7 +5,6 @@ mod document;
 mod loaded;
 mod logs;
 mod outcome;
-mod question;
 mod removal;
 
 use std::process::ExitCode;
@@ -31,10 +30,10 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// # Errors
 /// The controller cannot be reached, is another one, or a file cannot be read or written.
 pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> {
-    let (project, address) = open_project(".".into())?;
+    let (project, target) = open_project(".".into())?;
     let selection = selection(&args.selection)?;
     let folders = folders(&project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default(), &selection)?;
-    let mut session = ControllerSession::open(project, &address, args.new_controller)?;
+    let mut session = ControllerSession::open(project, target, args.new_controller)?;
     note(&session.identity_line());
     if session.identity.serial.is_empty() && !args.new_controller {
         return Err(ControllerError::NoSerial.into());

@@ -24,9 +24,9 @@ pub(crate) fn run(args: &StatusArgs, color: Color) -> Result<ExitCode, UserError
     if let Some(target) = &args.soap {
         return show_live(target, args.format, color);
     }
-    let (project, address) = open_project(&args.folder)?;
+    let (project, target) = open_project(&args.folder)?;
     let folders = project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default();
-    let mut session = ControllerSession::open(project, &address, false)?;
+    let mut session = ControllerSession::open(project, target, false)?;
     note(&session.identity_line());
     let status = ProjectStatus::read(&session.project, &mut *session.files, &folders, &mut session.observer);
     session.observer.end();

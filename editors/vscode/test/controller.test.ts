@@ -9,8 +9,9 @@ import * as vscode from "vscode";
 import { addressFault, serverOf } from "../src/controller/address";
 import { type DifferingFile, parseComparison, parsePlan, type PlannedChange } from "../src/controller/answers";
 import { confirmation } from "../src/controller/confirmation";
+import { confirmCertificate } from "../src/controller/certificates";
 import { type Compared, type ControllerNode, isLocal, isOnController, projectNode } from "../src/controller/items";
-import { isLoginRejected, messageOf, notesOf, summaryOf } from "../src/controller/messages";
+import { isLoginRejected, messageOf, notesOf, summaryOf, unknownFingerprint } from "../src/controller/messages";
 import { Passwords } from "../src/controller/passwords";
 import { run } from "../src/controller/process";
 
@@ -114,6 +115,29 @@ test("the message is the error with its help, or the effect of an interruption",
   assert.deepEqual(notesOf("x\nwarning: the last push was interrupted\nnote: y\n"), ["warning: the last push was interrupted", "note: y"]);
   assert.ok(isLoginRejected(REJECTED));
   assert.ok(!isLoginRejected("error: cannot list at robot:21: 530 x"));
+});
+
+test("the certificate of a new controller is confirmed by its fingerprint", async () => {
+  const fingerprint = `SHA256${":0A".repeat(32)}`;
+  const error = `error: cannot start TLS at robot:21: its certificate is not known: ${fingerprint}\n  help: compare the fingerprint\n`;
+  assert.equal(unknownFingerprint(error), fingerprint);
+  const other = `error: cannot start TLS at robot:21: its certificate is ${fingerprint}, and the accepted one is ${fingerprint}\n`;
+  assert.equal(unknownFingerprint(other), undefined);
+  assert.equal(unknownFingerprint(REJECTED), undefined);
+  const shown: string[] = [];
+  let answer: string | undefined;
+  Object.assign(vscode.window, {
+    showWarningMessage: (message: string, { modal, detail }: vscode.MessageOptions, button: string) => {
+      assert.equal(modal, true);
+      shown.push(`${message} ${detail}`);
+      answer ??= button;
+      return Promise.resolve(answer);
+    },
+  });
+  assert.equal(await confirmCertificate("ftps://robot", fingerprint), true);
+  assert.ok(shown.join().includes("ftps://robot") && shown.join().includes(fingerprint));
+  answer = "";
+  assert.equal(await confirmCertificate("ftps://robot", fingerprint), false);
 });
 
 test("addresses are checked while they are entered", () => {

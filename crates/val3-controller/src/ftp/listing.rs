@@ -1,15 +1,12 @@
 //! Listings of folders: `MLSD` if the server names it, otherwise `LIST` in Unix or DOS form, otherwise `NLST`.
 
-use suppaftp::FtpStream;
 use suppaftp::list::{File, ListParser};
+use suppaftp::{FtpError, Status};
 
-use super::connection::fault;
-use super::read_lines;
+use super::connection::{Connection, FtpClient, fault};
+use super::transfer::read_lines;
 use crate::access::{AccessFault, ListedEntry};
 use crate::path::ControllerPath;
-
-/// Limit of a listing in bytes.
-pub(super) const LISTING_LIMIT: u64 = 16 << 20;
 
 /// Command that lists folders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,20 +19,40 @@ pub(super) enum ListingCommand {
     Nlst,
 }
 
+impl ListingCommand {
+    /// Returns the command according to `FEAT`.
+    ///
+    /// `FtpStream::feat` waits for a second line if a server has no features. With an expected status that no reply has,
+    /// the complete reply is part of the error.
+    pub(super) fn of_server(client: &mut FtpClient) -> Result<Self, AccessFault> {
+        match client.custom_command("FEAT", &[Status::RestartMarker]) {
+            Err(FtpError::UnexpectedResponse(reply)) => {
+                let text = String::from_utf8_lossy(&reply.body).to_ascii_uppercase();
+                let has_mlsd = text.lines().any(|line| matches!(line.split_whitespace().next(), Some("MLST" | "MLSD")));
+                Ok(if has_mlsd { Self::Mlsd } else { Self::List })
+            }
+            Err(error) => Err(fault(error)),
+            Ok(_) => Ok(Self::List),
+        }
+    }
+}
+
 /// Returns the sorted entries of a folder. A command that the server does not implement is replaced by the next one.
 pub(super) fn list(
-    ftp: &mut FtpStream,
+    connection: &mut Connection,
     folder: &ControllerPath,
     remote: &str,
     command: &mut ListingCommand,
 ) -> Result<Vec<ListedEntry>, AccessFault> {
     // The commands have no argument, because some servers interpret blanks, brackets and hyphens in it.
-    ftp.cwd(remote).map_err(fault)?;
+    connection.client.cwd(remote).map_err(fault)?;
     loop {
         let listed = match command {
-            ListingCommand::Mlsd => read_lines(ftp, "MLSD").and_then(|lines| entries(folder, &lines, mlsd)),
-            ListingCommand::List => read_lines(ftp, "LIST").and_then(|lines| entries(folder, &lines, unix_or_dos)),
-            ListingCommand::Nlst => names(ftp).and_then(|names| with_types(ftp, folder, remote, &names)),
+            ListingCommand::Mlsd => read_lines(connection, "MLSD").and_then(|lines| entries(folder, &lines, mlsd)),
+            ListingCommand::List => {
+                read_lines(connection, "LIST").and_then(|lines| entries(folder, &lines, unix_or_dos))
+            }
+            ListingCommand::Nlst => names(connection).and_then(|names| with_types(connection, folder, remote, &names)),
         };
         match (&listed, *command) {
             (Err(AccessFault::Rejected { code: 500 | 502, .. }), ListingCommand::Mlsd) => {
@@ -99,8 +116,8 @@ fn entry(file: File) -> ParsedLine {
 }
 
 /// Names of the current folder. Some servers return paths, others only names.
-fn names(ftp: &mut FtpStream) -> Result<Vec<String>, AccessFault> {
-    let lines = match read_lines(ftp, "NLST") {
+fn names(connection: &mut Connection) -> Result<Vec<String>, AccessFault> {
+    let lines = match read_lines(connection, "NLST") {
         // No files (RFC 959, 5.4).
         Err(AccessFault::Rejected { code: 450, .. }) => Vec::new(),
         lines => lines?,
@@ -111,7 +128,7 @@ fn names(ftp: &mut FtpStream) -> Result<Vec<String>, AccessFault> {
 
 /// Determines the type of each name: it is a folder if it can be entered.
 fn with_types(
-    ftp: &mut FtpStream,
+    connection: &mut Connection,
     folder: &ControllerPath,
     remote: &str,
     names: &[String],
@@ -119,7 +136,7 @@ fn with_types(
     let mut entries = Vec::new();
     for name in names {
         let path = folder.child(name).map_err(AccessFault::Name)?;
-        let is_folder = match ftp.cwd(format!("{remote}/{name}")).map_err(fault) {
+        let is_folder = match connection.client.cwd(format!("{remote}/{name}")).map_err(fault) {
             Ok(()) => true,
             Err(AccessFault::Rejected { code: 501 | 550, .. }) => false,
             Err(other) => return Err(other),

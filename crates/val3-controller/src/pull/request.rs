@@ -1,5 +1,6 @@
 //! Arguments of a pull.
 
+use crate::connection_settings::ConnectionSettings;
 use crate::identity::ControllerIdentity;
 use crate::path::ControllerPath;
 
@@ -22,6 +23,8 @@ pub type MergeConflict<'a> = dyn FnMut(&ControllerPath, &ConflictVersions) -> Op
 pub struct PullRequest<'a> {
     /// Address without a password, which is remembered.
     pub address: String,
+    /// Settings of the connections, which are remembered.
+    pub connection: ConnectionSettings,
     /// Identity of the controller.
     pub identity: ControllerIdentity,
     /// Folders on the controller.

@@ -6,9 +6,9 @@ use std::fs;
 use camino::{Utf8Path, Utf8PathBuf};
 use tempfile::TempDir;
 use val3_controller::{
-    ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerPath, ControllerProject,
-    LockOwner, ProjectStatus, PullDecisions, PullRequest, PullResult, PushFailure, PushPlan, PushRequest,
-    RecoveredPush, SilentObserver, check_identity, pull, push, recover,
+    ConnectionSettings, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerPath,
+    ControllerProject, LockOwner, ProjectStatus, PullDecisions, PullRequest, PullResult, PushFailure, PushPlan,
+    PushRequest, RecoveredPush, SilentObserver, check_identity, pull, push, recover,
 };
 
 use crate::memory::MemoryFiles;
@@ -155,6 +155,7 @@ pub(crate) fn address() -> ControllerAddress {
 pub(crate) fn request<'a>(identity: ControllerIdentity) -> PullRequest<'a> {
     PullRequest {
         address: address().to_string(),
+        connection: ConnectionSettings::default(),
         identity,
         folders: applications(),
         merge: None,

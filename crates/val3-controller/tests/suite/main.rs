@@ -11,6 +11,7 @@
 #![allow(clippy::disallowed_methods, reason = "the server of the tests has threads")]
 
 mod bench;
+mod connections;
 mod crashes;
 mod damage;
 mod failures;
@@ -21,3 +22,4 @@ mod obstacles;
 mod pulls;
 mod readable;
 mod server;
+mod tls;

@@ -8,7 +8,7 @@ use std::net::{TcpListener, TcpStream};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread;
 
-use val3_controller::{AccessError, FtpAddress, FtpFiles, FtpTimeouts, Password};
+use val3_controller::{AccessError, ConnectionSettings, FtpAddress, FtpFiles, FtpTimeouts, Password};
 
 use commands::Session;
 
@@ -67,6 +67,10 @@ pub(crate) struct Behaviour {
     /// Lines added to each listing.
     pub(crate) extra_lines: Vec<&'static str>,
     pub(crate) password: &'static str,
+    /// Reply to `AUTH`.
+    pub(crate) auth_reply: &'static str,
+    /// Start of a command at which the connection is closed once, and whether the server replies with 421 before.
+    pub(crate) closes: Option<(&'static str, bool)>,
     /// Number of the command at which the server dies, counted after the login from 0.
     pub(crate) death: Option<(usize, Death)>,
 }
@@ -87,6 +91,8 @@ pub(crate) struct ServerState {
 pub(crate) struct Server {
     state: Arc<Mutex<ServerState>>,
     port: u16,
+    /// Whether clients use the active mode.
+    pub(crate) is_active: bool,
 }
 
 impl Server {
@@ -101,7 +107,7 @@ impl Server {
                 thread::spawn(move || serve(socket, &shared));
             }
         });
-        Self { state, port }
+        Self { state, port, is_active: false }
     }
 
     pub(crate) fn state(&self) -> MutexGuard<'_, ServerState> {
@@ -116,13 +122,20 @@ impl Server {
     }
 
     pub(crate) fn address(&self) -> FtpAddress {
-        FtpAddress { user: "default".into(), host: "127.0.0.1".into(), port: self.port, base: String::new() }
+        FtpAddress {
+            is_encrypted: false,
+            user: "default".into(),
+            host: "127.0.0.1".into(),
+            port: self.port,
+            base: String::new(),
+        }
     }
 
     pub(crate) fn try_connect(&self, password: &str) -> Result<FtpFiles, AccessError> {
         let limit = std::time::Duration::from_millis(400);
         let timeouts = FtpTimeouts { connect: limit, transfer: limit };
-        FtpFiles::connect(self.address(), Password::new(password.to_owned()), timeouts)
+        let settings = ConnectionSettings { fingerprint: None, is_active: self.is_active };
+        FtpFiles::connect(self.address(), Password::new(password.to_owned()), settings, timeouts)
     }
 
     pub(crate) fn connect(&self) -> FtpFiles {
@@ -143,10 +156,10 @@ fn serve(socket: TcpStream, state: &Mutex<ServerState>) {
     reply("220 ready");
     while let Some(Ok(line)) = lines.next() {
         match session.execute(&line, state, &mut reply) {
-            Some(text) if !reply(&text) => return,
+            Some(text) if !reply(&text) || text.starts_with("421 idle") => return,
             Some(_) => {}
-            // The server is dead or silent.
-            None if state.lock().unwrap().is_dead => return,
+            // The server is dead, has closed the connection, or is silent.
+            None if session.is_closed || state.lock().unwrap().is_dead => return,
             None => {}
         }
     }

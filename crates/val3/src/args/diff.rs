@@ -5,7 +5,7 @@ use clap::ValueEnum;
 use val3_diff::report::Detail;
 use val3_diff::{BlankComparison, Exclusions, NamePattern, ReportClass, Tolerance};
 
-use super::OutputArgs;
+use super::{ConnectionArgs, OutputArgs};
 
 pub(super) const EXIT_CODES: &str = "\
 Exit codes:
@@ -60,6 +60,9 @@ pub(crate) struct DiffArgs {
     /// Omit differences that have no effect
     #[arg(long, value_name = "WHAT", value_delimiter = ',', conflicts_with = "textconv")]
     pub(crate) ignore: Vec<Ignorable>,
+    /// The connection
+    #[command(flatten)]
+    pub(crate) connection: ConnectionArgs,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,

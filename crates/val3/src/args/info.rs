@@ -3,7 +3,7 @@
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
-use super::OutputArgs;
+use super::{ConnectionArgs, OutputArgs};
 
 pub(super) const EXIT_CODES: &str = "\
 Exit codes:
@@ -14,12 +14,15 @@ Exit codes:
 #[derive(Debug, clap::Args)]
 pub(crate) struct InfoArgs {
     /// A folder or a zip with one or several controllers, or with the content of `usr`; or the address of a controller,
-    /// `ftp://PROFILE@HOST`
+    /// `ftp://PROFILE@HOST` or `ftps://PROFILE@HOST`
     #[arg(value_name = "PATH|ADDRESS", default_value = ".")]
     pub(crate) path: Utf8PathBuf,
     /// How the description is written to the standard output
     #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]
     pub(crate) format: InfoFormat,
+    /// The connection
+    #[command(flatten)]
+    pub(crate) connection: ConnectionArgs,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use val3_backup::DateTime;
 use val3_lang::log_messages::LogLevel;
 
-use super::OutputArgs;
+use super::{ConnectionArgs, OutputArgs};
 
 pub(super) const EXIT_CODES: &str = "\
 Exit codes:
@@ -18,7 +18,7 @@ Exit codes:
 #[derive(Debug, clap::Args)]
 pub(crate) struct LogArgs {
     /// A log (errors.log, system.log, user.log), a folder or a zip with the logs of a controller, or the address of a
-    /// controller, `ftp://PROFILE@HOST`
+    /// controller, `ftp://PROFILE@HOST` or `ftps://PROFILE@HOST`
     #[arg(value_name = "FILE|FOLDER|ADDRESS", default_value = ".")]
     pub(crate) path: Utf8PathBuf,
     /// The folder or zip with the applications, for the source lines of messages [default: the cell around the log, or the
@@ -37,6 +37,9 @@ pub(crate) struct LogArgs {
     /// How messages are written to the standard output
     #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]
     pub(crate) format: LogFormat,
+    /// The connection
+    #[command(flatten)]
+    pub(crate) connection: ConnectionArgs,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,

@@ -3,7 +3,7 @@
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
-use super::OutputArgs;
+use super::{ConnectionArgs, OutputArgs};
 use crate::controller::soap_client::SoapTarget;
 
 pub(super) const PULL_EXIT_CODES: &str = "\
@@ -32,7 +32,8 @@ Password:
 /// Arguments of `val3 pull`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct PullArgs {
-    /// The controller: `ftp://PROFILE@HOST[:PORT][/FOLDER]`, or the folder of an emulator, which contains `usr`
+    /// The controller: `ftp://PROFILE@HOST[:PORT][/FOLDER]`, the same with `ftps://` for TLS, or the folder of an emulator,
+    /// which contains `usr`
     /// [default: the controller of the last pull]
     #[arg(value_name = "ADDRESS")]
     pub(crate) address: Option<String>,
@@ -70,6 +71,9 @@ pub(crate) struct PullArgs {
     /// Accept a controller with another serial number than at the last pull, or without one at another address
     #[arg(long)]
     pub(crate) new_controller: bool,
+    /// The connection
+    #[command(flatten)]
+    pub(crate) connection: ConnectionArgs,
 }
 
 /// Arguments of `val3 status`.

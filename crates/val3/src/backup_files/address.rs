@@ -10,7 +10,8 @@ use val3_controller::{
 };
 
 use super::OpenedBackup;
-use crate::controller::{ProgressObserver, connect, parse_address};
+use crate::args::ConnectionArgs;
+use crate::controller::{ControllerTarget, ProgressObserver, parse_address, surrounding_state};
 use crate::user_error::UserError;
 
 /// Folders of a controller that a command reads.
@@ -25,14 +26,19 @@ pub(crate) struct RemoteFolders {
 ///
 /// # Errors
 /// The address is wrong, the controller cannot be reached, or one of the listed folders cannot be read.
-pub(crate) fn open_address(address: &Utf8Path, folders: &RemoteFolders) -> Result<OpenedBackup, UserError> {
-    let address = parse_address(address.as_str())?;
-    let mut controller = connect(&address)?;
+pub(crate) fn open_address(
+    address: &Utf8Path,
+    connection: &ConnectionArgs,
+    folders: &RemoteFolders,
+) -> Result<OpenedBackup, UserError> {
+    let state = surrounding_state()?;
+    let mut target = ControllerTarget::new(parse_address(address.as_str())?, connection, state.as_ref())?;
+    let mut controller = target.connect()?;
     let mut observer = ProgressObserver::default();
     let readable = read_readable_files(&mut *controller, &paths(folders.downloaded)?, &mut observer)?;
     let listed = files_below(&mut *controller, &paths(folders.listed)?, &mut observer)?;
     observer.end();
-    let root = Utf8PathBuf::from(address.to_string());
+    let root = Utf8PathBuf::from(target.address.to_string());
     let ReadableFiles { contents, unread, unlisted } = readable;
     let named = |(path, reason): (&ControllerPath, &AccessFault)| (root.join(path.as_str()), reason.to_string());
     let (denied, unsearched) = (unread.iter().map(named).collect(), unlisted.iter().map(named).collect());

@@ -6,15 +6,21 @@ use val3_diff::FileTree;
 
 use super::compared_versions::ComparedVersions;
 use super::folder;
-use crate::controller::{ProgressObserver, connect, parse_address, project_folder, shown};
+use crate::args::ConnectionArgs;
+use crate::controller::{ControllerTarget, ProgressObserver, parse_address, project_folder, shown};
 use crate::user_error::UserError;
 
 /// Reads the files of a controller, and the files in the same folders here.
 ///
 /// The folders are those of the last pull, or all applications. A push that was killed is not recovered.
-pub(super) fn versions(address: &Utf8Path, local: Option<&Utf8Path>) -> Result<ComparedVersions, UserError> {
+pub(super) fn versions(
+    address: &Utf8Path,
+    local: Option<&Utf8Path>,
+    connection: &ConnectionArgs,
+) -> Result<ComparedVersions, UserError> {
     let address = parse_address(address.as_str())?;
     let project = ControllerProject::open(&project_folder(local)?)?;
+    let mut target = ControllerTarget::new(address, connection, project.state.as_ref())?;
     let folders = match &project.state {
         Some(state) => state.folders.clone(),
         None => vec![ControllerPath::applications()],
@@ -26,7 +32,7 @@ pub(super) fn versions(address: &Utf8Path, local: Option<&Utf8Path>) -> Result<C
             .with_help("name the folder that contains `usr/usrapp`: `val3 diff ftp://PROFILE@HOST DIR`"));
     }
     let mut observer = ProgressObserver::default();
-    let mut files = connect(&address)?;
+    let mut files = target.connect()?;
     check_applications(&mut *files)?;
     let remote = read_files(&mut *files, &folders, &mut observer)?;
     observer.end();
@@ -36,5 +42,5 @@ pub(super) fn versions(address: &Utf8Path, local: Option<&Utf8Path>) -> Result<C
         let at = project.local(path);
         new.push((path.as_str().to_owned(), folder::read(&at, at.as_str())?));
     }
-    Ok(ComparedVersions { trees: [FileTree::new(old), FileTree::new(new)], names: [address.to_string(), at] })
+    Ok(ComparedVersions { trees: [FileTree::new(old), FileTree::new(new)], names: [target.address.to_string(), at] })
 }

@@ -5,6 +5,7 @@ use val3_backup::log::{LogFolder, LoggedEntry, entries, foreign_content, log_fol
 use val3_controller::LOG_FOLDER;
 use val3_files::{FileClass, is_archive_name};
 
+use crate::args::LogArgs;
 use crate::backup_files::{OpenedBackup, RemoteFolders, open, open_address};
 use crate::paths::{Paths, is_address};
 use crate::user_error::UserError;
@@ -50,9 +51,9 @@ pub(super) fn file_entries(bytes: &[u8], path: &Utf8Path, paths: &Paths) -> Resu
 }
 
 /// Reads the logs of the controller at an address. With other sources, its programs are not listed.
-pub(super) fn read_address(address: &Utf8Path, has_sources: bool, paths: &Paths) -> Result<ReadLog, UserError> {
-    let folders = if has_sources { &LOG_FOLDERS } else { &FOLDERS };
-    read_backup(open_address(address, folders)?, paths)
+pub(super) fn read_address(args: &LogArgs, paths: &Paths) -> Result<ReadLog, UserError> {
+    let folders = if args.sources.is_some() { &LOG_FOLDERS } else { &FOLDERS };
+    read_backup(open_address(&args.path, &args.connection, folders)?, paths)
 }
 
 fn read_backup(backup: OpenedBackup, paths: &Paths) -> Result<ReadLog, UserError> {

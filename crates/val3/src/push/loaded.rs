@@ -4,8 +4,8 @@ use val3_backup::log::{ApplicationState, UnknownCause};
 use val3_controller::{ControllerFiles, PushPlan, TransferObserver};
 
 use super::logs::application_state;
-use super::question::{can_ask, is_confirmed};
 use crate::controller::note;
+use crate::controller::question::{can_ask, is_confirmed};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 

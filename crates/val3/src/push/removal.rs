@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use val3_controller::{ControllerPath, PushPlan};
 
-use super::question::{can_ask, is_confirmed};
+use crate::controller::question::{can_ask, is_confirmed};
 use crate::user_error::UserError;
 
 /// Applications that a push removes.

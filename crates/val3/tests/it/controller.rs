@@ -375,7 +375,12 @@ fn wrong_usage_has_a_remedy() {
     assert!(error(&["push", "usr/configs/sio.cfx"]).contains("was never pulled"));
     assert!(error(&["push", "dmeo"]).contains("has no files"));
     assert!(error(&["pull", "http://robot"]).contains("only `ftp://`"));
-    assert!(error(&["pull", "ftps://robot"]).contains("copy `usr` with an FTPS client"));
+    assert!(error(&["pull", "--fingerprint", "SHA256:00", "ftps://robot"]).contains("64 hexadecimal digits"));
+    let fingerprint = "00".repeat(32);
+    assert!(error(&["pull", "--fingerprint", &fingerprint, "ftp://robot"]).contains("requires an address `ftps://`"));
+    for args in [["pull", "--active"], ["info", "--passive"], ["log", "--active"], ["diff", "--active"]] {
+        assert!(error(&args).contains("requires the address of a server"), "{args:?}");
+    }
     folder.write("robot/usr/configs/controller.cfx", &IDENTITY.replace("F10-1", "F10-2"));
     assert!(error(&["status"]).contains("--new-controller"));
     let outside = folder.val3(&["status"]);

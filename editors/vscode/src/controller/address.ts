@@ -17,12 +17,12 @@ export function addressFault(text: string, folder: string): string | undefined {
     return isEmulator ? undefined : `This folder contains no usr. For a controller, enter an address such as ${EXAMPLE}.`;
   }
   if (!/^ftps?$/i.test(scheme)) {
-    return `Only ftp:// addresses and folders are supported, for example ${EXAMPLE}.`;
+    return `Only ftp:// and ftps:// addresses and folders are supported, for example ${EXAMPLE}.`;
   }
   return serverFault(rest);
 }
 
-/** Returns the fault of the part after `ftp://`: a profile, a host, and optionally a port and a folder. */
+/** Returns the fault of the part after `ftp://` or `ftps://`: a profile, a host, and optionally a port and a folder. */
 function serverFault(rest: string): string | undefined {
   const [authority = ""] = rest.split("/");
   const at = authority.lastIndexOf("@");

@@ -18,6 +18,11 @@ export function notesOf(errors: string): string[] {
   return errors.split("\n").filter((line) => /^(note|warning): /.test(line));
 }
 
+/** Returns the fingerprint of a certificate that is not accepted yet; `undefined` for other errors. */
+export function unknownFingerprint(errors: string): string | undefined {
+  return /^error: cannot start TLS at \S+: its certificate is not known: (SHA256(?::[0-9A-F]{2}){32})$/m.exec(errors)?.[1];
+}
+
 /** Whether the controller has rejected the password or its absence. The reply is that of FTP (RFC 959). */
 export function isLoginRejected(errors: string): boolean {
   return /^error: cannot log in at \S+: 530 /m.test(errors);

@@ -3,7 +3,8 @@
 import * as vscode from "vscode";
 import type { Client } from "../client";
 import { reason } from "../tree/changes";
-import { isLoginRejected, messageOf } from "./messages";
+import { confirmCertificate } from "./certificates";
+import { isLoginRejected, messageOf, unknownFingerprint } from "./messages";
 import type { Passwords } from "./passwords";
 import { type Ended, run } from "./process";
 
@@ -41,8 +42,9 @@ export class Transfers implements vscode.Disposable {
   }
 
   /**
-   * Runs a command, usually after saving all files. Returns `undefined`, with a message, if it cannot be started. If the login is
-   * rejected, prompts for the password and repeats the command.
+   * Runs a command, usually after saving all files. Returns `undefined`, with a message, if it cannot be started. If the
+   * certificate of a new controller is not known, asks for it, and if the login is rejected, prompts for the password, and
+   * repeats the command.
    */
   async run(transfer: Transfer): Promise<Finished | undefined> {
     const { command } = this.client;
@@ -58,9 +60,15 @@ export class Transfers implements vscode.Disposable {
     this.busy.add(folder);
     try {
       await (transfer.keepsEdits === true || vscode.workspace.saveAll(false));
-      let finished = await this.attempt(command, transfer);
+      let attempted = transfer;
+      let finished = await this.attempt(command, attempted);
+      const fingerprint = transfer.subcommand === "pull" ? unknownFingerprint(finished.errors) : undefined;
+      if (fingerprint !== undefined && (await confirmCertificate(transfer.address, fingerprint))) {
+        attempted = { ...transfer, words: ["--fingerprint", fingerprint, ...transfer.words] };
+        finished = await this.attempt(command, attempted);
+      }
       while (isRejected(finished) && (await this.passwords.prompt(transfer.address))) {
-        finished = await this.attempt(command, transfer);
+        finished = await this.attempt(command, attempted);
       }
       return finished;
     } finally {

@@ -1,18 +1,22 @@
 //! Commands of the server.
 
 use std::io::{Read as _, Write as _};
-use std::net::{TcpListener, TcpStream};
+use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::Mutex;
 
-use super::{Death, ListForm, ServerState, Tree};
+use super::{Behaviour, Death, ListForm, ServerState, Tree};
 
 /// State of one connection.
 #[derive(Default)]
 pub(super) struct Session {
     folder: String,
     passive: Option<TcpListener>,
+    /// Address of the client in active mode.
+    active: Option<SocketAddr>,
     renamed: String,
     is_logged_in: bool,
+    /// Whether the server closes the connection without a reply.
+    pub(super) is_closed: bool,
 }
 
 type Reply<'a> = dyn FnMut(&str) -> bool + 'a;
@@ -22,7 +26,7 @@ impl Session {
     pub(super) fn execute(&mut self, line: &str, state: &Mutex<ServerState>, reply: &mut Reply<'_>) -> Option<String> {
         let (verb, argument) = line.split_once(' ').unwrap_or((line, ""));
         if !self.is_logged_in {
-            return Some(self.log_in(verb, argument, state.lock().unwrap().behaviour.password));
+            return Some(self.log_in(verb, argument, &state.lock().unwrap().behaviour));
         }
         let mut state = state.lock().unwrap();
         if state.is_dead {
@@ -35,6 +39,10 @@ impl Session {
         {
             state.tree.files.insert(path.to_owned(), content.to_vec());
             state.behaviour.change = None;
+        }
+        if let Some((_, has_reply)) = state.behaviour.closes.take_if(|(start, _)| line.starts_with(*start)) {
+            self.is_closed = !has_reply;
+            return has_reply.then(|| "421 idle".to_owned());
         }
         if state.behaviour.silence.is_some_and(|start| line.starts_with(start)) {
             return None;
@@ -55,10 +63,11 @@ impl Session {
         Some(text)
     }
 
-    fn log_in(&mut self, verb: &str, argument: &str, password: &str) -> String {
+    fn log_in(&mut self, verb: &str, argument: &str, behaviour: &Behaviour) -> String {
         match verb {
+            "AUTH" => behaviour.auth_reply.to_owned(),
             "USER" => "331 password".to_owned(),
-            "PASS" if argument == password => {
+            "PASS" if argument == behaviour.password => {
                 self.is_logged_in = true;
                 "230 welcome".to_owned()
             }
@@ -86,6 +95,7 @@ impl Session {
             }
             "CWD" => "550 no such folder".to_owned(),
             "PASV" => self.listen(),
+            "PORT" => self.aim(argument),
             "MLSD" if form == ListForm::Mlsd => self.send(listing(&self.folder, state), line, state, reply),
             "LIST" if matches!(form, ListForm::Unix | ListForm::Dos) => {
                 self.send(listing(&self.folder, state), line, state, reply)
@@ -131,8 +141,18 @@ impl Session {
         format!("227 Entering Passive Mode (10,0,0,1,{},{})", port / 256, port % 256)
     }
 
+    fn aim(&mut self, argument: &str) -> String {
+        let bytes: Vec<u8> = argument.split(',').map(|byte| byte.parse().unwrap()).collect();
+        let [a, b, c, d, high, low] = bytes[..] else { return "501 six numbers".to_owned() };
+        self.active = Some((Ipv4Addr::new(a, b, c, d), u16::from(high) * 256 + u16::from(low)).into());
+        "200 ok".to_owned()
+    }
+
     fn data(&mut self, reply: &mut Reply<'_>) -> TcpStream {
-        let (socket, _) = self.passive.take().unwrap().accept().unwrap();
+        let socket = match self.active.take() {
+            Some(client) => TcpStream::connect(client).unwrap(),
+            None => self.passive.take().unwrap().accept().unwrap().0,
+        };
         reply("150 opening");
         socket
     }

@@ -1,4 +1,4 @@
-//! Questions before a push.
+//! Questions before a push, and before the first connection to a server with TLS.
 
 use std::io::{BufRead as _, IsTerminal as _};
 
@@ -7,7 +7,7 @@ use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Whether the user can answer a question.
-pub(super) fn can_ask() -> bool {
+pub(crate) fn can_ask() -> bool {
     std::io::stdin().is_terminal()
 }
 
@@ -15,7 +15,7 @@ pub(super) fn can_ask() -> bool {
 ///
 /// # Errors
 /// The answer cannot be read.
-pub(super) fn is_confirmed(question: &str) -> Result<bool, UserError> {
+pub(crate) fn is_confirmed(question: &str) -> Result<bool, UserError> {
     to_stderr(|out| write!(out, "{} [y/N] ", one_line(question)));
     let mut answer = String::new();
     let read = std::io::stdin().lock().read_line(&mut answer);
