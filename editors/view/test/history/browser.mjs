@@ -14,7 +14,7 @@ const { chromium } = require(playwright);
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const PAGE = pathToFileURL(join(import.meta.dirname, "../../dist/history.html")).href;
 const { outputFiles: [{ text }] } = buildSync({ entryPoints: [join(import.meta.dirname, "sample.ts")], bundle: true, write: false, format: "esm" });
-const { counts, history, inputs, joints, NUMBER, points, texts, write } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
+const { counts, history, inputs, joints, jointTable, NUMBER, points, texts, textTable, write } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
 if (pictures !== undefined) {
   mkdirSync(pictures, { recursive: true });
 }
@@ -100,6 +100,28 @@ for (const theme of ["light", "dark", "contrast"]) {
   await page.context().close();
 }
 
+// Tables of arrays. Only the visible rows are in the document.
+for (const theme of ["light", "dark", "contrast"]) {
+  const page = await open(joints(), theme);
+  await post(page, { kind: "table", table: jointTable(10_000, 5) });
+  await page.waitForSelector("[role=region]");
+  assert.deepEqual(await page.locator("th").allInnerTexts(), ["Index", "j1 (°)", "j2 (°)", "j3 (°)", "j4 (°)", "j5 (°)", "j6 (°)"]);
+  assert.ok(await page.locator("tbody tr").count() < 100);
+  assert.match(await page.locator("header").innerText(), /the first 10000 of 10005 elements/);
+  await check(page, `table-joints-${theme}`);
+  await page.locator("[role=region]").focus();
+  await page.keyboard.press("End");
+  await page.waitForSelector("td:text-is('[9999]')");
+  await sent(page);
+  await page.click("button:text-is('Show more elements')");
+  assert.deepEqual(await sent(page), [{ command: "more" }]);
+  await post(page, { kind: "table", table: textTable() });
+  await page.waitForSelector("text=<img src=x");
+  assert.equal(await page.locator("button").count(), 0);
+  await check(page, `table-text-${theme}`);
+  await page.context().close();
+}
+
 // The list, with the keyboard.
 const page = await open(joints());
 assert.deepEqual(await sent(page), [{ command: "ready" }]);
@@ -160,7 +182,7 @@ assert.ok(many < 3 * short + 60, `a key takes ${many} ms, with 200 writes ${shor
 console.log(`20,000 writes: a key takes ${many.toFixed(0)} ms, with 200 writes ${short.toFixed(0)} ms (medians of 20)`);
 await few.context().close();
 await long.click("text=Show earlier writes");
-assert.deepEqual((await sent(long)).at(-1), { command: "earlier" });
+assert.deepEqual((await sent(long)).at(-1), { command: "more" });
 await check(long, "history-long");
 await long.context().close();
 
