@@ -10,7 +10,7 @@ const PAGES = [
   ["view", "VAL 3", "src/main.tsx", ["three"]],
   ["data", "VAL 3 data", "src/data/main.tsx", []],
   ["variables", "Variables", "src/variables/main.tsx", []],
-  ["history", "History of a variable", "src/history/main.tsx", []],
+  ["history", "Values of a variable", "src/history/main.tsx", []],
 ];
 
 function page([name, title, entry, packages]) {

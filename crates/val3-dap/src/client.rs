@@ -9,9 +9,10 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use crate::error::ReadError;
+use crate::failure::RequestFailure;
 use crate::frame::{MessageReader, MessageWriter};
 use crate::message::{MessageContent, ProtocolMessage};
-use crate::protocol::{Message, OutputEvent, OutputEventCategory, StandardEvent};
+use crate::protocol::{CancelArguments, Message, OutputEvent, OutputEventCategory, StandardEvent};
 
 /// Message from the client, or the reason why none could be read.
 #[derive(Debug)]
@@ -103,10 +104,39 @@ impl Client {
 
     /// Whether the client no longer expects the result of this request: it has cancelled the request or the progress
     /// with this id, requested `pause`, or ended the run.
+    ///
+    /// Waiting requests that the client has cancelled are rejected now, so that they do not wait for this request.
     pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
         self.queue.extend(self.inbox.try_iter());
+        self.reject_cancelled();
         let is_over = |incoming: &Incoming| is_end(incoming) || is_pause(incoming);
         self.queue.iter().any(|incoming| is_over(incoming) || is_cancel(incoming, request, progress))
+    }
+
+    /// Rejects the waiting requests that the client has cancelled, and responds to these `cancel` requests.
+    fn reject_cancelled(&mut self) {
+        while let Some((waiting, cancel)) = self.cancelled_pair() {
+            // The later message first, so that the position of the other one stays.
+            let cancel = self.queue.remove(cancel).as_ref().and_then(request_of).map(|(seq, _)| seq);
+            let waiting = self.queue.remove(waiting);
+            if let Some((seq, command)) = waiting.as_ref().and_then(request_of) {
+                self.refuse(seq, command, &RequestFailure::Cancelled);
+            }
+            if let Some(seq) = cancel {
+                self.send(Ok(MessageContent::answer(seq, "cancel", None)));
+            }
+        }
+    }
+
+    /// Returns the positions of a waiting request and of the `cancel` after it that names only this request.
+    fn cancelled_pair(&self) -> Option<(usize, usize)> {
+        self.queue.iter().enumerate().find_map(|(cancel, incoming)| {
+            let cancelled = cancelled_request(incoming)?;
+            let waiting = self.queue.iter().take(cancel).position(|waiting| {
+                request_of(waiting).is_some_and(|(seq, command)| seq == cancelled && command != "cancel")
+            });
+            Some((waiting?, cancel))
+        })
     }
 
     /// Whether the client has cancelled a request before it is handled.
@@ -176,6 +206,27 @@ fn is_cancel(incoming: &Incoming, request: i64, progress: &str) -> bool {
     command == "cancel"
         && (argument("requestId").and_then(Value::as_i64) == Some(request)
             || argument("progressId").and_then(Value::as_str) == Some(progress))
+}
+
+/// Returns the number and the command of a request.
+fn request_of(incoming: &Incoming) -> Option<(i64, &str)> {
+    match incoming {
+        Incoming::Message(ProtocolMessage { seq, content: MessageContent::Request { command, .. } }) => {
+            Some((*seq, command))
+        }
+        _ => None,
+    }
+}
+
+/// Returns the number of the request that a `cancel` without a progress id names.
+fn cancelled_request(incoming: &Incoming) -> Option<i64> {
+    let Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, arguments }, .. }) = incoming
+    else {
+        return None;
+    };
+    let arguments: CancelArguments = serde_json::from_value(arguments.clone()?).ok()?;
+    let names_one = command == "cancel" && arguments.progress_id.is_none();
+    arguments.request_id.filter(|_| names_one).map(i64::from)
 }
 
 impl fmt::Debug for Client {

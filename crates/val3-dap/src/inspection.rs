@@ -2,7 +2,9 @@
 
 mod libraries;
 
-use val3_debug::{DebugValue, DisplayFormat, Inside, ScopeKind, TaskFrame, count, frames, scopes, values};
+use val3_debug::{
+    DebugValue, DisplayFormat, Inside, ScopeKind, TaskFrame, VariableFilter, count, frames, scopes, values,
+};
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Activity, Controller};
@@ -119,9 +121,18 @@ impl Handles {
         Some(StackTraceResponse { stack_frames, total_frames: u32::try_from(all.len()).ok() })
     }
 
-    /// Returns the scopes of a stack frame and of the cell.
-    pub(crate) fn scopes(&mut self, frame: FrameHandle, controller: &mut Controller) -> Vec<Scope> {
-        let found = scopes(&controller.vm, frame.task, frame.depth);
+    /// Returns the scopes of a stack frame and of the cell. The filter restricts the global variables.
+    pub(crate) fn scopes(
+        &mut self,
+        frame: FrameHandle,
+        controller: &mut Controller,
+        filter: Option<&VariableFilter>,
+    ) -> Vec<Scope> {
+        let all = scopes(&controller.vm, frame.task, frame.depth);
+        let found = match filter {
+            Some(filter) => filter.restrict(&controller.vm, all),
+            None => all,
+        };
         let is_grouped = are_grouped(&found);
         let mut libraries = Vec::new();
         let mut shown: Vec<Scope> = Vec::new();
@@ -130,7 +141,7 @@ impl Handles {
             let (name, hint) = match scope.kind {
                 ScopeKind::Parameters => ("Parameters".to_owned(), Some(ScopePresentationHint::Arguments)),
                 ScopeKind::Locals => ("Locals".to_owned(), Some(ScopePresentationHint::Locals)),
-                ScopeKind::Globals => ("Globals".to_owned(), None),
+                ScopeKind::Globals => (globals_name(filter), None),
                 ScopeKind::Library(alias) if is_grouped => {
                     libraries.push(LibraryData { alias, size: named, inside: scope.inside });
                     continue;
@@ -229,6 +240,11 @@ impl Handles {
             ..Variable::default()
         }
     }
+}
+
+/// Returns the name of the scope with the application's data. It contains the filter that hides some of them.
+fn globals_name(filter: Option<&VariableFilter>) -> String {
+    filter.map_or_else(|| "Globals".to_owned(), |filter| format!("Globals ({})", filter.text()))
 }
 
 /// Whether the client requests the other kind of children.

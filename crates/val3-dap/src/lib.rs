@@ -33,6 +33,7 @@ mod request;
 mod requests;
 mod screen_text;
 mod secret;
+mod series;
 mod session;
 mod session_start;
 mod settings;

@@ -44,10 +44,12 @@ mod step_in;
 mod step_in_targets;
 mod step_out;
 mod subscribe;
+mod table;
 mod terminate;
 mod terminate_threads;
 mod threads;
 mod user_page;
+mod variable_filter;
 mod variables;
 mod view;
 
@@ -143,6 +145,8 @@ static REQUESTS: &[RequestHandler] = &[
     own::<operate::Operate>(ChangesRun),
     own::<past::Past>(Inspects),
     own::<history::History>(NeedsStop),
+    own::<table::Table>(Inspects),
+    own::<variable_filter::VariableFilterRequest>(Inspects),
     own::<subscribe::Subscribe>(Inspects),
     own::<view::View>(ChangesRun),
 ];

@@ -9,6 +9,7 @@ mod at_end;
 mod control;
 mod end_progress;
 mod evaluation;
+mod line_wait;
 mod named_data;
 mod search;
 mod step_wait;
@@ -39,6 +40,7 @@ use crate::stop_event;
 
 use arm_wait::ArmWait;
 use end_progress::EndProgress;
+use line_wait::LineWait;
 use step_wait::StepWait;
 
 pub use at_end::TimeEnd;
@@ -118,6 +120,7 @@ pub struct DebugSession {
     /// Wait of the current step.
     step_wait: Option<StepWait>,
     arm_wait: ArmWait,
+    line_wait: LineWait,
     /// Events that follow the response to the present request.
     pub(crate) following: Vec<StandardEvent>,
 }
@@ -152,6 +155,7 @@ impl DebugSession {
             goal: None,
             step_wait: None,
             arm_wait: ArmWait::default(),
+            line_wait: LineWait::default(),
             following: Vec::new(),
         }
     }
@@ -190,16 +194,23 @@ impl DebugSession {
         }
         self.report_ended_data(run);
         for message in run.debugger.take_logged() {
-            let category = Some(OutputEventCategory::Console);
-            let output = message.text + "\n";
-            self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+            self.print(message.text + "\n");
         }
         self.note_step_wait(run);
         self.note_arm_wait(run);
+        if let Some(note) = self.line_wait.note(&run.debugger.controller) {
+            self.print(note);
+        }
         self.subscriptions.note(events, &run.debugger.controller);
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);
         }
+    }
+
+    /// Shows a text in the debug console.
+    fn print(&mut self, output: String) {
+        let category = Some(OutputEventCategory::Console);
+        self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
     }
 
     /// Notes whether the next cycle repeats a part of the run that was already reported.

@@ -1,7 +1,7 @@
 //! The settings of a session that are not options of `val3 run`: keys of `launch` and `attach`.
 
 use serde_json::{Map, Value};
-use val3_debug::{Debugger, PastLimits, SkipPattern};
+use val3_debug::{Debugger, PastLimits, SkipPattern, VariableFilter};
 use val3_machine::arm::MotionMode;
 
 use crate::failure::RequestFailure;
@@ -27,6 +27,8 @@ pub struct SessionSettings {
     pub(crate) stops_one_task: bool,
     /// Code in which steps into calls do not end.
     skipped: Vec<SkipPattern>,
+    /// Filter of the global variables in scopes; `None` for all variables.
+    pub(crate) variable_filter: Option<VariableFilter>,
 }
 
 impl SessionSettings {
@@ -64,6 +66,7 @@ impl SessionSettings {
             has_radians: is_second(arguments, "angles", ["degrees", "radians"])?,
             stops_one_task: is_second(arguments, "stopScope", ["all", "task"])?,
             skipped: arguments.get("skip").map_or(Ok(Vec::new()), skipped)?,
+            variable_filter: arguments.get("variableFilter").map_or(Ok(None), variable_filter)?,
         })
     }
 }
@@ -87,6 +90,19 @@ fn skipped(patterns: &Value) -> Result<Vec<SkipPattern>, RequestFailure> {
     });
     let invalid = || format!("`skip` is a list such as [\"library\", \"main:log*\"], not {patterns}");
     parsed.ok_or_else(|| RequestFailure::Rejected(invalid()))
+}
+
+/// Parses a filter of variables; an empty text is no filter.
+fn variable_filter(filter: &Value) -> Result<Option<VariableFilter>, RequestFailure> {
+    match filter {
+        Value::Null => Ok(None),
+        Value::String(text) if text.trim().is_empty() => Ok(None),
+        Value::String(text) => {
+            let invalid = |error| RequestFailure::Rejected(format!("`variableFilter` is {filter}: {error}"));
+            text.parse().map(Some).map_err(invalid)
+        }
+        _ => Err(RequestFailure::Rejected(format!("`variableFilter` is a text such as \"nPush*\", not {filter}"))),
+    }
 }
 
 /// Reads a whole number of at least 1.
@@ -149,6 +165,8 @@ mod tests {
             ("stopOnEntry", json!("yes")),
             ("skip", json!("library")),
             ("skip", json!(["library", ""])),
+            ("variableFilter", json!(["n*"])),
+            ("variableFilter", json!("n[")),
         ] {
             let reason = of(json!({ key: value.clone() })).unwrap_err();
             assert!(reason.contains(&value.to_string()), "{reason}");

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Program, SourceLine};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, GuardedOp, InstanceId, Space, StopGuard, StopReason};
+use val3_vm::{CounterId, FragmentContext, GuardedOp, InstanceId, Space, StopGuard, StopReason};
 
 use crate::conditions::{CompiledExpression, LogMessage};
 use crate::program_breakpoints::{ProgramBreakpoint, ProgramBreakpoints, file_of};
@@ -127,6 +127,23 @@ impl HitCondition {
         matches!(self, Self::Exactly(1..) | Self::From(1..) | Self::Until(1..) | Self::Every(1..))
     }
 
+    /// Returns the number of next hits at which tasks do not stop, after `hits` hits.
+    fn passes(self, hits: u64) -> u64 {
+        match self {
+            Self::Exactly(number) | Self::From(number) if hits < number => number - 1 - hits,
+            Self::Exactly(_) => u64::MAX,
+            Self::From(_) => 0,
+            Self::Until(number) => {
+                if hits < number {
+                    0
+                } else {
+                    u64::MAX
+                }
+            }
+            Self::Every(number) => number - 1 - hits % number,
+        }
+    }
+
     pub(crate) fn holds(self, hit: u64) -> bool {
         match self {
             Self::Exactly(number) => hit == number,
@@ -234,7 +251,25 @@ impl Breakpoints {
         arrival
     }
 
-    /// Returns guards for the stop marks whose breakpoints all have a task or a condition that the virtual machine can evaluate.
+    /// Returns the numbers of next hits at which tasks do not stop, for the breakpoints with hit conditions.
+    pub(crate) fn passes(&self) -> impl Iterator<Item = (CounterId, u64)> {
+        let of_lines = self.files.values().flatten().map(|breakpoint| (breakpoint.id, breakpoint.hits));
+        let passes = of_lines.chain(self.programs.hit_conditions()).filter_map(|(id, condition)| {
+            let hits = self.hits.get(&id).copied().unwrap_or_default();
+            Some((counter(id), condition?.passes(hits)))
+        });
+        passes.filter(|(_, passes)| *passes > 0)
+    }
+
+    /// Adds the hits that the virtual machine has counted.
+    pub(crate) fn add_hits(&mut self, counted: impl IntoIterator<Item = (CounterId, u64)>) {
+        for (CounterId(id), hits) in counted {
+            *self.hits.entry(BreakpointId(id)).or_default() += hits;
+        }
+    }
+
+    /// Returns guards for the stop marks at which the virtual machine can exclude stops by the task, the condition or the
+    /// hit count of each breakpoint.
     pub(crate) fn guards(&self, space: &Space) -> Vec<StopGuard> {
         let mut guards = Vec::new();
         for (instance, owner) in space.loaded() {
@@ -255,9 +290,11 @@ impl Breakpoints {
         let next =
             NextLine { instance: place.instance, program: place.program, line, is_entry, image: Arc::clone(&image) };
         let rules = self.rules(space, &next);
-        let reasons = rules
-            .iter()
-            .map(|rule| StopReason { task: rule.task, condition: rule.condition.map(|condition| &condition.fragment) });
+        let reasons = rules.iter().map(|rule| StopReason {
+            task: rule.task,
+            condition: rule.condition.map(|condition| &condition.fragment),
+            counter: rule.hits.map(|_| counter(rule.id)),
+        });
         StopGuard::new(space, place, reasons)
     }
 
@@ -310,6 +347,11 @@ impl StopRule<'_> {
             false
         })
     }
+}
+
+/// Returns the number of the breakpoint's hit counter in the virtual machine.
+const fn counter(BreakpointId(id): BreakpointId) -> CounterId {
+    CounterId(id)
 }
 
 fn is_named(controller: &Controller, task: TaskNumber, name: &str) -> bool {

@@ -335,7 +335,7 @@ impl Debugger {
             self.step = None;
             return AdvanceResult::Stopped(stop);
         }
-        let status = self.controller.step();
+        let status = self.step_controller();
         if status == RunStatus::Busy {
             self.pass_cycle();
         }
@@ -355,6 +355,15 @@ impl Debugger {
             self.step = self.step.filter(|step| self.stops_alone && stop.task_alone() != Some(step.task));
             AdvanceResult::Stopped(stop)
         })
+    }
+
+    /// Executes the controller up to its next status. The virtual machine counts the hits at which tasks do not stop. A
+    /// replay does not use its counters, because each hit is a possible end of a reverse search.
+    fn step_controller(&mut self) -> RunStatus {
+        self.controller.vm.count_hits(self.breakpoints.passes());
+        let status = self.controller.step();
+        self.breakpoints.add_hits(self.controller.vm.take_hits());
+        status
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {

@@ -29,6 +29,7 @@ mod step_in;
 mod travel;
 mod unlinked;
 mod values;
+mod variable_filter;
 mod watched;
 mod writes;
 
@@ -57,5 +58,6 @@ pub use values::{
     DebugValue, DisplayFormat, Inside, NamedFragment, Scope, ScopeKind, count, data, row_of_data, scopes,
     string_of_data, subscript, values,
 };
-pub use watched::{DataForm, NumberSeries, WatchedData};
+pub use variable_filter::{InvalidVariableFilter, VariableFilter};
+pub use watched::{DataForm, DataTable, NumberSeries, TableRow, WatchedData};
 pub use writes::{DataWrite, DataWrites, InitialValue};

@@ -113,6 +113,11 @@ impl ProgramBreakpoints {
         self.0.iter().map(|breakpoint| breakpoint.name.program.clone()).collect()
     }
 
+    /// Returns the hit conditions of all breakpoints.
+    pub(crate) fn hit_conditions(&self) -> impl Iterator<Item = (BreakpointId, Option<HitCondition>)> {
+        self.0.iter().map(|breakpoint| (breakpoint.id, breakpoint.hits))
+    }
+
     /// Returns the resolved lines of all breakpoints.
     pub(crate) fn placed(&self, space: &Space) -> Vec<PlacedProgram> {
         self.0.iter().map(|breakpoint| breakpoint.placed(space)).collect()

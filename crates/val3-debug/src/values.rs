@@ -18,6 +18,7 @@ use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_vm::{FragmentContext, Frame, InstanceId, Vm};
 
+pub(crate) use look::element_places;
 use look::{ItemRange, Look};
 use names::AccessNames;
 pub use names::subscript;
@@ -69,8 +70,9 @@ struct ValuePath {
 enum ValueNode {
     /// Variables of a stack frame: its parameters, or its locals.
     Frame { depth: usize, are_parameters: bool },
-    /// Data of the application or library, as visible to the program in a stack frame.
-    Data(InstanceId, Option<(TaskNumber, usize)>),
+    /// Data of the application or library, as visible to the program in a stack frame: all data, or the data with these
+    /// positions in the image.
+    Data { owner: InstanceId, of_frame: Option<(TaskNumber, usize)>, chosen: Option<Arc<[usize]>> },
     /// Array or collection elements.
     Values(View),
     /// Fields of a value, and its computed parts.
@@ -92,6 +94,22 @@ impl Inside {
     pub fn expression(&self, name: &str) -> Option<(FragmentContext, String)> {
         let path = self.path.child(name);
         Some((path.context, path.text?))
+    }
+
+    /// Application or library whose data a scope contains.
+    pub(crate) fn owner(&self) -> Option<InstanceId> {
+        match self.node {
+            ValueNode::Data { owner, .. } => Some(owner),
+            _ => None,
+        }
+    }
+
+    /// Restricts a scope of data to the data with these positions in the image.
+    pub(crate) fn choose(mut self, positions: Arc<[usize]>) -> Self {
+        if let ValueNode::Data { chosen, .. } = &mut self.node {
+            *chosen = Some(positions);
+        }
+        self
     }
 
     /// Returns a handle of the parameters or the locals in a stack frame.
@@ -179,10 +197,9 @@ pub fn data(instance: InstanceId) -> Inside {
     globals(instance, None, String::new())
 }
 
-fn globals(instance: InstanceId, frame: Option<(TaskNumber, usize)>, prefix: String) -> Inside {
-    let path =
-        ValuePath { context: FragmentContext::Instance(instance), text: Some(String::new()), prefix: Some(prefix) };
-    Inside { task: None, path, node: ValueNode::Data(instance, frame) }
+fn globals(owner: InstanceId, of_frame: Option<(TaskNumber, usize)>, prefix: String) -> Inside {
+    let path = ValuePath { context: FragmentContext::Instance(owner), text: Some(String::new()), prefix: Some(prefix) };
+    Inside { task: None, path, node: ValueNode::Data { owner, of_frame, chosen: None } }
 }
 
 /// Returns the number of nested values; 0 if they no longer exist.
@@ -192,7 +209,8 @@ pub fn count(vm: &mut Vm, inside: &Inside) -> usize {
             let program = inside.task.and_then(|task| program(vm, &frame(vm, task, *depth)?));
             program.map_or(0, |program| variables(program, *are_parameters).count())
         }
-        ValueNode::Data(instance, _) => vm.space.instance(*instance).map_or(0, |instance| instance.data.len()),
+        ValueNode::Data { chosen: Some(chosen), .. } => chosen.len(),
+        ValueNode::Data { owner, .. } => vm.space.instance(*owner).map_or(0, |instance| instance.data.len()),
         ValueNode::Values(view) => vm.space.memory.len(*view).map_or(0, |len| len as usize),
         ValueNode::Fields(kind, place) => look::fields_of(kind, *place),
         ValueNode::Listed(values) => values.len(),
@@ -218,9 +236,10 @@ pub fn values(
             let shown = variables(program, *are_parameters).skip(range.start).take(range.len());
             ItemRange::Variables(frame, shown.cloned().collect())
         }
-        ValueNode::Data(instance, of_frame) => {
-            let Some(instance) = vm.space.instance(*instance) else { return Vec::new() };
-            let shown = instance.image.data.iter().zip(instance.data.iter()).skip(range.start).take(range.len());
+        ValueNode::Data { owner, of_frame, chosen } => {
+            let Some(instance) = vm.space.instance(*owner) else { return Vec::new() };
+            let positions = range.map(|number| chosen.as_ref().map_or(Some(number), |all| all.get(number).copied()));
+            let shown = positions.filter_map(|at| instance.image.data.get(at?).zip(instance.data.get(at?)));
             let items = shown.map(|(data, id)| (data.name.clone(), is_visible(vm, data, *of_frame), View::whole(*id)));
             ItemRange::Data(items.collect())
         }

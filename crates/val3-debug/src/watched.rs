@@ -1,6 +1,7 @@
 //! Watched data: variables, elements, fields and signals that are looked up again after each line.
 
 mod numbers;
+mod table;
 
 use std::sync::Arc;
 
@@ -21,6 +22,7 @@ use crate::reads::{ExecutedLine, Extent};
 use crate::values;
 
 pub use numbers::{DataForm, NumberSeries};
+pub use table::{DataTable, TableRow};
 
 /// A variable, element, field or signal that a data breakpoint watches. It is looked up by its name after each line, so
 /// it stays valid while the run continues. A local variable no longer exists after its program has ended.

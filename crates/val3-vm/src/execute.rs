@@ -80,7 +80,7 @@ impl TurnContext<'_> {
     /// Whether the task stops at the stop mark that it has reached: not where it has already stopped, and not if the
     /// guard excludes a stop.
     #[cold]
-    fn meets_stop(&self, thread: &mut Thread, instance: &Instance, frame: &Frame, op: usize) -> bool {
+    fn meets_stop(&mut self, thread: &mut Thread, instance: &Instance, frame: &Frame, op: usize) -> bool {
         let task = self.roster.position(self.task).and_then(|at| self.roster.tasks.get(at));
         let name = task.map_or("", |task| task.name.as_str());
         (thread.is_at_stop || !self.space.passes_stop(instance, frame, op, name)) && thread.meets_stop()

@@ -1,9 +1,9 @@
-//! Guards of stop marks: conditions that the interpreter evaluates within the turn, so that a task passes a stop mark
-//! without a stop if no condition is true.
+//! Guards of stop marks: conditions that the interpreter evaluates within the turn, and hits that it counts, so that a
+//! task passes a stop mark without a stop if no condition is true or the hit is only counted.
 //!
 //! A guard only reads numbers and strings of global data and of the stack frame, also in arrays and fields, and has no
-//! side effects. A condition that would cause a run-time error stops the task, and the caller evaluates it in the
-//! general way.
+//! side effects except on [hit counters](HitCounters). A condition that would cause a run-time error stops the task, and
+//! the caller evaluates it in the general way.
 
 use std::sync::Arc;
 
@@ -15,6 +15,7 @@ use val3_lang::memory::{Lanes, Memory, Place, StoreId, View};
 use val3_lang::values::Text;
 
 use crate::arithmetic::{remainder, truth};
+use crate::hit_counters::{CounterId, HitCounters};
 use crate::operands::{OperandContext, place_of, view_of};
 use crate::{Frame, Instance, InstanceId, Space};
 
@@ -40,6 +41,8 @@ pub struct StopReason<'a> {
     pub task: Option<&'a str>,
     /// Condition of the stop.
     pub condition: Option<&'a Fragment>,
+    /// Counter of the hits that are no stops; `None` if each hit is a stop.
+    pub counter: Option<CounterId>,
 }
 
 /// Reason for a stop that the interpreter can exclude.
@@ -47,6 +50,17 @@ pub struct StopReason<'a> {
 struct GuardedReason {
     task: Option<String>,
     condition: Option<PureCondition>,
+    counter: Option<CounterId>,
+}
+
+/// Effect of a task's arrival at a stop mark on a reason.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum ArrivalEffect {
+    /// The reason is for another task, or its condition does not hold.
+    None,
+    /// A hit that is only counted.
+    Counted(CounterId),
+    Stop,
 }
 
 /// Operation with a stop mark.
@@ -95,7 +109,7 @@ struct Registers<'a> {
 
 impl StopGuard {
     /// Creates the guard of a stop mark at which tasks stop only for one of the reasons. Returns `None` if the operation
-    /// does not exist, if a condition requires more, or if a reason holds for every task.
+    /// does not exist, if a condition requires more, or if each arrival of every task is a stop.
     pub fn new<'f>(space: &Space, place: GuardedOp, reasons: impl IntoIterator<Item = StopReason<'f>>) -> Option<Self> {
         let image = Arc::clone(&space.instance(place.instance)?.image);
         let program = image.programs.get(usize::from(place.program))?;
@@ -104,36 +118,68 @@ impl StopGuard {
         Some(Self { place, image, reasons })
     }
 
-    /// Whether the task with this name does not stop for any reason.
-    fn excludes(&self, memory: &Memory, instance: &Instance, frame: &Frame, task: &str) -> bool {
-        self.reasons.iter().all(|reason| {
-            let is_of_other_task = reason.task.as_ref().is_some_and(|name| name != task);
-            let condition = reason.condition.as_ref();
-            is_of_other_task || condition.is_some_and(|condition| condition.value(memory, instance, frame) == Some(0.0))
-        })
+    /// Whether the task with this name does not stop for any reason. The hits that are only counted are then added.
+    fn passes(
+        &self,
+        memory: &Memory,
+        counters: &mut HitCounters,
+        instance: &Instance,
+        frame: &Frame,
+        task: &str,
+    ) -> bool {
+        let mut counted = Vec::new();
+        for reason in &self.reasons {
+            match reason.effect(memory, instance, frame, task) {
+                ArrivalEffect::Counted(counter) if counters.has_pass(counter) => counted.push(counter),
+                ArrivalEffect::Counted(_) | ArrivalEffect::Stop => return false,
+                ArrivalEffect::None => {}
+            }
+        }
+        counted.into_iter().for_each(|counter| counters.pass(counter));
+        true
     }
 }
 
 impl GuardedReason {
     /// Returns the reason for the variables of `program`; `None` if the interpreter cannot exclude it.
-    fn new(program: &Program, StopReason { task, condition }: StopReason<'_>) -> Option<Self> {
+    fn new(program: &Program, StopReason { task, condition, counter }: StopReason<'_>) -> Option<Self> {
         let condition = condition.map(|condition| PureCondition::new(program, condition));
-        match (task, condition) {
-            (None, None) | (_, Some(None)) => None,
-            (task, condition) => Some(Self { task: task.map(str::to_owned), condition: condition.flatten() }),
+        match (task, condition, counter) {
+            (None, None, None) | (_, Some(None), _) => None,
+            (task, condition, counter) => {
+                Some(Self { task: task.map(str::to_owned), condition: condition.flatten(), counter })
+            }
+        }
+    }
+
+    fn effect(&self, memory: &Memory, instance: &Instance, frame: &Frame, task: &str) -> ArrivalEffect {
+        if self.task.as_ref().is_some_and(|name| name != task) {
+            return ArrivalEffect::None;
+        }
+        let holds = match self.condition.as_ref().map(|condition| condition.value(memory, instance, frame)) {
+            Some(Some(value)) => value != 0.0,
+            // The caller reports the run-time error.
+            Some(None) => return ArrivalEffect::Stop,
+            None => true,
+        };
+        match self.counter {
+            _ if !holds => ArrivalEffect::None,
+            Some(counter) => ArrivalEffect::Counted(counter),
+            None => ArrivalEffect::Stop,
         }
     }
 }
 
 impl Space {
     /// Whether the task with this name passes a stop mark because the mark's guard excludes a stop.
-    pub(crate) fn passes_stop(&self, instance: &Instance, frame: &Frame, op: usize, task: &str) -> bool {
+    pub(crate) fn passes_stop(&mut self, instance: &Instance, frame: &Frame, op: usize, task: &str) -> bool {
         let here = |guard: &&StopGuard| {
             let GuardedOp { instance, program, op: guarded } = guard.place;
             guarded as usize == op && program == frame.program && instance == frame.instance
         };
         self.guards.iter().find(here).is_some_and(|guard| {
-            Arc::ptr_eq(&guard.image, &instance.image) && guard.excludes(&self.memory, instance, frame, task)
+            Arc::ptr_eq(&guard.image, &instance.image)
+                && guard.passes(&self.memory, &mut self.hit_counters, instance, frame, task)
         })
     }
 }

@@ -9,6 +9,7 @@ use val3_lang::memory::{LinkPlace, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
 use crate::counts::LineCounts;
+use crate::hit_counters::HitCounters;
 use crate::instance::Imported;
 use crate::stops::Stops;
 use crate::{Host, Instance, InstanceId, ProgramId, StopGuard};
@@ -24,6 +25,8 @@ pub struct Space {
     stops: Stops,
     /// Guards of stop marks.
     pub(crate) guards: Arc<Vec<StopGuard>>,
+    /// Hit counters of the guards.
+    pub(crate) hit_counters: HitCounters,
     /// Whether tasks stop before their end.
     pub(crate) stops_at_ends: bool,
     /// Execution counts of counted lines and branch sides.

@@ -10,6 +10,7 @@ use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
 use crate::data_watch::{BegunLine, DataWatch};
 use crate::enter::leave;
+use crate::hit_counters::{CounterId, HitCounters};
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
@@ -220,6 +221,17 @@ impl Vm {
     /// Replaces all guards of stop marks.
     pub fn set_guards(&mut self, guards: Vec<StopGuard>) {
         self.space.guards = Arc::new(guards);
+    }
+
+    /// Starts the hit counters of the guards with the numbers of hits at which tasks do not stop. Without its counter,
+    /// each hit of a guard is a stop.
+    pub fn count_hits(&mut self, passes: impl IntoIterator<Item = (CounterId, u64)>) {
+        self.space.hit_counters = HitCounters::new(passes);
+    }
+
+    /// Removes the hit counters, and returns the hits at which tasks have not stopped.
+    pub fn take_hits(&mut self) -> impl Iterator<Item = (CounterId, u64)> + use<> {
+        std::mem::take(&mut self.space.hit_counters).passed()
     }
 
     /// Sets the values whose change ends a turn. Evaluations do not watch them.

@@ -9,6 +9,7 @@ import { frame, MessageReader } from "../src/debug/frames";
 import { keyArgument, levelFrom } from "../src/debug/robot/input";
 import { type Item, merge } from "../src/debug/robot/items";
 import { SourceTranslator, type View, type Views } from "../src/debug/sources";
+import { markArrays } from "../src/debug/variables";
 
 const FILE = "/cell/pick.pgx";
 const CODE = "val3-code:/cell/pick.pgx/pick.pgx%20(code)?file:///cell/pick.pgx";
@@ -137,4 +138,19 @@ test("a tree is drawn again where it has changed, and keeps its other items", ()
   assert.deepEqual(labels(merge(shown, tree("5", "true", item("%I2", "")))), ["io"]);
   assert.ok(shown.children[0] === arm && shown.children[1] === io);
   assert.equal(JSON.stringify(shown), JSON.stringify(tree("5", "true", item("%I2", ""))));
+});
+
+test("the context menu of an array offers a table", () => {
+  const variables = [
+    { name: "nMany", value: "3 values", variablesReference: 1, indexedVariables: 3 },
+    { name: "jHome", value: "{0}", variablesReference: 2, namedVariables: 6 },
+  ];
+  const menus = (message: Protocol.ProtocolMessage): unknown => {
+    const marked = (markArrays(message) as Protocol.VariablesResponse).body.variables;
+    return marked.map((variable) => (variable as unknown as Record<string, unknown>)["__vscodeVariableMenuContext"]);
+  };
+  assert.deepEqual(menus(response(1, "variables", { variables })), ["array", undefined]);
+  assert.deepEqual(menus(response(1, "other", { variables })), [undefined, undefined]);
+  const failed = { ...response(1, "variables", undefined), success: false };
+  assert.equal(markArrays(failed), failed);
 });

@@ -177,6 +177,41 @@ for (const [hitCondition, expected] of [["5", ["5"]], [">=10", ["10", "11", "12"
   });
 }
 
+/** Returns the shortest time, in ms, of three runs of an application with this breakpoint, which never stops them. */
+async function runTime(own, breakpoint) {
+  const times = [];
+  for (let run = 0; run < 3; run += 1) {
+    const before = (session) => (breakpoint === undefined ? session.setBreakpoints(own.file("start")) : session.setBreakpoints(own.file("start"), breakpoint));
+    await debug(own.folder(), { before, stopOnEntry: true }, async (session) => {
+      await session.stopped("entry");
+      const start = performance.now();
+      await session.ask("continue", { threadId: session.thread });
+      await session.event("terminated");
+      times.push(performance.now() - start);
+      assert.deepEqual(session.arrived("stopped"), []);
+    });
+  }
+  return Math.min(...times);
+}
+
+test("breakpoints that do not stop hardly slow down a loop", async () => {
+  const own = new Application("fast", {
+    data: { "num nRound": "", "num nSum": "" },
+    programs: "\nprogram start()\nbegin\n  for nRound=1 to 40000\n    nSum=nSum+nRound\n    nSum=nSum/2\n  endFor\nend\n",
+  });
+  try {
+    const line = own.line("start", "nSum=nSum+");
+    const plain = await runTime(own);
+    for (const rule of [{ condition: "nRound<0" }, { hitCondition: "300000" }, { condition: "nRound>5", hitCondition: "%500000" }]) {
+      const factor = (await runTime(own, { line, ...rule })) / plain;
+      // A stop of the interpreter at each hit costs more than ten times the plain run.
+      assert.ok(factor < 6, `${JSON.stringify(rule)}: ${factor.toFixed(1)} times the plain run`);
+    }
+  } finally {
+    own.remove();
+  }
+});
+
 test("hits count where the condition holds, and breakpoints that stay keep them", async () => {
   const line = app.line("add", "l_nBefore=");
   const wanted = { line, condition: "x_nValue>3", hitCondition: "%2" };

@@ -110,7 +110,7 @@ test("a linked variable forces its input, and all views agree", async () => {
 
 test("values to copy have all digits and no notes", async () => {
   const contents = {
-    data: { "dio diIn": `link="${LINK}"`, "num nThird": "" },
+    data: { "dio diIn": `link="${LINK}"`, "num nThird": "", "num nOne[1]": "" },
     programs: `
 program start()
 begin
@@ -132,6 +132,7 @@ end
     assert.match(await session.evaluate("x_nOther"), /refers to nThird/);
     assert.equal(await session.evaluate("x_nOther", "clipboard"), "0.3333333333333333");
     assert.equal(await session.evaluate("diIn", "clipboard"), "false");
+    assert.equal(await session.evaluate("nOne[0]"), "0", "the expression names the variable itself");
     const { variablesReference, variables } = await session.scope("Globals");
     const { value } = variables.find(({ name }) => name === "nThird");
     await session.ask("setVariable", { variablesReference, name: "nThird", value });

@@ -82,6 +82,17 @@ test("the number of hits counts, and a condition chooses the changes", async () 
   });
 });
 
+test("an index that is a variable has its value of now", async () => {
+  await counting(async (session) => {
+    await session.evaluate("nIndex=3", "repl");
+    const [info] = await session.watchData("nMany[nIndex]");
+    assert.match(info.dataId, /nMany\[3\]$/);
+    const stop = await session.run("continue", "data breakpoint");
+    assert.match(stop.text, /^0 -> 6 /);
+    assert.equal(await session.evaluate("nIndex"), "3");
+  });
+});
+
 test("data from the list of variables can be watched, and what is computed cannot", async () => {
   await counting(async (session) => {
     const { variablesReference } = await session.scope("Globals");

@@ -134,7 +134,7 @@ end
 
 test("settings with wrong values are refused", async () => {
   const session = await Session.start();
-  const wrong = { pastMemory: 0, pastSnapshots: "all", angles: "gon", stopScope: "some", motionMode: "slow" };
+  const wrong = { pastMemory: 0, pastSnapshots: "all", angles: "gon", stopScope: "some", motionMode: "slow", stopOnEntry: "yes", variableFilter: "n[" };
   for (const [key, value] of Object.entries(wrong)) {
     const reason = await session.refused("launch", { program: app.folder(), [key]: value });
     assert.match(reason, key === "motionMode" ? /slow/ : new RegExp(key));

@@ -1,5 +1,7 @@
 // Stops, steps and the tasks of a run.
 const assert = require("node:assert/strict");
+const { once } = require("node:events");
+const { connect, createServer } = require("node:net");
 const { join } = require("node:path");
 const { after, before, test } = require("node:test");
 const { Application } = require("./application");
@@ -458,6 +460,24 @@ test("a request that has not begun is cancelled", async () => {
   own.remove();
 });
 
+test("a waiting request is cancelled while another one continues", async () => {
+  const own = counter();
+  await debug(own.folder(), { stopOnEntry: true }, async (session) => {
+    await session.stopped("entry");
+    const [{ id: frameId }] = await session.frames();
+    let hasEnded = false;
+    const busy = session.refused("evaluate", { expression: "do\n nSum=nSum+1\n until false", frameId, context: "repl" });
+    void busy.then(() => { hasEnded = true; });
+    const first = session.client.sequence - 1;
+    const waiting = session.refused("evaluate", { expression: "1+1", frameId, context: "watch" });
+    await session.ask("cancel", { requestId: first + 1 });
+    assert.deepEqual([await waiting, hasEnded], ["cancelled", false]);
+    await session.ask("cancel", { requestId: first });
+    assert.equal(await busy, "cancelled");
+  });
+  own.remove();
+});
+
 test("statements that are executed in the console are cancelled", async () => {
   const own = counter();
   await debug(own.folder(), { stopOnEntry: true }, async (session) => {
@@ -544,6 +564,51 @@ test("a step that waits long says for what, and ends when the wait does", async 
       await session.ask("val3/ioForce", { link: String.raw`BasicIO-1\%I0`, value: true });
       await session.stopped("step");
       assert.equal(await session.place(), `start:${own.line("start", "nDone=1")}`);
+    });
+  } finally {
+    own.remove();
+  }
+});
+
+test("a run that only a program at a socket can continue says so", async () => {
+  const server = createServer().listen(0, "127.0.0.1");
+  await once(server, "listening");
+  const { port } = server.address();
+  await new Promise((resolve) => { server.close(resolve); });
+  const link = String.raw`Socket\host`;
+  const own = new Application("listening", {
+    data: { "sio siHost": `link="${link}"`, "num nByte": "", "num nRead": "" },
+    programs: "\nprogram start()\nbegin\n  nRead=sioGet(siHost,nByte)\n  putln(nByte)\nend\n",
+  });
+  try {
+    await debug(own.folder(), { line: [`${link}=server:${port}`] }, async (session) => {
+      const { output } = await session.eventWhere("output", ({ output }) => output.includes("only data over"));
+      assert.match(output, /^note: only data over a serial line or socket can continue the run.*\n  task `.*` waits for .*sioGet.* at start\(\) line \d+\n$/);
+      const client = connect(port, "127.0.0.1");
+      await once(client, "connect");
+      client.write(Buffer.from([65]));
+      const printed = await session.eventWhere("output", ({ category }) => category === "stdout");
+      assert.equal(printed.output, "65\n");
+      await session.event("terminated");
+      client.destroy();
+      assert.deepEqual(session.arrived("output").filter(({ output }) => output.includes("only data over")), []);
+    });
+  } finally {
+    own.remove();
+  }
+});
+
+test("a step over an instruction that fails ends with its error", async () => {
+  const own = new Application("gripping", {
+    data: { "tool tGrip": "", "num nDone": "" },
+    programs: "\nprogram start()\nbegin\n  open(tGrip)\n  nDone=1\nend\n",
+  });
+  try {
+    await debug(own.folder(), { stopOnEntry: true, arm: "tx2-60", power: true }, async (session) => {
+      await session.stopped("entry");
+      const stop = await session.run("next", "exception");
+      assert.match(stop.text, /^error 123: .*tGrip/);
+      assert.equal(await session.place(), `start:${own.line("start", "open")}`);
     });
   } finally {
     own.remove();

@@ -222,6 +222,58 @@ test("many libraries are one scope", async () => {
   }
 });
 
+test("a filter restricts the global variables by their names", async () => {
+  const programs = "\nprogram touch()\nbegin\n  nOwn=nOwn+1\nend\n";
+  const aliases = ["conveyor", "gripper", "log", "parts", "vision"];
+  const libraries = Object.fromEntries(aliases.map((alias) => [alias, { data: { "num nOwn": "", [`num n${alias}`]: "" }, programs }]));
+  const own = new Application("filtered", {
+    libraries, data: { "num nPush": "", "num nPop": "", "string sName": "" }, programs: "\nprogram start()\nbegin\n  delay(1)\nend\n",
+  });
+  try {
+    await debug(own.folder(), { stopOnEntry: true, variableFilter: "push, vision:" }, async (session) => {
+      await session.stopped("entry");
+      const shown = async () => {
+        const [{ id: frameId }] = await session.frames();
+        const { scopes } = await session.ask("scopes", { frameId });
+        const ofData = scopes.filter(({ name }) => /^(Globals|Librar)/.test(name));
+        const variables = await Promise.all(ofData.map((scope) => session.inside(scope)));
+        return Object.fromEntries(ofData.map(({ name }, index) => [name, variables[index].map((variable) => variable.name)]));
+      };
+      assert.deepEqual(await shown(), { "Globals (push, vision:)": ["nPush"], "Library vision": ["nOwn", "nvision"] });
+      const { filter } = await session.ask("val3/variableFilter", { filter: "nP*" });
+      assert.deepEqual((await session.event("invalidated")).areas, ["variables"]);
+      assert.deepEqual([filter, await shown()], ["nP*", { "Globals (nP*)": ["nPush", "nPop"], "Library parts": ["nparts"] }]);
+      assert.match(await session.refused("val3/variableFilter", { filter: "n[" }), /write a filter such as/);
+      await session.ask("val3/variableFilter", { filter: "" });
+      assert.deepEqual(await shown(), { Globals: ["nPush", "nPop", "sName"], Libraries: aliases });
+    });
+  } finally {
+    own.remove();
+  }
+});
+
+test("an array is a table of values and numbers", async () => {
+  await showing(async (session) => {
+    const { variablesReference } = await session.scope("Globals");
+    const table = await session.ask("val3/table", { name: "nGrid", variablesReference });
+    assert.deepEqual([table.name, table.type, table.count], ["shapes:nGrid", "num[2,3]", 6]);
+    assert.deepEqual(table.rows.at(-1), { index: "[1,2]", value: "12", numbers: [12] });
+    await session.run("next", "step");
+    const later = await session.ask("val3/table", { dataId: table.name, start: 5, count: 10 });
+    assert.deepEqual(later.rows.map(({ numbers }) => numbers), [[255]]);
+    const long = await session.ask("val3/table", { name: "nLong", start: 99_999 });
+    assert.deepEqual([long.count, long.rows.map(({ index }) => index)], [100_000, ["[99999]"]]);
+    assert.match(await session.refused("val3/table", { name: "pHole.trsf" }), /no array or collection/);
+  });
+});
+
+test("scopes with few variables are read at each stop", async () => {
+  await showing(async (session) => {
+    const { expensive } = await session.scope("Globals");
+    assert.equal(expensive, false);
+  });
+});
+
 test("the numbers of a stop that is over are refused", async () => {
   await showing(async (session) => {
     const [{ id: frameId }] = await session.frames();

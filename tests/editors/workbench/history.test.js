@@ -1,4 +1,5 @@
-// A user looks at the values that variables have had: as a list and a plot beside the code, at several moments of a run.
+// A user looks at the values that variables have had: as a list and a plot beside the code, at several moments of a run,
+// and at the elements of an array as a table.
 const assert = require("node:assert/strict");
 const { mkdtempSync } = require("node:fs");
 const { tmpdir } = require("node:os");
@@ -7,7 +8,7 @@ const { Application } = require("../dap/application");
 const { runSteps } = require("./steps");
 
 const app = new Application("counter", {
-  data: { "num nSquare": "", "joint jWork": "", "string sState": "" },
+  data: { "num nSquare": "", "joint jWork": "", "string sState": "", "joint jMany[3]": "" },
   programs: `
 program start()
   num l_nAt
@@ -17,6 +18,7 @@ begin
     nSquare=l_nAt*l_nAt
     jWork.j1=10*l_nAt
     jWork.j3=90-5*l_nAt
+    jMany[1]=jWork
     delay(0.1)
   endFor
   sState="done"
@@ -26,11 +28,11 @@ end
 });
 const SQUARE = app.line("start", "nSquare=l_nAt");
 
-/** Returns the frame of a variable's history, which the context menu of *Variables* opens. */
-async function opens(user, name) {
+/** Returns the frame of a variable's history or table, which the context menu of *Variables* opens. */
+async function opens(user, name, [command, title, content] = ["Show History of Variable", "History of", "[role=grid]"]) {
   const row = user.page.locator(".debug-variables .monaco-list-row", { hasText: `${name} =` }).first();
-  const item = user.page.locator(".monaco-menu .action-label", { hasText: "Show History of Variable" });
-  const tab = user.page.locator(`.tab[aria-label^="History of counter:${name}"]`);
+  const item = user.page.locator(".monaco-menu .action-label", { hasText: command });
+  const tab = user.page.locator(`.tab[aria-label^="${title} counter:${name}"]`);
   // The list may be redrawn some time after a stop, which closes the menu, and a new menu ignores clicks.
   for (let attempt = 0; attempt < 5 && !(await tab.isVisible()); attempt += 1) {
     await user.keys("Escape");
@@ -39,7 +41,7 @@ async function opens(user, name) {
     await tab.waitFor({ timeout: 10_000 }).catch(() => {});
   }
   const frame = await user.frameWith(`counter:${name}`);
-  await frame.waitForSelector("[role=grid]");
+  await frame.waitForSelector(content);
   return frame;
 }
 
@@ -126,6 +128,29 @@ const STEPS = {
     await text.getByText("Values of the type string are listed without a plot.").waitFor();
     await user.closesTab("History of counter:sState");
     await user.closesTab("History of counter:jWork");
+  },
+
+  async "an array is a table with a column for each axis"(user) {
+    await user.focusEditor();
+    const table = await opens(user, "jMany", ["Show as Table", "Table of", "table"]);
+    assert.deepEqual(await table.locator("th").allInnerTexts(), ["Index", ...[1, 2, 3, 4, 5, 6].map((axis) => `j${axis} (°)`)]);
+    assert.equal(await table.locator("tr", { hasText: "[1]" }).innerText(), "[1]\t120\t0\t30\t0\t0\t0");
+    await user.closesTab("Table of counter:jMany");
+  },
+
+  async "a filter shows only some variables"(user) {
+    await user.focusEditor();
+    await user.command("VAL 3: Filter Variables…");
+    const input = user.page.locator(".quick-input-widget input:visible");
+    await input.fill("j");
+    await input.press("Enter");
+    const row = (text) => user.page.locator(".debug-variables .monaco-list-row", { hasText: text }).first();
+    await row("Globals (j)").waitFor();
+    assert.equal(await row("nSquare =").count(), 0);
+    await user.command("VAL 3: Filter Variables…");
+    await input.fill("");
+    await input.press("Enter");
+    await row(/^Globals$/).waitFor();
   },
 
   async "after a step back the history ends at the present"(user) {

@@ -2,13 +2,13 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use val3_debug::{DataForm, DataWrite, NumberSeries, TaskFrame, WatchedData};
-use val3_lang::types::{LengthUnit, NumberUnit};
+use val3_debug::{DataWrite, TaskFrame};
 use val3_machine::event::seconds;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::request::DebugRequest;
+use crate::series::{self, Series};
 use crate::session::{DebugSession, NamedData};
 
 /// Number of writes in a response if the client does not set it.
@@ -27,10 +27,13 @@ impl DebugRequest for History {
         run: &mut DebuggedRun<'_>,
         arguments: HistoryArguments,
     ) -> Result<HistoryBody, RequestFailure> {
-        let data = data_of(&arguments, session, run)?;
+        let HistoryArguments { name, variables_reference, frame_id, data_id, .. } = &arguments;
+        let named =
+            name.as_deref().map(|name| NamedData { name, variables_reference: *variables_reference, frame: *frame_id });
+        let data = session.chosen_data(data_id.as_deref(), named.as_ref(), run)?;
         let count = arguments.count.map_or(COUNT, |count| count as usize);
         let found = session.search_writes(&data, count, run)?;
-        let (type_name, series) = described(found.form);
+        let (type_name, series) = found.form.map_or_else(Default::default, series::described);
         let initial = found.initial;
         Ok(HistoryBody {
             name: session.breakpoints.know_data(data),
@@ -43,55 +46,6 @@ impl DebugRequest for History {
             initial_numbers: initial.as_ref().map(|initial| initial.numbers.clone()),
             initial: initial.map(|initial| initial.value),
         })
-    }
-}
-
-/// Returns the data that the arguments name.
-///
-/// # Errors
-/// The arguments have neither a name nor a data id, or there are no such data.
-fn data_of(
-    arguments: &HistoryArguments,
-    session: &DebugSession,
-    run: &mut DebuggedRun<'_>,
-) -> Result<WatchedData, RequestFailure> {
-    let HistoryArguments { name, variables_reference, frame_id, data_id, .. } = arguments;
-    match (data_id, name) {
-        (Some(id), _) => {
-            let known = session.breakpoints.known_data(id);
-            known.cloned().ok_or_else(|| RequestFailure::Rejected(format!("`{id}` is not known in this run")))
-        }
-        (None, Some(name)) => {
-            let named = NamedData { name, variables_reference: *variables_reference, frame: *frame_id };
-            session.named_data(&named, run)?.map_err(RequestFailure::Rejected)
-        }
-        (None, None) => Err(RequestFailure::Rejected("`name` or `dataId` is required".to_owned())),
-    }
-}
-
-/// Returns the type and the numbers of data; both are empty if the data were never in memory.
-fn described(form: Option<DataForm>) -> (String, Vec<Series>) {
-    let Some(DataForm { type_name, length_unit, series }) = form else { return (String::new(), Vec::new()) };
-    let series = series.into_iter().map(|NumberSeries { name, unit, is_digital }| Series {
-        name: name.to_owned(),
-        unit: unit_text(unit, length_unit),
-        is_digital,
-    });
-    (type_name, series.collect())
-}
-
-/// Formats a unit; `None` for numbers without a unit.
-const fn unit_text(unit: NumberUnit, length: LengthUnit) -> Option<&'static str> {
-    match (unit, length) {
-        (NumberUnit::None, _) => None,
-        (NumberUnit::Length, LengthUnit::Millimetre) => Some("mm"),
-        (NumberUnit::Length, LengthUnit::Inch) => Some("in"),
-        (NumberUnit::LengthPerSecond, LengthUnit::Millimetre) => Some("mm/s"),
-        (NumberUnit::LengthPerSecond, LengthUnit::Inch) => Some("in/s"),
-        (NumberUnit::Degrees, _) => Some("degrees"),
-        (NumberUnit::DegreesPerSecond, _) => Some("degrees/s"),
-        (NumberUnit::Percent, _) => Some("%"),
-        (NumberUnit::Seconds, _) => Some("s"),
     }
 }
 
@@ -133,18 +87,6 @@ pub(crate) struct HistoryBody {
     /// Time since which the value is `initial`, in seconds: the beginning of the history, or of a local variable's
     /// program.
     since: Option<f64>,
-}
-
-/// A number in each value of a variable.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(rename_all = "camelCase")]
-struct Series {
-    /// Field name, for example `j1` or `x`; empty for the value itself.
-    name: String,
-    /// Unit: `mm`, `in`, `degrees`, `s`, `%`, `mm/s`, `in/s` or `degrees/s`; `null` for a number without a unit.
-    unit: Option<&'static str>,
-    /// Whether the number is 0 or 1 because the value is a `bool` or a digital input or output.
-    is_digital: bool,
 }
 
 /// Write that has changed a value.

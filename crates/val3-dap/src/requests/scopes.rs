@@ -20,7 +20,8 @@ impl DebugRequest for Scopes {
         arguments: ScopesArguments,
     ) -> Result<ScopesResponse, RequestFailure> {
         let frame = session.handles.frame(arguments.frame_id).ok_or(RequestFailure::Stale)?;
-        Ok(ScopesResponse { scopes: session.handles.scopes(frame, &mut run.debugger.controller) })
+        let filter = session.start.settings.variable_filter.as_ref();
+        Ok(ScopesResponse { scopes: session.handles.scopes(frame, &mut run.debugger.controller, filter) })
     }
 }
 

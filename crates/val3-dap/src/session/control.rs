@@ -75,7 +75,7 @@ impl DebugSession {
             self.following.extend(placed.into_iter().map(changed));
         }
         if self.phase == SessionState::Stopped {
-            self.invalidate();
+            self.invalidate(InvalidatedAreas::All);
         }
     }
 
@@ -177,9 +177,14 @@ impl DebugSession {
         self.following.push(StandardEvent::Stopped(event));
     }
 
-    fn invalidate(&mut self) {
+    /// Reports that the scopes contain other variables.
+    pub(crate) fn scopes_changed(&mut self) {
+        self.invalidate(InvalidatedAreas::Variables);
+    }
+
+    fn invalidate(&mut self, area: InvalidatedAreas) {
         if self.conventions.knows_invalidated {
-            let areas = Some(vec![InvalidatedAreas::All]);
+            let areas = Some(vec![area]);
             self.following.push(StandardEvent::Invalidated(InvalidatedEvent { areas, ..InvalidatedEvent::default() }));
         }
     }

@@ -20,6 +20,24 @@ pub(crate) struct NamedData<'a> {
 }
 
 impl DebugSession {
+    /// Returns the data with an id from an earlier response, or the named data.
+    ///
+    /// # Errors
+    /// The client has named no data, or there are no such data.
+    pub(crate) fn chosen_data(
+        &self,
+        id: Option<&str>,
+        named: Option<&NamedData<'_>>,
+        run: &mut DebuggedRun<'_>,
+    ) -> Result<WatchedData, RequestFailure> {
+        if let Some(id) = id {
+            let known = self.breakpoints.known_data(id).cloned();
+            return known.ok_or_else(|| RequestFailure::Rejected(format!("`{id}` is not known in this run")));
+        }
+        let required = || RequestFailure::Rejected("`name` or `dataId` is required".to_owned());
+        self.named_data(named.ok_or_else(required)?, run)?.map_err(RequestFailure::Rejected)
+    }
+
     /// Returns the named variable, element, field or signal. Indexes in an expression are evaluated now. The inner
     /// error is the reason why there are no such data, for users.
     ///

@@ -91,17 +91,8 @@ impl Look<'_> {
     fn elements(self, memory: &Memory, view: View, range: Range<usize>) -> Vec<DebugValue> {
         let Ok(store) = memory.store(view.store) else { return Vec::new() };
         let kind = Arc::clone(&store.kind);
-        let element = |name, number| self.single(memory, name, &kind, store.place(view.store, number));
-        match &store.shape {
-            ContainerShape::Collection(keys) => {
-                let page = keys.iter().skip(range.start).take(range.len());
-                page.map(|(text, number)| element(key(text), *number)).collect()
-            }
-            ContainerShape::Array { dims, sizes } => {
-                let numbers = range.filter_map(|number| u32::try_from(number).ok());
-                numbers.map(|number| element(index(*dims, *sizes, number), number + view.start)).collect()
-            }
-        }
+        let places = element_places(memory, view, range).into_iter();
+        places.map(|(name, place)| self.single(memory, name, &kind, place)).collect()
     }
 
     fn variable(self, memory: &Memory, frame: &Frame, variable: &FrameVariable) -> DebugValue {
@@ -184,6 +175,22 @@ impl Look<'_> {
                 let angle = memory.num(place, 0).ok().filter(|_| is_angle);
                 Some(angle.map(radians).map_or(value.clone(), |shown| DebugValue { shown, ..value }))
             }
+        }
+    }
+}
+
+/// Returns the names and places of a range of elements: `[3]`, `["left"]`.
+pub(crate) fn element_places(memory: &Memory, view: View, range: Range<usize>) -> Vec<(String, Place)> {
+    let Ok(store) = memory.store(view.store) else { return Vec::new() };
+    let place = |number| store.place(view.store, number);
+    match &store.shape {
+        ContainerShape::Collection(keys) => {
+            let page = keys.iter().skip(range.start).take(range.len());
+            page.map(|(text, number)| (key(text), place(*number))).collect()
+        }
+        ContainerShape::Array { dims, sizes } => {
+            let numbers = range.filter_map(|number| u32::try_from(number).ok());
+            numbers.map(|number| (index(*dims, *sizes, number), place(number + view.start))).collect()
         }
     }
 }

@@ -70,8 +70,7 @@ impl WatchedData {
         }
         let numbers = self.look(controller, |memory, devices, found| {
             let (kind, place) = single(memory, found)?;
-            let read = |number: NumberPlace| finite(read(memory, devices, number.base, place.after(number.offset)));
-            Some(number_places(&kind, NumberUnit::None).into_iter().map(read).collect())
+            Some(numbers_of(memory, devices, &kind, place))
         });
         numbers.unwrap_or_default()
     }
@@ -86,6 +85,18 @@ impl WatchedData {
         });
         unit.unwrap_or(NumberUnit::None)
     }
+}
+
+/// Returns the numbers in values of a type.
+pub(super) fn series_of(kind: &ValueType) -> Vec<NumberSeries> {
+    number_places(kind, NumberUnit::None).into_iter().map(|place| place.series).collect()
+}
+
+/// Reads the numbers of a value, in the order of [`series_of`]. A number is `None` if the signal of an input or output
+/// cannot be read, or if it is not finite.
+pub(super) fn numbers_of(memory: &Memory, devices: &Devices, kind: &ValueType, place: Place) -> Vec<Option<f64>> {
+    let read = |number: NumberPlace| finite(read(memory, devices, number.base, place.after(number.offset)));
+    number_places(kind, NumberUnit::None).into_iter().map(read).collect()
 }
 
 /// Returns the only value at a location; `None` for several values and for collections.

@@ -242,6 +242,6 @@ fn hits_without_a_stop_take_few_calls() {
     let mut debugger = debugger(listing);
     set(&mut debugger, "start", &[(2, Some("3000"))]);
     let calls = (1..=10_000).find(|_| matches!(debugger.advance(), AdvanceResult::Stopped(_)));
-    assert!(calls.is_some_and(|calls| (3..30).contains(&calls)), "{calls:?}");
+    assert!(calls.is_some_and(|calls| calls < 30), "{calls:?}");
     assert_eq!(debugger.hits(BreakpointId(0)), 3000);
 }

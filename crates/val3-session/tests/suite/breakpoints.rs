@@ -7,7 +7,7 @@ use val3_debug::{
 use val3_machine::controller::RunStatus;
 use val3_session::{FrameEvaluator, Pace, Purpose};
 use val3_tests::running::{Running, application};
-use val3_vm::FragmentContext;
+use val3_vm::{CounterId, FragmentContext};
 
 use crate::stopped::on_disk;
 
@@ -89,6 +89,44 @@ fn conditions_of_numbers_do_not_interrupt_the_run() {
         assert_eq!(interruptions(debugger([condition, "", ""])), 0, "{condition}");
     }
     assert_eq!(interruptions(debugger(["size(sNames)==3", "", ""])), 10);
+}
+
+/// The virtual machine counts hits that are no stops within the turn.
+#[test]
+fn counted_hits_do_not_interrupt_the_run() {
+    for (condition, hits, passes, expected) in
+        [("", ">=5", 4, 6), ("x_nAt>2", "%3", 2, 6), ("", "3", u64::MAX, 0), ("", ">=5", 0, 10)]
+    {
+        let mut debugger = debugger([condition, hits, ""]);
+        debugger.controller.vm.count_hits([(CounterId(1), passes)]);
+        assert_eq!(interruptions(debugger), expected, "{condition} {hits}");
+    }
+}
+
+#[test]
+fn both_forms_of_a_hit_condition_stop_at_the_same_hits() {
+    for hits in ["1", "4", "10", "11", ">=1", ">=7", ">9", "<4", "<=10", "%1", "%3", "%10", "%11"] {
+        for condition in ["", "x_nAt%2==0", "x_nAt>3"] {
+            let general = format!("size(sNames)==2 and ({})", if condition.is_empty() { "true" } else { condition });
+            let (mut counted, mut stopped) = (debugger([condition, hits, ""]), debugger([&general, hits, ""]));
+            assert_eq!(sums(&mut counted), sums(&mut stopped), "{condition} {hits}");
+            assert_eq!(counted.hits(BreakpointId(1)), stopped.hits(BreakpointId(1)), "{condition} {hits}");
+        }
+    }
+}
+
+/// Hits that the virtual machine has counted belong to the moment of each snapshot, too.
+#[test]
+fn counted_hits_go_back_with_the_run() {
+    let mut debugger = debugger(["", "%4", ""]);
+    debugger.record(PastLimits::snapshots(20));
+    assert_eq!(sums(&mut debugger), [10.0, 36.0]);
+    let mut hits = Vec::new();
+    while debugger.run_back() != Stop::Beginning {
+        hits.push(debugger.hits(BreakpointId(1)));
+    }
+    assert_eq!(hits, [10, 9, 8, 7, 6, 5, 4, 3, 2, 1]);
+    assert_eq!(sums(&mut debugger), [10.0, 36.0], "the same hits come again");
 }
 
 #[test]

@@ -70,6 +70,11 @@ fn common() -> Map<String, Value> {
         "default": [],
         "description": "Libraries (`library`) and programs (`library:program`) in which steps into calls do not end; `*` stands for any text, `?` for one character",
     });
+    let filter = json!({
+        "type": "string",
+        "default": "",
+        "description": "Show only the global variables whose names match: patterns such as `nPush*` or `io:di*`, separated by commas; a name without `*` and `?` matches anywhere in a name",
+    });
     let angles = json!({
         "type": "string",
         "enum": ["degrees", "radians"],
@@ -89,6 +94,7 @@ fn common() -> Map<String, Value> {
         ("motionMode", mode),
         ("stopScope", scope),
         ("skip", skip),
+        ("variableFilter", filter),
         ("angles", angles),
         (SECRET, secret),
         ("pastSnapshots", limit(usual.snapshots as u64, "The number of snapshots that are kept to go back in the run")),

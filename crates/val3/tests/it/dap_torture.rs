@@ -73,7 +73,7 @@ const COMMANDS: [&str; 44] = [
     "nonsense",
 ];
 
-const CUSTOM_COMMANDS: [&str; 12] = [
+const CUSTOM_COMMANDS: [&str; 14] = [
     "val3/motionMode",
     "val3/motionStep",
     "val3/motionQueue",
@@ -86,6 +86,8 @@ const CUSTOM_COMMANDS: [&str; 12] = [
     "val3/subscribe",
     "val3/past",
     "val3/history",
+    "val3/table",
+    "val3/variableFilter",
 ];
 
 /// Argument names.

@@ -1,19 +1,24 @@
-// Entry of the page with the history of a variable.
+// Entry of the page with the history of a variable, or with the elements of an array.
 
 import { render } from "preact";
 import "./history.css";
-import { HistoryPage } from "./HistoryPage";
 import type { FromPage, ToPage } from "./messages";
 import { HistoryModel } from "./model";
+import { TableModel } from "./table";
 import { followTheme } from "./theme";
+import { VariablePage } from "./VariablePage";
 
 interface Editor {
   postMessage: (message: FromPage) => void;
 }
 
 const editor = (window as { acquireVsCodeApi?: () => Editor }).acquireVsCodeApi?.();
-const model = new HistoryModel((message) => editor?.postMessage(message));
+const post = (message: FromPage): void => editor?.postMessage(message);
+const [history, table] = [new HistoryModel(post), new TableModel(post)];
 followTheme();
-render(<HistoryPage model={model} />, document.body);
-window.addEventListener("message", ({ data }: MessageEvent<ToPage>) => model.take(data));
-editor?.postMessage({ command: "ready" });
+render(<VariablePage history={history} table={table} />, document.body);
+window.addEventListener("message", ({ data }: MessageEvent<ToPage>) => {
+  history.take(data);
+  table.take(data);
+});
+post({ command: "ready" });

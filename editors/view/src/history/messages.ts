@@ -1,18 +1,19 @@
-// Messages between the page of a variable's history and the editor around it. docs/src/debugging.md describes the
-// history.
+// Messages between the page of a variable's history or table and the editor around it. docs/src/debugging.md describes
+// both.
 
-import type { HistoryBody, WriteLine } from "../debugRequests";
+import type { HistoryBody, TableBody, WriteLine } from "../debugRequests";
 
-export type { HistoryBody as History, Series, Write, WriteLine } from "../debugRequests";
+export type { ArrayElement, HistoryBody as History, Series, TableBody as ArrayTable, Write, WriteLine } from "../debugRequests";
 
 export type ToPage =
   | { kind: "history"; history: HistoryBody }
-  /** Reason why the shown history is not the present one; `null` if it is. */
+  | { kind: "table"; table: TableBody }
+  /** Reason why the shown values are not the present ones; `null` if they are. */
   | { kind: "note"; note: string | null };
 
 export type FromPage =
   | { command: "ready" }
   /** Opens a line; with `isFinal` the editor of the line gets the focus. */
   | { command: "openLine"; source: WriteLine; isFinal: boolean }
-  /** Requests more writes. */
-  | { command: "earlier" };
+  /** Requests more writes or elements. */
+  | { command: "more" };

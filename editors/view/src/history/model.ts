@@ -34,7 +34,7 @@ export class HistoryModel {
   take(message: ToPage): void {
     if (message.kind === "note") {
       this.note.value = message.note;
-    } else {
+    } else if (message.kind === "history") {
       this.show(message.history);
     }
   }
@@ -98,7 +98,7 @@ export class HistoryModel {
 
   /** Requests more writes. */
   showEarlier(): void {
-    this.post({ command: "earlier" });
+    this.post({ command: "more" });
   }
 
   private showPart(part: Range): void {

@@ -7,7 +7,7 @@ import { buildSync } from "esbuild";
 import { bundle, check, eventually, expectSent, open } from "../browser.mjs";
 
 const { outputFiles: [{ text }] } = buildSync({ entryPoints: [join(import.meta.dirname, "sample.ts")], bundle: true, write: false, format: "esm" });
-const { counts, history, inputs, joints, NUMBER, points, texts, write } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
+const { counts, history, inputs, joints, jointTable, NUMBER, points, texts, textTable, write } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
 
 /** Colours of VS Code's high contrast theme. */
 const CONTRAST = { "--vscode-foreground": "#ffffff", "--vscode-editor-background": "#000000", "--vscode-contrastBorder": "#6fc3df", "--vscode-contrastActiveBorder": "#f38518", "--vscode-focusBorder": "#f38518",
@@ -58,6 +58,28 @@ for (const theme of ["light", "dark", "contrast"]) {
     const page = await openHistory(context, points(), theme, { width: 390, height: 844 });
     await page.click("button:text-is('rx')");
     await check(page, `history-narrow-${theme}`);
+  });
+}
+
+for (const theme of ["light", "dark", "contrast"]) {
+  test(`arrays as tables, ${theme}`, async (context) => {
+    const page = await openHistory(context, joints(), theme);
+    await post(page, { kind: "table", table: jointTable(10_000, 5) });
+    await page.waitForSelector("[role=region]");
+    assert.deepEqual(await page.locator("th").allInnerTexts(), ["Index", "j1 (°)", "j2 (°)", "j3 (°)", "j4 (°)", "j5 (°)", "j6 (°)"]);
+    // Only the visible rows are in the document.
+    assert.ok(await page.locator("tbody tr").count() < 100);
+    assert.match(await page.locator("header").innerText(), /the first 10000 of 10005 elements/);
+    await check(page, `table-joints-${theme}`);
+    await page.locator("[role=region]").focus();
+    await page.keyboard.press("End");
+    await page.waitForSelector("td:text-is('[9999]')");
+    await page.click("button:text-is('Show more elements')");
+    await expectSent(page, [{ command: "ready" }, { command: "more" }]);
+    await post(page, { kind: "table", table: textTable() });
+    await page.waitForSelector("text=<img src=x");
+    assert.equal(await page.locator("button").count(), 0);
+    await check(page, `table-text-${theme}`);
   });
 }
 
@@ -119,7 +141,7 @@ test("of thousands of writes, the document has few rows", async (context) => {
   await page.keyboard.press("End");
   await rows();
   await page.click("text=Show earlier writes");
-  await expectSent(page, [{ command: "ready" }, { command: "earlier" }]);
+  await expectSent(page, [{ command: "ready" }, { command: "more" }]);
   await check(page, "history-long");
 });
 

@@ -5,7 +5,8 @@ import type { FromPage } from "../../src/history/messages";
 import { HistoryModel } from "../../src/history/model";
 import { columnsOf } from "../../src/history/stepLine";
 import { placeOf, stepAt, stepsOf } from "../../src/history/steps";
-import { counts, DIGITAL, history, inputs, joints, NUMBER, points, texts, write } from "./sample";
+import { columnsOf as tableColumns, TableModel } from "../../src/history/table";
+import { counts, DIGITAL, history, inputs, joints, jointTable, NUMBER, points, texts, textTable, write } from "./sample";
 
 const shownBy = (sent: FromPage[] = []): HistoryModel => new HistoryModel((message) => sent.push(message));
 
@@ -103,7 +104,34 @@ test("lines are opened, series are hidden, and more writes are requested", () =>
   model.openLine(0, true);
   model.openLine(1, true);
   model.showEarlier();
-  assert.deepEqual(sent, [{ command: "openLine", source: joints().writes.at(-1)?.source, isFinal: true }, { command: "earlier" }]);
+  assert.deepEqual(sent, [{ command: "openLine", source: joints().writes.at(-1)?.source, isFinal: true }, { command: "more" }]);
   model.take({ kind: "history", history: texts() });
   assert.deepEqual(model.lanes.value, []);
+});
+
+test("a table has a column for each number in the elements, or for the value", () => {
+  const cells = (table: ReturnType<typeof jointTable>): string[][] => {
+    const columns = tableColumns(table);
+    return [columns.map(({ heading }) => heading), ...table.rows.map((row) => columns.map(({ text }) => text(row)))];
+  };
+  const [heading, first] = cells(jointTable(2));
+  assert.deepEqual(heading, ["Index", "j1 (°)", "j2 (°)", "j3 (°)", "j4 (°)", "j5 (°)", "j6 (°)"]);
+  assert.deepEqual(first?.slice(0, 3), ["[0]", "0", "0.3333333333"]);
+  assert.deepEqual(cells(textTable()), [["Index", "Value"], ["[\"left\"]", "\"<img src=x onerror=alert(1)>\""]]);
+  const lengths = { ...jointTable(0), series: [{ name: "", unit: "mm", isDigital: false }], rows: [{ index: "[0]", value: "1e9", numbers: [null] }] };
+  assert.deepEqual(cells(lengths), [["Index", "Value (mm)"], ["[0]", "1e9"]]);
+  const infinite = { ...jointTable(0), rows: [{ index: "[0]", value: "{inf}", numbers: [null] }] };
+  assert.equal(cells(infinite)[1]?.[1], "not finite");
+});
+
+test("a table shows its newest elements, and requests more", () => {
+  const sent: FromPage[] = [];
+  const model = new TableModel((message) => sent.push(message));
+  model.take({ kind: "note", note: "The run continues." });
+  model.take({ kind: "history", history: joints() });
+  assert.deepEqual([model.table.value, model.note.value], [undefined, "The run continues."]);
+  model.take({ kind: "table", table: jointTable(3) });
+  assert.deepEqual([model.table.value?.count, model.note.value], [3, null]);
+  model.showMore();
+  assert.deepEqual(sent, [{ command: "more" }]);
 });

@@ -1,6 +1,6 @@
-// Invented histories.
+// Invented histories and arrays.
 
-import type { History, Series, Write } from "../../src/history/messages";
+import type { ArrayTable, History, Series, Write } from "../../src/history/messages";
 
 const AXES: readonly Series[] = ["j1", "j2", "j3", "j4", "j5", "j6"].map((name) => ({ name, unit: "degrees", isDigital: false }));
 const POSE: readonly Series[] = ["x", "y", "z", "rx", "ry", "rz"].map((name, index) => ({ name, unit: index < 3 ? "mm" : "degrees", isDigital: false }));
@@ -45,4 +45,18 @@ export function inputs(): History {
 
 export function texts(): History {
   return history("string", [], ["<img src=x onerror=alert(1)>", "bolt"].map((value, index) => write(index + 1, [], { value: JSON.stringify(value) })), { name: "main:sName", initialNumbers: [] });
+}
+
+/** Returns an array of joints; `count` is the number of elements beyond the shown ones. */
+export function jointTable(shown: number, hidden = 0): ArrayTable {
+  const rows = Array.from({ length: shown }, (_, index) => {
+    const numbers = AXES.map((_, axis) => index * 10 + axis / 3);
+    return { index: `[${index}]`, value: `{${numbers.join(", ")}}`, numbers };
+  });
+  return { name: "main:jMany", type: `joint[${shown + hidden}]`, series: AXES, now: 9.6, count: shown + hidden, rows };
+}
+
+export function textTable(): ArrayTable {
+  const rows = [{ index: "[\"left\"]", value: "\"<img src=x onerror=alert(1)>\"", numbers: [] }];
+  return { name: "main:sParts", type: "string[\"\"]", series: [], now: 0, count: 1, rows };
 }

@@ -6,6 +6,7 @@ import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
 import { frame, MessageReader } from "./frames";
 import type { SourceTranslator } from "./sources";
+import { markArrays } from "./variables";
 
 /** Milliseconds after the end of a session before the process is killed. */
 const TIMEOUT = 2000;
@@ -58,7 +59,7 @@ export class Adapter extends vscode.Disposable implements vscode.DebugAdapter {
     if (message.type === "response") {
       this.open.delete((message as Protocol.Response).request_seq);
     }
-    this.messages.fire(this.sources.toClient(message));
+    this.messages.fire(markArrays(this.sources.toClient(message)));
   }
 
   private attempt(work: () => void): void {

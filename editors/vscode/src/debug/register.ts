@@ -7,7 +7,6 @@ import type { Walkthrough } from "../walkthrough";
 import { Adapter } from "./adapter";
 import { registerStepsBack } from "./backwards";
 import { Configurations, TYPE } from "./configurations";
-import { registerHistory } from "./history";
 import { registerLenses } from "./lenses";
 import { OtherBreakpoints } from "./otherBreakpoints";
 import { registerMotion } from "./robot/motion";
@@ -16,6 +15,8 @@ import { RobotTree } from "./robot/tree";
 import { UserPageView } from "./robot/userPage";
 import { DebuggedRun } from "./run";
 import { SourceTranslator } from "./sources";
+import { registerVariableFilter } from "./variables";
+import { registerVariableTabs } from "./variableTabs";
 import { RobotView } from "./view/panel";
 import { Preview } from "./view/preview";
 import { DebugViews } from "./views";
@@ -48,7 +49,8 @@ export function registerDebugging(
     ...registerSignals(run),
     ...registerMotion(run, views, icons, report),
     ...registerStepsBack(run),
-    ...registerHistory(run, vscode.Uri.joinPath(context.extensionUri, "dist/history.html"), report),
+    registerVariableFilter(run),
+    ...registerVariableTabs(run, vscode.Uri.joinPath(context.extensionUri, "dist/history.html"), report),
     ...registerLenses(),
     vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),
   ];

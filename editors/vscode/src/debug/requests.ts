@@ -18,6 +18,16 @@ export interface ArmSample {
   t: number;
 }
 
+/** Element of an array or collection. */
+export interface ArrayElement {
+  /** Index or key, for example `[1,0]` or `["left"]`. */
+  index: string;
+  /** Numbers of the value, in the order of `series`. `null` stands for a number that is not finite or cannot be read. */
+  numbers: readonly (number | null)[];
+  /** Value. */
+  value: string;
+}
+
 /** End of a blend. */
 export interface BlendEnd {
   /** Effective distance to the target. */
@@ -112,10 +122,20 @@ export interface DebugRequests {
     arguments: SubscribeArguments;
     body: Empty;
   };
+  /** Request `val3/table`. */
+  "val3/table": {
+    arguments: TableArguments;
+    body: TableBody;
+  };
   /** Request `val3/userPage`. */
   "val3/userPage": {
     arguments: NoArguments;
     body: ShownUserPage;
+  };
+  /** Request `val3/variableFilter`. */
+  "val3/variableFilter": {
+    arguments: VariableFilterArguments;
+    body: VariableFilterBody;
   };
   /** Request `val3/view`. */
   "val3/view": {
@@ -366,10 +386,50 @@ export interface SubscribeArguments {
   view?: boolean | null;
 }
 
+export interface TableArguments {
+  /** Largest number of elements; 100 by default. */
+  count?: number | null;
+  /** Full name from an earlier response, also at a later stop. */
+  dataId?: string | null;
+  /** Stack frame in which the name is evaluated. */
+  frameId?: number | null;
+  /** Name of the array or collection, as for `dataBreakpointInfo`. Required without `dataId`. */
+  name?: string | null;
+  /** Number of the first element; 0 by default. */
+  start?: number | null;
+  /** Handle of the value or scope that contains it. */
+  variablesReference?: number | null;
+}
+
+export interface TableBody {
+  /** Number of all elements. */
+  count: number;
+  /** Full name of the array or collection, as in `dataId`. */
+  name: string;
+  /** Present time since the start of the run, in seconds. */
+  now: number;
+  /** Requested elements. */
+  rows: readonly ArrayElement[];
+  /** Numbers in each element; empty for strings and user types. */
+  series: readonly Series[];
+  /** Type, including array sizes. */
+  type: string;
+}
+
 /** Arguments of a request about a task. */
 export interface ThreadArguments {
   /** Thread of the task. */
   threadId: number;
+}
+
+export interface VariableFilterArguments {
+  /** New filter; empty to show all variables. The filter does not change without this argument. */
+  filter?: string | null;
+}
+
+export interface VariableFilterBody {
+  /** Present filter; empty without a filter. */
+  filter: string;
 }
 
 /** Command with its arguments. */

@@ -1,0 +1,11 @@
+// Page with values of a variable: its history, or the elements of an array.
+
+import type { JSX } from "preact";
+import { HistoryPage } from "./HistoryPage";
+import type { HistoryModel } from "./model";
+import type { TableModel } from "./table";
+import { TablePage } from "./TablePage";
+
+export function VariablePage({ history, table }: { history: HistoryModel; table: TableModel }): JSX.Element {
+  return table.table.value === undefined ? <HistoryPage model={history} /> : <TablePage model={table} table={table.table.value} />;
+}
