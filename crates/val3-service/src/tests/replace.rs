@@ -1,5 +1,8 @@
 //! Replaced lines.
 
+use serde_json::{Map, Value, json};
+use val3_machine::event::EventKind;
+use val3_machine::script::ScriptAction;
 use val3_session::ProfileRights;
 use val3_soap::v1::GetApplicationDatas;
 use val3_soap::v2::{
@@ -31,10 +34,17 @@ fn value(client: &mut Client, name: &str) -> f64 {
     execute(client, "", name).1.parse().unwrap()
 }
 
-/// Texts of the event log since the last call.
-fn log(client: &mut Client) -> Vec<String> {
-    let events = client.controller().devices.take_events().into_iter();
-    events.map(|event| format!("{:?}", event.kind)).filter(|text| text.contains("client")).collect()
+/// Texts of the event log about clients, and the actions, since the last call.
+fn log(client: &mut Client) -> (Vec<String>, Vec<Map<String, Value>>) {
+    let (mut texts, mut actions) = (Vec::new(), Vec::new());
+    for event in client.controller().devices.take_events() {
+        match event.kind {
+            EventKind::Log { text, .. } if text.contains("client") => texts.push(text),
+            EventKind::Act { keys } => actions.push(keys),
+            _ => {}
+        }
+    }
+    (texts, actions)
 }
 
 #[test]
@@ -175,12 +185,15 @@ fn changes_are_reported_and_end_with_the_project_in_memory() {
     client.controller().devices.take_events();
     done(&mut client, line("cycle", 2, ""), "// changed");
     client.ask(SoapRequest::SetProjectAsModified(SetProjectAsModified { project: some("palletiser") }));
-    let texts = log(&mut client);
-    assert_eq!(texts.len(), 1, "{texts:?}");
-    assert!(texts[0].contains("Disk://palletiser/palletiser.pjx was changed in memory by a client"), "{texts:?}");
+    let (texts, actions) = log(&mut client);
+    assert_eq!(texts, ["Disk://palletiser/palletiser.pjx was changed in memory by a client; its files are unchanged"]);
+    // The first line of the code is at row 14 of the file. A replay cannot repeat the action.
+    let action = json!({ "project": "palletiser", "program": "cycle", "line": 15, "code": "// changed" });
+    assert_eq!(json!(actions), json!([{ "replaceLine": action }]));
+    assert!(actions.into_iter().all(|keys| ScriptAction::from_json(keys).is_err()));
     client.ask(SoapRequest::GetApplicationDatas(GetApplicationDatas { name: some(PROJECT) }));
     client.ask(SoapRequest::StopAndUnloadAll(StopAndUnloadAll));
-    let texts = log(&mut client);
+    let (texts, _) = log(&mut client);
     assert!(texts.iter().any(|text| text.contains("leaves the memory with changes of a client")), "{texts:?}");
     let unknown = SetProjectAsModified { project: some("nothing") };
     assert_eq!(client.code(SoapRequest::SetProjectAsModified(unknown)), ExceptionCode::ApplicationNotFound);

@@ -84,10 +84,7 @@ impl FrameEvaluator {
         let source = self.source(&image, running)?;
         let code = code.trim_end_matches(['\r', '\n']);
         let text = self.edited(&source, row, code)?;
-        let patched = match vm.task_in(program) {
-            Some(_) => Some(self.patched(&image, program.number, &source)),
-            None => None,
-        };
+        let patched = vm.task_in(program).map(|_| self.patched(&image, program.number, &source));
         let before = Arc::clone(&source.text);
         self.set_text(&source, text.into());
         let new = Replacer { evaluator: self, image: &image, source: &source, program, row };
