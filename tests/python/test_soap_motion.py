@@ -113,6 +113,22 @@ class MotionTest(RunCase):
         self.move(client, "moveJJ", items("joint", READY), description())
         self.assert_near(self.arrive(client), READY)
 
+        # A relative move goes along the axes of the tool: here 30 mm against the axis of the flange.
+        found = client.call("V3", "forwardKin", f"<robot>0</robot>{items('joint', READY)}").find("position")
+        assert found is not None
+        before = {axis: float(found.findtext(axis) or "") for axis in AXES}
+        way = IDENTITY.replace("<pz>0</pz>", "<pz>-0.03</pz>")
+        relative = description().replace("ABSOLUTE-MOVE", "RELATIVE-MOVE")
+        self.move(client, "moveL", f"<frame>{way}</frame>", relative)
+        joints = self.arrive(client)
+        found = client.call("V3", "forwardKin", f"<robot>0</robot>{items('joint', joints)}").find("position")
+        assert found is not None
+        for axis in "xyz":
+            expected = before[f"p{axis}"] - 0.03 * before[f"a{axis}"]
+            self.assertAlmostEqual(float(found.findtext(f"p{axis}") or ""), expected, 9)
+        self.move(client, "moveJJ", items("joint", READY), description())
+        self.assert_near(self.arrive(client), READY)
+
         # A slow move is stopped, continued and discarded.
         self.move(client, "moveJJ", items("joint", near), description(speed=0.05))
         time.sleep(0.3)

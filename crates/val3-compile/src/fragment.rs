@@ -104,7 +104,7 @@ fn declare(statements: &mut Statements<'_, '_>, variables: &[FrameVariable]) -> 
 fn finished(statements: &mut Statements<'_, '_>, variables: Vec<FrameVariable>) -> Result<Program> {
     let (code, tables, frame) = statements.out().finish()?;
     let CodeBuilder { lines, texts, copies, instructions, calls, tasks, .. } = tables;
-    let Finished { size, nums, parts } = frame;
+    let Finished { size, nums, parts, .. } = frame;
     let frame = size;
     Ok(Program {
         variables,

@@ -11,21 +11,30 @@ use val3_bytecode::{ContainerKind, ContainerRef, FrameSize, Register, Storage};
 use val3_lang::memory::{ContainerShape, Lanes, PartInit, ValueType};
 
 use crate::error::{CompileLimit, Result};
+use crate::layout::{FrameLayout, LayoutKeeper};
 use crate::pool::Pool;
 
 /// Frame under construction.
 #[derive(Debug, Default)]
 pub(crate) struct Frame {
     scope: FxHashMap<SmolStr, Storage>,
-    pools: [Pool; 5],
-    taken: Vec<(Sort, u32, u32)>,
-    constants: FxHashMap<u64, Register>,
-    pairs: FxHashMap<[u64; 2], Register>,
+    registers: Registers,
     nums: Vec<f64>,
+    /// Layout that is recorded; `None` if no line will be replaced.
+    keeper: Option<Box<LayoutKeeper>>,
     /// Whether the frame belongs to a fragment, which uses the variables of a program.
     pub(crate) is_fragment: bool,
     /// Initial containers.
     pub(crate) parts: Vec<PartInit>,
+}
+
+/// Registers in use at a statement.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Registers {
+    pub(crate) pools: [Pool; 5],
+    taken: Vec<(Sort, u32, u32)>,
+    constants: FxHashMap<u64, Register>,
+    pairs: FxHashMap<[u64; 2], Register>,
 }
 
 /// A complete frame.
@@ -35,10 +44,12 @@ pub(crate) struct Finished {
     pub(crate) nums: Vec<f64>,
     /// Initial containers.
     pub(crate) parts: Vec<PartInit>,
+    /// Recorded layout.
+    pub(crate) layout: Option<FrameLayout>,
 }
 
 /// Kind of register.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Sort {
     Num,
     Text,
@@ -63,7 +74,7 @@ impl Frame {
     }
 
     fn pool(&mut self, sort: Sort) -> &mut Pool {
-        let [num, text, link, place, view] = &mut self.pools;
+        let [num, text, link, place, view] = &mut self.registers.pools;
         match sort {
             Sort::Num => num,
             Sort::Text => text,
@@ -104,24 +115,24 @@ impl Frame {
 
     /// Returns the register with a constant number.
     pub(crate) fn constant(&mut self, value: f64) -> Result<Register> {
-        if let Some(known) = self.constants.get(&value.to_bits()) {
+        if let Some(known) = self.registers.constants.get(&value.to_bits()) {
             return Ok(*known);
         }
         let at = self.pool(Sort::Num).grow(1)?;
         self.preset(at, value);
-        self.constants.insert(value.to_bits(), narrow(at));
+        self.registers.constants.insert(value.to_bits(), narrow(at));
         Ok(narrow(at))
     }
 
     /// Returns the first of the two consecutive registers with these constant numbers.
     pub(crate) fn constant_pair(&mut self, values: [f64; 2]) -> Result<Register> {
         let key = values.map(f64::to_bits);
-        if let Some(known) = self.pairs.get(&key) {
+        if let Some(known) = self.registers.pairs.get(&key) {
             return Ok(*known);
         }
         let at = self.pool(Sort::Num).grow(2)?;
         (at..).zip(values).for_each(|(at, value)| self.preset(at, value));
-        self.pairs.insert(key, narrow(at));
+        self.registers.pairs.insert(key, narrow(at));
         Ok(narrow(at))
     }
 
@@ -129,7 +140,7 @@ impl Frame {
     /// nothing but parameters and locals. The manual does not specify the size of a value. Assumed are 8 bytes for a
     /// number, 132 for a string, and 16 for a reference, a container or the return address.
     pub(crate) fn bytes(&self) -> u32 {
-        let [num, text, link, place, view] = &self.pools;
+        let [num, text, link, place, view] = &self.registers.pools;
         let references = link.size() + place.size() + view.size();
         let parts = self.parts.iter().map(part_bytes).fold(0u32, u32::saturating_add);
         let own = Lanes { num: num.size(), text: text.size(), link: references, part: 0 };
@@ -148,7 +159,7 @@ impl Frame {
 
     fn take(&mut self, sort: Sort, count: u32) -> Result<u32> {
         let start = self.pool(sort).take(count)?;
-        self.taken.push((sort, start, count));
+        self.registers.taken.push((sort, start, count));
         Ok(start)
     }
 
@@ -187,24 +198,49 @@ impl Frame {
 
     /// Returns the present number of temporaries, for [`release`](Self::release).
     pub(crate) fn mark(&self) -> TemporaryMark {
-        TemporaryMark(self.taken.len())
+        TemporaryMark(self.registers.taken.len())
     }
 
     /// Releases the temporaries after `mark`.
     pub(crate) fn release(&mut self, mark: TemporaryMark) {
-        for (sort, start, count) in self.taken.split_off(mark.0.min(self.taken.len())) {
+        for (sort, start, count) in self.registers.taken.split_off(mark.0.min(self.registers.taken.len())) {
             self.pool(sort).give(start, count);
+        }
+    }
+
+    /// Records the layout of the frame, or keeps the layout of another frame with these initial numbers.
+    pub(crate) fn keep_layout(&mut self, keeper: LayoutKeeper, nums: Vec<f64>) {
+        (self.keeper, self.nums) = (Some(Box::new(keeper)), nums);
+    }
+
+    /// Whether the layout is recorded.
+    pub(crate) const fn keeps_layout(&self) -> bool {
+        self.keeper.is_some()
+    }
+
+    /// Begins a part of the code at a row of the file. `has_lasting_values`: whether it uses temporaries of its own
+    /// after other lines.
+    pub(crate) fn begin_step(&mut self, row: u32, has_lasting_values: bool) {
+        if let Some(keeper) = &mut self.keeper {
+            keeper.begin_step(row, has_lasting_values, &mut self.registers);
         }
     }
 
     /// Returns the frame's size and initial values.
     pub(crate) fn finish(mut self) -> Finished {
-        let [num, text, link, place, view] = self.pools.map(|pool| pool.size());
+        let pools = self.registers.pools.map(|pool| pool.size());
+        let least = self.keeper.as_ref().map_or([0; 5], |keeper| keeper.least_sizes());
+        let [num, text, link, place, view] = std::array::from_fn(|sort| largest(&[pools, least], sort));
         let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
         self.nums.resize(num as usize, 0.0);
         let size = FrameSize { lanes: Lanes { num, text, link, part }, places: place, views: view };
-        Finished { size, nums: self.nums, parts: self.parts }
+        let layout = self.keeper.map(|keeper| keeper.finish());
+        Finished { size, nums: self.nums, parts: self.parts, layout }
     }
+}
+
+fn largest(sizes: &[[u32; 5]; 2], sort: usize) -> u32 {
+    sizes.iter().filter_map(|sizes| sizes.get(sort)).copied().max().unwrap_or_default()
 }
 
 const REFERENCE_BYTES: u32 = 16;

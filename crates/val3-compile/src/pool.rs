@@ -3,7 +3,7 @@
 use crate::error::{CompileLimit, Result};
 
 /// Registers of the same kind.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Pool {
     /// Number of registers.
     size: u32,
@@ -12,6 +12,11 @@ pub(crate) struct Pool {
 }
 
 impl Pool {
+    /// Creates a pool whose first registers, of this number, are in use elsewhere.
+    pub(crate) fn after(size: u32) -> Self {
+        Self { size, free: Vec::new() }
+    }
+
     /// Returns the number of registers.
     pub(crate) fn size(&self) -> u32 {
         self.size

@@ -16,6 +16,7 @@ use crate::emitter::Emitter;
 use crate::error::{CompileError, Result};
 use crate::expressions::Expressions;
 use crate::frame::Finished;
+use crate::layout::{LayoutKeeper, LayoutRequest};
 use crate::statements::Statements;
 use crate::unit::CompileUnit;
 use crate::variables::Declarations;
@@ -33,7 +34,12 @@ pub(crate) fn compile(
         CodeForm::Counted => Counting::except(uncovered(db, file)),
         CodeForm::Plain | CodeForm::Debugged => Counting::default(),
     };
-    let emitter = Emitter::new(unit, file.text(db), counting);
+    let layout = unit.layout.filter(|layout| layout.file == file);
+    let mut emitter = Emitter::new(unit, file.text(db), counting);
+    if let Some(LayoutRequest { replaced, .. }) = layout {
+        let nums = replaced.map(|line| line.program.nums.clone()).unwrap_or_default();
+        emitter.frame_mut().keep_layout(LayoutKeeper::new(replaced), nums);
+    }
     let closings = Closings::of(db, file, form);
     let mut statements = Statements::new(Expressions::new(emitter, body, types), header, closings);
     let signature = signature(db, project, file);
@@ -56,7 +62,10 @@ fn whole(
     statements.end();
     let (code, tables, frame) = statements.out().finish()?;
     let CodeBuilder { lines, closings, texts, copies, instructions, calls, tasks, counters, .. } = tables;
-    let Finished { size, nums, parts } = frame;
+    let Finished { size, nums, parts, layout } = frame;
+    if layout.is_some() {
+        statements.out().unit_mut().recorded_layout = layout;
+    }
     Ok(Program {
         name: signature.name.to_string(),
         public: signature.public,

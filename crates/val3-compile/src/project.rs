@@ -17,6 +17,7 @@ use crate::data::LoadedLink;
 use crate::error::{CompileError, CompileLimit, DataError};
 use crate::io_library;
 use crate::kinds::Kinds;
+use crate::layout::{FrameLayout, LayoutRequest};
 use crate::program;
 use crate::unit::CompileUnit;
 
@@ -36,14 +37,29 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
 /// # Errors
 /// A limit that the project exceeds.
 pub fn compile_as(db: &dyn Db, project: Project, form: CodeForm) -> Result<Image, CompileError> {
-    let mut image = image(db, project, form)?;
-    if form == CodeForm::Counted {
-        image.number_counters();
-    }
-    Ok(image)
+    image(db, project, form, None).map(|(image, _)| image)
 }
 
-fn image(db: &dyn Db, project: Project, form: CodeForm) -> Result<Image, CompileError> {
+/// Like [`compile_as`], and returns the layout of a program. If the program has a replaced line, the other lines keep
+/// their layout where possible.
+///
+/// # Errors
+/// A limit that the project exceeds.
+pub fn compile_with_layout<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    form: CodeForm,
+    request: LayoutRequest<'db>,
+) -> Result<(Image, FrameLayout), CompileError> {
+    image(db, project, form, Some(request)).map(|(image, layout)| (image, layout.unwrap_or_default()))
+}
+
+fn image<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    form: CodeForm,
+    layout: Option<LayoutRequest<'db>>,
+) -> Result<(Image, Option<FrameLayout>), CompileError> {
     let file = project.manifest(db);
     let place = |limit| CompileError::at(file.path(db).as_str(), 1, limit);
     let mut kinds = Kinds::new(db, items(db, project).arm);
@@ -52,12 +68,15 @@ fn image(db: &dyn Db, project: Project, form: CodeForm) -> Result<Image, Compile
     let names: Vec<SmolStr> = data.iter().map(|data| SmolStr::from(&data.name)).collect();
     let mut unit =
         CompileUnit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
-    unit.form = form;
+    (unit.form, unit.layout) = (form, layout);
+    if let Some(LayoutRequest { image, .. }) = layout {
+        unit.adopt_imports(image);
+    }
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let mut compiled = compiled.collect::<Result<Vec<_>, _>>()?;
     val3_bytecode::plan_passes(&mut compiled);
     unit.import_interfaces().map_err(place)?;
-    Ok(Image {
+    let mut image = Image {
         name: folder(db, project).file_name().unwrap_or_default().to_owned(),
         path: file.path(db).to_string(),
         files: programs.iter().map(|(_, file)| file.path(db).to_string()).collect(),
@@ -71,7 +90,11 @@ fn image(db: &dyn Db, project: Project, form: CodeForm) -> Result<Image, Compile
         programs: compiled,
         libraries: libraries(db, project),
         imports: unit.imports,
-    })
+    };
+    if form == CodeForm::Counted {
+        image.number_counters();
+    }
+    Ok((image, unit.recorded_layout))
 }
 
 /// Returns the programs with their files, in project order. If two programs have the same name, the first one counts.

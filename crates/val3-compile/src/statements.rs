@@ -16,6 +16,7 @@ use crate::counting::{BranchId, FALSE, TRUE};
 use crate::emitter::Emitter;
 use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
+use crate::layout::BLOCK_END;
 
 use missing::{Missing, unknown_meaning};
 
@@ -71,11 +72,22 @@ impl<'u, 'db> Statements<'u, 'db> {
     pub(crate) fn block(&mut self, block: &[Stmt]) -> Result<()> {
         for stmt in block {
             self.range = stmt.range;
+            let has_lasting_values = matches!(stmt.kind, StmtKind::For { .. } | StmtKind::Switch { .. });
+            self.begin_step(stmt.range, has_lasting_values);
             let mark = self.out().frame_mut().mark();
             self.stmt(stmt)?;
             self.out().frame_mut().release(mark);
         }
+        self.out().frame_mut().begin_step(BLOCK_END, false);
         Ok(())
+    }
+
+    /// Begins a part of the code whose registers a replaced line must not change.
+    fn begin_step(&mut self, range: TextRange, has_lasting_values: bool) {
+        if self.out().frame().keeps_layout() {
+            let row = self.out().code().row(range);
+            self.out().frame_mut().begin_step(row, has_lasting_values);
+        }
     }
 
     fn stmt(&mut self, stmt: &Stmt) -> Result<()> {
@@ -146,6 +158,7 @@ impl<'u, 'db> Statements<'u, 'db> {
 
     /// Compiles a jump on a condition, and releases the temporaries.
     pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
+        self.begin_step(self.values.body().range(id), false);
         let mark = self.out().frame_mut().mark();
         self.or_stop(&[id], |statements| statements.branch(id, when, label))?;
         self.out().frame_mut().release(mark);

@@ -12,6 +12,7 @@ use val3_bytecode::{Image, Import, ImportKind};
 use crate::code_form::CodeForm;
 use crate::error::{CompileLimit, Result, there};
 use crate::kinds::Kinds;
+use crate::layout::{FrameLayout, LayoutRequest};
 
 /// State that all programs of a project share.
 pub(crate) struct CompileUnit<'db> {
@@ -24,6 +25,10 @@ pub(crate) struct CompileUnit<'db> {
     libraries: FxHashMap<SmolStr, u16>,
     /// Form of the code.
     pub(crate) form: CodeForm,
+    /// Program whose layout is recorded.
+    pub(crate) layout: Option<LayoutRequest<'db>>,
+    /// Layout of this program, after its compilation.
+    pub(crate) recorded_layout: Option<FrameLayout>,
     /// Library items in use.
     pub(crate) imports: Vec<Import>,
     imported: FxHashMap<(u16, SmolStr), u16>,
@@ -51,6 +56,8 @@ impl<'db> CompileUnit<'db> {
             programs: numbered(programs)?,
             libraries: numbered(aliases)?,
             form: CodeForm::default(),
+            layout: None,
+            recorded_layout: None,
             imports: Vec::new(),
             imported: FxHashMap::default(),
         })

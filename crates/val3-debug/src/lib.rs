@@ -21,6 +21,7 @@ mod motion;
 mod pause;
 mod program_breakpoints;
 mod reads;
+mod replace;
 mod replay;
 mod restart;
 mod skipped_code;

@@ -14,17 +14,21 @@ mod surroundings;
 
 use std::sync::Arc;
 
+use serde_json::{Map, json};
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, CycleEnd, CycleWatch, Host as _, InstanceId, ProgramId, Schedule, TaskState, Vm};
+use val3_vm::{
+    CYCLE, CycleEnd, CycleWatch, Host as _, InstanceId, LineReplacement, ProgramId, Schedule, TaskState, Vm,
+};
 
 use crate::devices::Devices;
+use crate::event::EventKind;
 use crate::script::Script;
 
 pub use crate::run_status::RunStatus;
 
-pub use applications::ApplicationState;
+pub use applications::{ApplicationState, PreparedProject};
 pub use handling::PartState;
 pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
 pub use operator::OperatorAction;
@@ -54,6 +58,8 @@ pub struct Controller {
     /// Script of the external events.
     pub(crate) script: Script,
     operations: Operations,
+    /// Projects that the operator can load, by number.
+    prepared: Vec<PreparedProject>,
 }
 
 /// Phase of a run.
@@ -102,6 +108,7 @@ impl Controller {
             outlives_tasks: false,
             script: Script::default(),
             operations: Operations::default(),
+            prepared: Vec::new(),
         })
     }
 
@@ -215,6 +222,26 @@ impl Controller {
     /// 40 without memory. The image in memory is then unchanged.
     pub fn exchange(&mut self, image: Arc<Image>) -> Result<(), Fault> {
         self.vm.space.exchange(self.application, image, &mut self.devices)
+    }
+
+    /// Replaces a line of a program in memory, which tasks may execute. The files stay unchanged. `code` is the new line for
+    /// the event record.
+    ///
+    /// # Errors
+    /// 40 without memory, 61 without the program. The program in memory is then unchanged.
+    pub fn replace_line(&mut self, replacement: LineReplacement, code: &str) -> Result<(), Fault> {
+        let LineReplacement { program, row, .. } = replacement;
+        let files = self.devices.loaded_files(program.instance);
+        let moved = self.vm.replace_line(replacement, &mut self.devices)?;
+        self.devices.keep_loaded_files(program.instance, files);
+        self.devices.state.arm.move_code(|at| moved.place(at));
+        let image = self.vm.space.instance(program.instance).map(|instance| &instance.image);
+        let named = image.and_then(|image| Some((&image.name, image.programs.get(usize::from(program.number))?)));
+        let (project, name) = named.map_or(("", ""), |(project, program)| (project.as_str(), program.name.as_str()));
+        let action = json!({ "project": project, "program": name, "line": row, "code": code });
+        let keys = Map::from_iter([("replaceLine".to_owned(), action)]);
+        self.devices.record_outside(self.schedule.now, EventKind::Act { keys });
+        Ok(())
     }
 
     /// Kills all tasks, the newest first.

@@ -1,15 +1,26 @@
 //! Applications and libraries by the names of the interface: `Disk://name/name.pjx`.
 
+use val3_bytecode::Image;
 use val3_machine::controller::Controller;
 use val3_machine::files::{ControllerPath, FileFault, LibraryPath};
 use val3_vm::{Instance, InstanceId};
 
 /// Name of a loaded application or library.
 pub(crate) fn project_name(instance: &Instance) -> String {
+    name_of_path(&instance.path)
+}
+
+/// Name of the project with this path in memory, such as `Disk://app`.
+fn name_of_path(path: &str) -> String {
     // Paths of loaded projects are valid.
-    let path = ControllerPath::parse(&instance.path, &ControllerPath::root(""));
-    let project = path.and_then(|path| LibraryPath::new(&path)).map(|path| path.project().to_string());
-    project.unwrap_or_else(|_| instance.path.clone())
+    let project = ControllerPath::parse(path, &ControllerPath::root("")).and_then(|path| LibraryPath::new(&path));
+    project.map_or_else(|_| path.to_owned(), |project| project.project().to_string())
+}
+
+/// Name of the application after all pending loads, and its image.
+pub(crate) fn next_application(controller: &Controller) -> (String, Option<&Image>) {
+    let (path, image) = controller.next_application();
+    (name_of_path(path), image)
 }
 
 /// Applications and libraries in memory, with their names.

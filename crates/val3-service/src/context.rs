@@ -1,5 +1,6 @@
 //! State of a service, and the context in which it executes a request.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use val3_debug::Debugger;
@@ -32,12 +33,14 @@ pub(crate) struct ServiceState {
     pub(crate) accounts: Accounts,
     pub(crate) sessions: Sessions,
     pub(crate) debugging: Debugging,
+    /// Names of the projects in memory that clients have changed.
+    pub(crate) modified: BTreeSet<String>,
 }
 
 impl ServiceState {
     /// State without sessions.
     pub(crate) fn new(accounts: Accounts) -> Self {
-        Self { accounts, sessions: Sessions::default(), debugging: Debugging::default() }
+        Self { accounts, sessions: Sessions::default(), debugging: Debugging::default(), modified: BTreeSet::new() }
     }
 }
 

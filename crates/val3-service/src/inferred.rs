@@ -2,9 +2,12 @@
 
 use std::net::IpAddr;
 
+use val3_geometry::IsometryMatrix3;
+use val3_session::ReplaceFault;
 use val3_soap::ExceptionCode;
 use val3_soap::v0::ControllerParameter;
-use val3_soap::v3::MotionResult;
+use val3_soap::v2::ReplacementResult;
+use val3_soap::v3::{MotionResult, MoveType};
 
 /// Version of the interface. Clients parse a number, and know that the servers V2 and V3 exist from 1.2.
 pub(crate) const INTERFACE_VERSION: &str = "1.2";
@@ -39,6 +42,25 @@ pub(crate) const MOST_SIGNALS: usize = 10;
 /// Code of a breakpoint that was set or removed. The enumeration has no value for a success.
 pub(crate) const BREAKPOINT_SET: ExceptionCode = ExceptionCode::Unknown;
 
+/// Whether `asked`, the element `prjName` of a request, names a project: by its full name or its bare name.
+pub(crate) fn is_project_name(project: &str, asked: &str) -> bool {
+    let bare = project.rsplit('/').next().and_then(|file| file.rsplit_once('.')).map(|(name, _)| name);
+    project.eq_ignore_ascii_case(asked) || bare.is_some_and(|bare| bare.eq_ignore_ascii_case(asked))
+}
+
+/// Result of a line that was not replaced.
+pub(crate) const fn replacement_result(fault: &ReplaceFault) -> ReplacementResult {
+    match fault {
+        ReplaceFault::Blocks => ReplacementResult::InstructionControl,
+        ReplaceFault::Code(_) => ReplacementResult::CompilationError,
+        ReplaceFault::Busy(_) => ReplacementResult::InstructionBusy,
+        ReplaceFault::Unavailable(_) => ReplacementResult::Unknown,
+    }
+}
+
+/// Code of an application that cannot be loaded or started. Newer interfaces have a code of unknown spelling.
+pub(crate) const NOT_LOADED: ExceptionCode = ExceptionCode::Unknown;
+
 /// Type of a signal in the list of all signals.
 pub(crate) const fn signal_type(is_digital: bool, is_input: bool) -> &'static str {
     match (is_digital, is_input) {
@@ -58,6 +80,20 @@ pub(crate) const BLOCKED_MOVE: MotionResult = MotionResult::Misuse;
 /// Speed in mm/s or degrees/s above which no limit applies, so that 99999 m/s and rad/s are no limits. The greatest valid
 /// speed of a motion descriptor.
 pub(crate) const UNLIMITED_SPEED: f64 = 1e6;
+
+/// Pose in `world` to which the positions of a move are relative. `frame` is the frame of the motion descriptor, and
+/// `start` the pose of the tool at the end of the previous move. A relative position is along the axes of the tool, as
+/// with `appro` in programs, so the frame has no effect.
+pub(crate) fn origin_of_positions(
+    kind: MoveType,
+    frame: IsometryMatrix3<f64>,
+    start: IsometryMatrix3<f64>,
+) -> IsometryMatrix3<f64> {
+    match kind {
+        MoveType::Absolute => frame,
+        MoveType::Relative => start,
+    }
+}
 
 /// Whether an event service is on this machine. No source states the operations of such a service, so nothing is sent,
 /// and services on other machines are rejected.

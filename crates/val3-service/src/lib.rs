@@ -13,6 +13,7 @@ mod debugging;
 mod inferred;
 mod kinematics;
 mod lines;
+mod modified;
 mod moves;
 mod projects;
 mod requests;

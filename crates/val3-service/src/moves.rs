@@ -10,24 +10,26 @@ use val3_soap::v3::{BlendType, Matrix, MotionAnswer, MotionDescription, MotionRe
 use val3_soap::{ExceptionCode, SoapFault};
 
 use crate::context::{Context, refused};
-use crate::inferred::{BLOCKED_MOVE, NO_MOVE, UNLIMITED_SPEED};
+use crate::inferred::{BLOCKED_MOVE, NO_MOVE, UNLIMITED_SPEED, origin_of_positions};
 use crate::kinematics::{pose, requested};
 use crate::units::MM;
 
 /// Largest coordinate of a tool, a frame or a destination, in mm: 1 km. Larger coordinates are no positions of an arm.
 const MOST_COORDINATE: f64 = 1e6;
 
-/// Tool and frame of a move.
+/// Tool of a move, and the origin of its positions.
 pub(crate) struct MoveFrames {
     /// Tool centre point on the flange.
     tool: IsometryMatrix3<f64>,
-    /// Frame of destinations, in `world`.
-    frame: IsometryMatrix3<f64>,
+    /// Pose in `world` to which the positions of the request are relative.
+    origin: IsometryMatrix3<f64>,
 }
 
 impl MoveFrames {
-    fn new(description: &MotionDescription) -> Result<Self, String> {
-        Ok(Self { tool: valid_pose("tool", &description.tool)?, frame: valid_pose("frame", &description.frame)? })
+    /// Frames of a move that begins at `flange`, the pose of the flange at the end of the previous move.
+    fn new(description: &MotionDescription, flange: IsometryMatrix3<f64>) -> Result<Self, String> {
+        let (tool, frame) = (valid_pose("tool", &description.tool)?, valid_pose("frame", &description.frame)?);
+        Ok(Self { tool, origin: origin_of_positions(description.kind, frame, flange * tool) })
     }
 
     /// Pose of a matrix of a request in `world`. `name` is the name of its element.
@@ -35,7 +37,7 @@ impl MoveFrames {
     /// # Errors
     /// The matrix is no frame.
     pub(crate) fn in_world(&self, name: &str, matrix: &Matrix) -> Result<IsometryMatrix3<f64>, String> {
-        Ok(self.frame * valid_pose(name, matrix)?)
+        Ok(self.origin * valid_pose(name, matrix)?)
     }
 }
 
@@ -58,7 +60,8 @@ impl Context<'_, '_> {
         if let Err(error) = self.target.debugger.controller.check_client_move() {
             return Ok(MoveAnswer { id: NO_MOVE, result: motion_result(&error) });
         }
-        let frames = MoveFrames::new(description);
+        let arm = self.target.debugger.controller.arm();
+        let frames = MoveFrames::new(description, arm.model().flange(&arm.next_start()));
         let request = frames.and_then(|frames| {
             let path = path(&frames, self)?;
             let (tool, descriptor) = (frames.tool, descriptor(description));
@@ -89,9 +92,6 @@ impl Context<'_, '_> {
     ) -> Result<MoveAnswer, SoapFault> {
         let configuration = requested(self.controller().arm().model(), &description.config)?;
         self.record_move(instruction, robot, description, |frames, _| {
-            if description.kind == MoveType::Relative {
-                return Err("only a move to joints may be relative".to_owned());
-            }
             path(frames, MoveTarget { pose: frames.in_world(name, destination)?, configuration })
         })
     }

@@ -25,23 +25,17 @@ pub(crate) fn find(controller: &mut Controller, name: &str) -> Result<NamedProje
     if let Some((instance, _)) = applications::loaded(controller).find(|(_, known)| known.eq_ignore_ascii_case(name)) {
         return Ok(NamedProject::Loaded(instance));
     }
-    let stored = applications::stored(controller).map_err(unreadable_medium)?;
-    let project = stored.into_iter().find(|known| known.eq_ignore_ascii_case(name)).map(NamedProject::Stored);
-    project.ok_or_else(|| refused(ExceptionCode::ApplicationNotFound, "getApplications lists the applications"))
+    find_stored(controller, name).map(NamedProject::Stored)
 }
 
-/// Checks that a name is the name of the run's application, the only application that can be loaded and started.
+/// Finds a project on `Disk`. Returns its name there.
 ///
 /// # Errors
-/// The name is another name.
-pub(crate) fn check_application(controller: &Controller, name: &str) -> Result<(), SoapFault> {
-    let application =
-        controller.vm.space.instance(controller.application()).map(applications::project_name).unwrap_or_default();
-    if application.eq_ignore_ascii_case(name) {
-        return Ok(());
-    }
-    let explanation = format!("this controller executes only the application of the run, {application}");
-    Err(refused(ExceptionCode::ApplicationNotFound, &explanation))
+/// There is no such project, or the medium cannot be read.
+pub(crate) fn find_stored(controller: &mut Controller, name: &str) -> Result<String, SoapFault> {
+    let stored = applications::stored(controller).map_err(unreadable_medium)?;
+    let project = stored.into_iter().find(|known| known.eq_ignore_ascii_case(name));
+    project.ok_or_else(|| refused(ExceptionCode::ApplicationNotFound, "getApplications lists the applications"))
 }
 
 /// Fault for a medium that cannot be read.

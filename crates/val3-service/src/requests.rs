@@ -36,6 +36,7 @@ mod move_jj;
 mod move_l;
 mod ping;
 mod read_ios;
+mod replace_line;
 mod reset_motion;
 mod restart_motion;
 mod reverse_kin;
@@ -43,6 +44,7 @@ mod scheduler_refresh;
 mod set_breakpoints;
 mod set_current_instruction;
 mod set_power;
+mod set_project_as_modified;
 mod set_robot_joint_pos;
 mod set_scheduling_mode;
 mod start_application;
@@ -59,9 +61,9 @@ mod unlock_ios;
 mod unsubscribe_to_controller_events;
 mod write_ios;
 
-use val3_soap::{ExceptionCode, SoapAnswer, SoapFault, SoapRequest};
+use val3_soap::{SoapAnswer, SoapFault, SoapRequest};
 
-use crate::context::{Context, Right, refused};
+use crate::context::{Context, Right};
 
 /// Answers a request.
 pub(crate) fn answer(request: &SoapRequest, context: &mut Context<'_, '_>) -> Result<SoapAnswer, SoapFault> {
@@ -106,6 +108,10 @@ pub(crate) fn answer(request: &SoapRequest, context: &mut Context<'_, '_>) -> Re
         Q::SetCurrentInstruction(q) => {
             handle(q, context, R::Write, set_current_instruction::answer, A::SetCurrentInstruction)
         }
+        Q::ReplaceLine(q) => handle(q, context, R::Write, replace_line::answer, A::ReplaceLine),
+        Q::SetProjectAsModified(q) => {
+            handle(q, context, R::Write, set_project_as_modified::answer, A::SetProjectAsModified)
+        }
         Q::GetProject(q) => handle(q, context, R::Read, get_project::answer, A::GetProject),
         Q::SubscribeToControllerEvents(q) => {
             handle(q, context, R::Read, subscribe_to_controller_events::answer, A::SubscribeToControllerEvents)
@@ -139,10 +145,6 @@ pub(crate) fn answer(request: &SoapRequest, context: &mut Context<'_, '_>) -> Re
         Q::SchedulerRefresh(q) => handle(q, context, R::Read, scheduler_refresh::answer, A::SchedulerRefresh),
         Q::SetSchedulingMode(q) => handle(q, context, R::Write, set_scheduling_mode::answer, A::SetSchedulingMode),
         Q::SetPower(q) => handle(q, context, R::Write, set_power::answer, A::SetPower),
-        other => {
-            let explanation = format!("this controller does not offer `{}`", other.name());
-            Err(refused(ExceptionCode::InvalidSoapHandler, &explanation))
-        }
     }
 }
 

@@ -10,6 +10,7 @@ mod events;
 mod goto;
 mod kinematics;
 mod moves;
+mod replace;
 mod rights;
 mod sessions;
 mod signals;

@@ -41,7 +41,7 @@ pub(crate) fn open(
     let mut devices = Devices::new(roots, Box::new(compiler));
     devices.stand_ins = replaced;
     cell::declare_io(&mut devices, db, project);
-    pages::declare(&mut devices, db, project);
+    devices.state.pendant.set_html_pages(pages::of(db, project));
     if items(db, project).arm == Some(Arm::Scara) {
         devices.state.set_default_arm(true);
     }

@@ -6,14 +6,17 @@ mod completions;
 mod condition;
 mod effects;
 mod evaluation;
+mod load;
 mod log;
+mod replace;
 mod scratch;
 mod target;
 
 use std::iter;
 
+use rustc_hash::FxHashMap;
 use val3_analysis::body::{Stmt, StmtKind, body};
-use val3_analysis::db::Database;
+use val3_analysis::db::{Database, File};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{FragmentScope, compile_expression, compile_statements};
@@ -31,8 +34,11 @@ use crate::application::Application;
 pub use completions::FrameCompletion;
 pub use condition::LineCondition;
 pub use evaluation::{Evaluation, EvaluationError};
+pub use load::LoadRequest;
+pub use replace::ReplaceFault;
 
 use effects::effect;
+use replace::PatchedProgram;
 use scratch::Scratch;
 use target::{EvaluationContext, Targets};
 
@@ -57,18 +63,20 @@ pub enum Purpose {
 /// Evaluates code in the stack frames of a controller's tasks.
 pub struct FrameEvaluator {
     targets: Targets,
+    /// Programs that were changed while tasks executed them, by file.
+    patched: FxHashMap<String, PatchedProgram>,
 }
 
 impl FrameEvaluator {
     /// Creates an evaluator for a controller that runs the image of `application`.
     #[must_use]
     pub fn new(application: Application) -> Self {
-        Self { targets: Targets::new(application) }
+        Self { targets: Targets::new(application), patched: FxHashMap::default() }
     }
 
-    /// Database of the running application.
-    pub(crate) fn db(&self) -> &Database {
-        self.targets.application(0).db()
+    /// File of a program with its database; `None` if no known application has read it.
+    pub(crate) fn source_file(&self, path: &str) -> Option<(&Database, File)> {
+        self.targets.source_file(path)
     }
 
     /// Evaluates code. Tasks, clock and arm are stopped during the evaluation, and no run-time error stops a task.

@@ -38,7 +38,9 @@ pub use code_lines::CodeLine;
 pub use connection::{Connection, Tape};
 pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};
-pub use frame_evaluator::{Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, LineCondition, Purpose};
+pub use frame_evaluator::{
+    Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, LineCondition, LoadRequest, Purpose, ReplaceFault,
+};
 pub use json_fault::json_fault;
 pub use pace::{Delay, Pace};
 pub use same_file::is_same_file;

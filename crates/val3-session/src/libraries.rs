@@ -69,11 +69,7 @@ impl LibraryCompiler {
         let outside = self.outside.iter().find(|root| root.name == path.medium()).map(|root| &root.folder);
         let base = outside.unwrap_or(&self.disk).clone();
         let folder = path.parts().iter().fold(base, |folder, part| folder.join(part.as_str()));
-        let manifest = files.files.first().map(|file| folder.join(&file.path)).ok_or("the library has no files")?;
-        let mut system = OverlayFs::new(Disk);
-        files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));
-        self.edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
-        let library = Application::open(&system, &manifest, None).map_err(|error| error.to_string())?;
+        let (library, manifest) = open_stored(folder, files, &self.edited)?;
         if let Some(wrong) = library.refusals().first() {
             return Err(format!("`{path}`: {}", wrong.message));
         }
@@ -83,6 +79,24 @@ impl LibraryCompiler {
             .compile_as(if is_plain { CodeForm::Plain } else { self.form })
             .map_err(|error| format!("`{path}`: {}", error.limit))
     }
+}
+
+/// Opens the project with these files in `folder`. `edited` are program texts that replace files on the disk. Returns the
+/// project with the path of its project file.
+///
+/// # Errors
+/// The project has no files, or cannot be opened.
+pub(crate) fn open_stored(
+    folder: Utf8PathBuf,
+    files: &LibraryFiles,
+    edited: &[(Utf8PathBuf, Arc<str>)],
+) -> Result<(Application, Utf8PathBuf), String> {
+    let manifest = files.files.first().map(|file| folder.join(&file.path)).ok_or("the library has no files")?;
+    let mut system = OverlayFs::new(Disk);
+    files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));
+    edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
+    let project = Application::open(&system, &manifest, None).map_err(|error| error.to_string())?;
+    Ok((project, manifest))
 }
 
 impl Libraries for LibraryCompiler {

@@ -1,25 +1,26 @@
 //! HTML user pages (s8): the files in an application's folder `interface`.
 
+use smol_str::SmolStr;
 use val3_analysis::db::{Database, Project};
 use val3_analysis::pages::{self, BINDINGS, Bindings, BoundName, bindings, page_name};
 use val3_lang::tasks;
-use val3_machine::devices::Devices;
 use val3_machine::screen::{HtmlCallback, HtmlPage, HtmlValue};
 
 /// Default priority for the task of a program that a page calls. It is the only value that was observed.
 const PRIORITY: u32 = 10;
 
-/// Adds the application's pages to the controller.
-pub(crate) fn declare(devices: &mut Devices, db: &Database, project: Project) {
-    for name in pages::names(db, project) {
+/// Pages of an application.
+pub(crate) fn of(db: &Database, project: Project) -> Vec<HtmlPage> {
+    let page = |name: SmolStr| {
         let file = pages::binding_files(db, project).find(|file| {
             let own = file.path(db).file_name().and_then(|own| page_name(own, BINDINGS));
             own.is_some_and(|own| own.eq_ignore_ascii_case(&name))
         });
         let mut page = file.map(|file| page_of(bindings(db, file))).unwrap_or_default();
         page.name = name.to_string();
-        devices.state.pendant.add_html_page(page);
-    }
+        page
+    };
+    pages::names(db, project).into_iter().map(page).collect()
 }
 
 fn page_of(bindings: &Bindings) -> HtmlPage {

@@ -346,6 +346,12 @@ impl Vm {
         self.program(thread)?.code.get(thread.next as usize).map(|step| step.mark)
     }
 
+    /// Discards positions in the code of a program that has changed.
+    pub(crate) fn forget_positions(&mut self) {
+        (self.watch, self.last_line) = (None, None);
+        self.forget_removed_stops();
+    }
+
     /// Resets tasks whose stop mark was removed, so that they stop at the next mark.
     fn forget_removed_stops(&mut self) {
         let tasks = self.roster.tasks.iter().filter(|task| self.mark(&task.thread).is_some_and(LineMark::is_stop));

@@ -489,7 +489,7 @@ fn pages_of_html_are_set_and_shown() {
         "#,
     );
     let page = HtmlPage { name: "main".to_owned(), ..HtmlPage::default() };
-    running.controller.devices.state.pendant.add_html_page(page);
+    running.controller.devices.state.pendant.set_html_pages(vec![page]);
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");
     expect![[r#"

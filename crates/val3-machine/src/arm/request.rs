@@ -21,6 +21,13 @@ pub struct MoveOrigin {
 }
 
 impl RobotArm {
+    /// Adapts the locations of recorded moves to changed code.
+    pub(crate) fn move_code(&mut self, moved: impl Fn(CodePlace) -> CodePlace) {
+        for origin in self.origins.values_mut() {
+            (origin.at, origin.cancelled_by) = (origin.at.map(&moved), origin.cancelled_by.map(&moved));
+        }
+    }
+
     /// Whether no more moves can be recorded before a move is done.
     pub(super) fn is_full(&self) -> bool {
         self.motion.moves().len() >= CAPACITY

@@ -1,8 +1,9 @@
-//! Loading, starting and unloading of the application after it has stopped, by a client or the operator.
+//! Loading, starting and unloading of applications after the present one has stopped, by a client or the operator.
 
 use std::fmt;
 use std::sync::Arc;
 
+use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{MotionPort as _, Ports as _, Time};
 use val3_lang::runtime_errors;
@@ -11,9 +12,24 @@ use val3_vm::Host as _;
 use super::operator::OperatorAction;
 use super::{Controller, NotStarted, RunPhase};
 use crate::controller_state::MessageSeverity;
+use crate::files::LibraryFiles;
+use crate::screen::HtmlPage;
 
 /// Program that starts an application.
 const START: &str = "start";
+
+/// Project that was read and compiled, before it is loaded into memory.
+#[derive(Debug, Clone)]
+pub struct PreparedProject {
+    /// Image.
+    pub image: Arc<Image>,
+    /// Path on the media, such as `Disk://app`.
+    pub path: String,
+    /// Files from which the image was compiled.
+    pub files: Arc<LibraryFiles>,
+    /// HTML user pages.
+    pub pages: Vec<HtmlPage>,
+}
 
 /// State of the application.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,24 +72,47 @@ impl Controller {
         };
         self.operations.pending().fold(present, |state, action| match (action, state) {
             (OperatorAction::Unload, _) => Unloaded,
-            (OperatorAction::Stop, Started) | (OperatorAction::Load, Unloaded) => Stopped,
+            (OperatorAction::Stop, Started) | (OperatorAction::Load(_), Unloaded) => Stopped,
             (OperatorAction::Start, Stopped) => Started,
             (_, state) => state,
         })
     }
 
-    /// Loads the application and its libraries with their initial values.
-    pub(super) fn load_application(&mut self) {
-        let Some(instance) = self.vm.space.instance(self.application).filter(|instance| !instance.loaded) else {
+    /// Adds a project that [`OperatorAction::Load`] loads. Returns its number.
+    pub fn prepare_project(&mut self, project: PreparedProject) -> usize {
+        self.prepared.push(project);
+        self.prepared.len() - 1
+    }
+
+    /// Path and image of the application after all pending actions of the operator. An application that was removed from
+    /// memory remains until another one is loaded.
+    #[must_use]
+    pub fn next_application(&self) -> (&str, Option<&Image>) {
+        let pending = self.operations.pending().filter_map(|action| match action {
+            OperatorAction::Load(number) => self.prepared.get(number),
+            _ => None,
+        });
+        match (pending.last(), self.vm.space.instance(self.application)) {
+            (Some(project), _) => (&project.path, Some(&project.image)),
+            (None, Some(instance)) => (&instance.path, Some(&instance.image)),
+            (None, None) => ("", None),
+        }
+    }
+
+    /// Loads a prepared project and its libraries with their initial values, unless an application is in memory.
+    pub(super) fn load_application(&mut self, number: usize) {
+        let is_free = self.vm.space.instance(self.application).is_some_and(|instance| !instance.loaded);
+        let Some(PreparedProject { image, path, files, pages }) =
+            self.prepared.get(number).filter(|_| is_free).cloned()
+        else {
             return;
         };
-        let (image, path) = (Arc::clone(&instance.image), instance.path.clone());
-        // The files may have changed since the image was compiled.
-        let files = self.devices.loaded_files(self.application);
         self.devices.origin(self.outside());
         match self.vm.space.load(image, path.clone(), &mut self.devices) {
             Ok(loaded) => {
-                self.devices.keep_loaded_files(loaded, files);
+                self.application = loaded;
+                self.devices.state.pendant.set_html_pages(pages);
+                self.devices.keep_loaded_files(loaded, Some(files));
                 self.vm.space.load_with(loaded, &mut self.devices);
             }
             Err(_) => self.devices.no_memory_for(&path),

@@ -19,8 +19,9 @@ pub enum OperatorAction {
     Stop,
     /// Removes the application and its libraries from memory, as soon as the application has stopped.
     Unload,
-    /// Loads the application and its libraries with their initial values, as soon as the application has stopped.
-    Load,
+    /// Loads the [prepared project](Controller::prepare_project) with this number and its libraries with their initial
+    /// values, as soon as the application has stopped.
+    Load(usize),
     /// Starts the application with its present values, as soon as it has stopped.
     Start,
 }
@@ -35,7 +36,7 @@ impl OperatorAction {
             Self::PreviousPage => ("userPage", "previous".into()),
             Self::Stop => ("stop", true.into()),
             Self::Unload => ("application", "unload".into()),
-            Self::Load => ("application", "load".into()),
+            Self::Load(_) => ("application", "load".into()),
             Self::Start => ("application", "start".into()),
         };
         Map::from_iter([(key.to_owned(), value)])
@@ -43,7 +44,7 @@ impl OperatorAction {
 
     /// Whether the action waits until the application has stopped.
     const fn awaits_stop(self) -> bool {
-        matches!(self, Self::Unload | Self::Load | Self::Start)
+        matches!(self, Self::Unload | Self::Load(_) | Self::Start)
     }
 }
 
@@ -106,7 +107,13 @@ impl Controller {
 
     pub(super) fn follow_operator(&mut self, now: Time) {
         while let Some(operation) = self.operations.take_due(now, self.has_stopped()) {
-            self.devices.record_outside(now, EventKind::Act { keys: operation.keys() });
+            let mut keys = operation.keys();
+            if let OperatorAction::Load(number) = operation
+                && let Some(project) = self.prepared.get(number)
+            {
+                keys.insert("project".to_owned(), project.path.clone().into());
+            }
+            self.devices.record_outside(now, EventKind::Act { keys });
             let pendant = &mut self.devices.state.pendant;
             match operation {
                 OperatorAction::Tap(code) => pendant.tap(code, now),
@@ -114,7 +121,7 @@ impl Controller {
                 OperatorAction::PreviousPage => pendant.show_previous(),
                 OperatorAction::Stop => self.stop(),
                 OperatorAction::Unload => self.vm.space.unload_application(),
-                OperatorAction::Load => self.load_application(),
+                OperatorAction::Load(number) => self.load_application(number),
                 OperatorAction::Start => self.start_application(now),
             }
         }

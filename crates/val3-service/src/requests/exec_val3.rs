@@ -12,7 +12,7 @@ use crate::context::Context;
 pub(super) fn answer(request: &ExecVal3, context: &mut Context<'_, '_>) -> Result<ExecVal3Answer, SoapFault> {
     let target = &mut *context.target;
     let place = match request.task.as_deref().unwrap_or_default() {
-        "" => FragmentContext::Instance(target.instance(request.project.as_deref().unwrap_or_default())?),
+        "" => FragmentContext::Instance(target.named_instance(request.project.as_deref().unwrap_or_default())?),
         task => {
             let task = target.task(Some(task), request.created_by.as_deref())?;
             FragmentContext::Frame(task, target.frame_depth(task, request.frame)?)

@@ -8,6 +8,7 @@ use crate::context::Context;
 
 /// Answers the request.
 pub(super) fn answer(_: &StopAndUnloadAll, context: &mut Context<'_, '_>) -> Result<Empty, SoapFault> {
+    context.discard_changes();
     match context.controller().application_state() {
         ApplicationState::Unloaded => {}
         ApplicationState::Stopped => context.operate(&[OperatorAction::Unload]),

@@ -1,9 +1,10 @@
 //! Loading, starting, stopping and unloading.
 
 use val3_session::ProfileRights;
-use val3_soap::v1::GetApplications;
+use val3_soap::v1::{GetApplicationDatas, GetApplications};
 use val3_soap::v2::{
-    ExecutionResult, LoadProjectAsync, StartApplication, StopAndUnloadAll, StopApplication, TaskState,
+    ExecVal3, ExecutionResult, LoadProjectAsync, ProgramLine, StartApplication, StopAndUnloadAll, StopApplication,
+    TaskState,
 };
 use val3_soap::{ExceptionCode, SoapAnswer, SoapRequest};
 
@@ -114,17 +115,136 @@ fn breakpoints_remain_for_the_next_start() {
     assert_eq!((state, number), (TaskState::Stopped, 3));
 }
 
-#[test]
-fn only_the_application_of_the_run_is_executed() {
-    let mut client = Client::logged_in();
-    client.run(1);
-    let reason = "APPLICATION-NOT-FOUND: this controller executes only the application of the run, \
-                  Disk://palletiser/palletiser.pjx";
-    for request in [load("Disk://partBag/partBag.pjx"), start("Disk://other/other.pjx"), start("palletiser")] {
-        assert_eq!(client.fault(request).reason, reason);
+/// An application, another one that runs in its place, a project with an error, and a library.
+const PROJECTS: &str = r#"
+num nCount
+program start()
+begin
+  while true
+    nCount=nCount+1
+    delay(0.1)
+  endWhile
+end
+program stop()
+begin
+  nCount=-1
+  delay(0.5)
+end
+--- other
+num nOther
+program start()
+begin
+  nOther=7
+  while true
+    delay(0.1)
+    nOther=nOther+1
+  endWhile
+end
+program stop()
+begin
+end
+--- faulty
+program start()
+begin
+  nUnknown=1
+end
+program stop()
+begin
+end
+--- parts
+public num nParts
+"#;
+
+const MAIN: &str = "Disk://main/main.pjx";
+const OTHER: &str = "Disk://other/other.pjx";
+
+fn evaluate(client: &mut Client, project: &str, code: &str) -> String {
+    let request = ExecVal3 { project: some(project), task: None, created_by: None, frame: 0, command: some(code) };
+    match client.ask(SoapRequest::ExecVal3(request)) {
+        SoapAnswer::ExecVal3(answer) => answer.output.unwrap(),
+        other => panic!("{other:?}"),
     }
-    client.ask(load(PROJECT));
-    assert_eq!(client.code(start(PROJECT)), ExceptionCode::Unknown);
+}
+
+#[test]
+fn another_application_of_the_disk_is_loaded_and_started() {
+    let mut client = Client::of_listing(PROJECTS);
+    client.run(1);
+    assert_eq!(loaded(&mut client), [MAIN]);
+    assert!(client.fault(load(OTHER)).reason.contains("Disk://main/main.pjx is in memory: unload it first"));
+    assert_eq!(client.code(start(OTHER)), ExceptionCode::ApplicationNotFound);
+    // All requests are accepted while `stop` still runs.
+    for request in [UNLOAD, load("disk://OTHER/other.pjx"), start(OTHER)] {
+        client.ask(request);
+    }
+    client.run(2);
+    assert_eq!(loaded(&mut client), [OTHER]);
+    let found = tasks(&mut client);
+    let [only] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!((only.name.as_deref(), only.created_by.as_deref()), (Some("other~"), Some(OTHER)));
+    assert!([4, 5].contains(&only.line.number), "{only:?}");
+    assert!(evaluate(&mut client, "other", "nOther").parse::<f64>().unwrap() > 7.0);
+    let data = SoapRequest::GetApplicationDatas(GetApplicationDatas { name: some(OTHER) });
+    assert!(matches!(client.ask(data), SoapAnswer::GetApplicationDatas(answer) if !answer.data.0.is_empty()));
+    assert_eq!(
+        set(&mut client, &[ProgramLine { project: some(OTHER), ..line("start", 5, "") }]),
+        [ExceptionCode::Unknown]
+    );
+    client.run(1);
+    assert_eq!(tasks(&mut client)[0].state, TaskState::Stopped);
+    for request in [UNLOAD, load(MAIN), start(MAIN)] {
+        client.ask(request);
+    }
+    client.run(1);
+    assert_eq!(loaded(&mut client), [MAIN]);
+    assert!(evaluate(&mut client, "main", "nCount").parse::<f64>().unwrap() >= 1.0);
+}
+
+#[test]
+fn a_restored_controller_repeats_the_change_of_applications() {
+    let mut client = Client::of_listing(PROJECTS);
+    client.run(1);
+    let snapshot = client.controller().snapshot();
+    for request in [UNLOAD, load(OTHER), start(OTHER)] {
+        client.ask(request);
+    }
+    client.controller().devices.take_events();
+    client.run(2);
+    let first = client.controller().devices.take_events();
+    client.controller().restore(&snapshot);
+    client.controller().devices.take_events();
+    client.run(2);
+    assert!(first.iter().any(|event| format!("{event:?}").contains("Disk://other")), "{first:?}");
+    assert_eq!(client.controller().devices.take_events(), first);
+}
+
+#[test]
+fn loading_reads_the_files_and_reports_their_errors() {
+    let mut client = Client::of_listing(PROJECTS);
+    client.ask(UNLOAD);
+    client.run(2);
+    let fault = client.fault(load("Disk://faulty/faulty.pjx"));
+    assert!(fault.reason.contains("the project cannot be loaded: start.pgx:"), "{}", fault.reason);
+    assert!(fault.reason.contains("nUnknown"), "{}", fault.reason);
+    for name in ["Disk://nothing/nothing.pjx", "main", ""] {
+        assert_eq!(client.code(load(name)), ExceptionCode::ApplicationNotFound, "{name}");
+    }
+    client.ask(load("Disk://parts/parts.pjx"));
+    client.run(1);
+    let fault = client.fault(start("Disk://parts/parts.pjx"));
+    assert!(fault.reason.contains("it has no program `start`"), "{}", fault.reason);
+    client.ask(UNLOAD);
+    client.run(1);
+    let file = client.disk().join("main/start.pgx");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, text.replace("nCount=nCount+1", "nCount=nCount+1000")).unwrap();
+    for request in [load(MAIN), start(MAIN)] {
+        client.ask(request);
+    }
+    client.run(1);
+    assert!(evaluate(&mut client, "main", "nCount").parse::<f64>().unwrap() >= 1000.0);
+    let changed = tasks(&mut client)[0].line.clone();
+    assert!(changed.content.is_some(), "{changed:?}");
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Client of a service on the palletiser of the examples.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
+use tempfile::TempDir;
 use val3_analysis::system::Disk;
 use val3_debug::Debugger;
 use val3_lang::ports::SECOND;
@@ -11,6 +13,7 @@ use val3_session::CellProfile;
 use val3_session::{Application, CodeForm, ControllerSettings, FrameEvaluator, ProfileRights, Tape};
 use val3_soap::v0::Login;
 use val3_soap::{ExceptionCode, SoapAnswer, SoapFault, SoapRequest};
+use val3_test::Fixture;
 
 use crate::{Accounts, Service, ServiceAnswer, ServiceCall, ServiceTarget};
 
@@ -22,6 +25,8 @@ pub(super) struct Client {
     pub(super) session: Option<i32>,
     /// Time of the next request.
     pub(super) now: Duration,
+    /// Folder of an application that only this test has.
+    folder: Option<TempDir>,
 }
 
 impl Client {
@@ -36,7 +41,30 @@ impl Client {
     pub(super) fn with(profiles: Vec<CellProfile>) -> Self {
         let path =
             Utf8PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser/usr/usrapp/palletiser"));
-        let application = Application::open(&Disk, &path.canonicalize_utf8().unwrap(), None).unwrap();
+        Self::open(&path.canonicalize_utf8().unwrap(), profiles, None)
+    }
+
+    /// Client of the application in a listing, in a folder, that is logged in as `default`.
+    pub(super) fn of_listing(listing: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let root = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
+        for (path, text) in &Fixture::parse(listing).files {
+            let path = root.join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        let mut client = Self::open(&root.join("usrapp/main"), Vec::new(), Some(folder));
+        assert_eq!(client.login("default", ""), 1);
+        client
+    }
+
+    /// Folder of the projects of a listing.
+    pub(super) fn disk(&self) -> PathBuf {
+        self.folder.as_ref().unwrap().path().join("usrapp")
+    }
+
+    fn open(path: &Utf8Path, profiles: Vec<CellProfile>, folder: Option<TempDir>) -> Self {
+        let application = Application::open(&Disk, path, None).unwrap();
         let settings = ControllerSettings { form: CodeForm::Debugged, ..ControllerSettings::default() };
         let image = application.compile_as(settings.form).unwrap();
         let tape = Tape { records: false, replays: None };
@@ -49,6 +77,7 @@ impl Client {
             service: Service::new(accounts),
             session: None,
             now: Duration::ZERO,
+            folder,
         }
     }
 

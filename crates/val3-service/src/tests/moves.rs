@@ -1,6 +1,7 @@
 //! Moves of clients.
 
 use proptest::prelude::{Just, ProptestConfig, Strategy, any, prop, prop_oneof, proptest};
+use val3_geometry::IsometryMatrix3;
 use val3_machine::controller_state::WorkingMode;
 use val3_machine::event::EventKind;
 use val3_session::ProfileRights;
@@ -175,6 +176,62 @@ fn a_destination_is_that_of_the_tool_in_the_frame() {
     );
 }
 
+/// The oracle multiplies the pose at the end of the previous move by the relative pose.
+#[test]
+fn relative_positions_are_along_the_axes_of_the_tool() {
+    let mut client = alone();
+    done(&mut client, to_joints(READY, description()));
+    let tool = Matrix { nx: 0.0, ny: 1.0, ox: -1.0, oy: 0.0, px: 0.01, pz: 0.1, ..IDENTITY };
+    let frame = Matrix { px: 0.3, ay: 0.6, az: 0.8, oy: 0.8, oz: -0.6, ..IDENTITY };
+    let relative =
+        || MotionDescription { kind: MoveType::Relative, tool: tool.clone(), frame: frame.clone(), ..description() };
+    let way = Matrix { px: 0.02, py: -0.01, pz: -0.03, ay: -0.28, az: 0.96, oy: 0.96, oz: 0.28, ..IDENTITY };
+    let back = Matrix { px: 0.0, py: 0.0, pz: 0.02, ..IDENTITY };
+    let at_ready = isometry(&flange(&mut client, READY));
+    let (to_tool, first, second) = (isometry(&tool), isometry(&way), isometry(&back));
+    let on_circle = isometry(&Matrix { px: 0.02, py: 0.005, ..IDENTITY });
+    let circle_end = isometry(&Matrix { px: 0.04, ..IDENTITY });
+    // The second move is recorded before the first one begins.
+    done(&mut client, line(&way, relative()));
+    let point = MoveJc { robot: 0, frame: back, description: relative() };
+    done(&mut client, SoapRequest::MoveJc(point));
+    client.run(10);
+    let expected = at_ready * to_tool * first * second;
+    assert_flange(&mut client, expected * to_tool.inverse());
+    let circle = MoveC {
+        robot: 0,
+        intermediate: Matrix { px: 0.02, py: 0.005, ..IDENTITY },
+        destination: Matrix { px: 0.04, ..IDENTITY },
+        description: relative(),
+    };
+    done(&mut client, SoapRequest::MoveC(circle));
+    let mut nearest = f64::MAX;
+    while !state(&mut client).0 {
+        client.debugger.advance();
+        let joints = client.controller().arm().sample().joints;
+        let at = client.controller().arm().model().flange(&joints) * to_tool;
+        let on_circle = (expected * on_circle).translation.vector;
+        nearest = nearest.min((at.translation.vector - on_circle).norm());
+    }
+    assert!(nearest < 2.0, "{nearest} mm from the intermediate position");
+    assert_flange(&mut client, expected * circle_end * to_tool.inverse());
+}
+
+/// Pose in mm.
+fn isometry(matrix: &Matrix) -> IsometryMatrix3<f64> {
+    crate::kinematics::pose(matrix).unwrap()
+}
+
+#[track_caller]
+fn assert_flange(client: &mut Client, expected: IsometryMatrix3<f64>) {
+    assert!(state(client).0);
+    let joints = client.controller().arm().sample().joints;
+    let found = client.controller().arm().model().flange(&joints);
+    let difference = expected.inverse() * found;
+    assert!(difference.translation.vector.norm() < 1e-6, "{expected} {found}");
+    assert!(difference.rotation.angle() < 1e-8, "{expected} {found}");
+}
+
 #[test]
 fn moves_blend() {
     let mut client = alone();
@@ -246,13 +303,11 @@ fn a_rejected_move_blocks_the_moves_until_the_reset() {
         change(&mut description);
         to_joints(READY, description)
     };
-    let relative = MotionDescription { kind: MoveType::Relative, ..description() };
     let requests = [
         to_joints([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], description()),
         line(&Matrix { px: 9.0, ..at_ready.clone() }, description()),
         line(&Matrix { px: 1e300, ..at_ready.clone() }, description()),
         line(&Matrix { nx: 0.0, ny: 0.0, nz: 0.0, ..at_ready.clone() }, description()),
-        line(&at_ready, relative),
         wrong(|description| description.tool.nx = 0.0),
         wrong(|description| description.frame.az = -1.0),
         wrong(|description| description.speed = 0.0),

@@ -2,7 +2,6 @@
 
 use val3_session::ProfileRights;
 use val3_soap::v0::{GetRobots, SetRobotJointPos};
-use val3_soap::v2::SetProjectAsModified;
 use val3_soap::{ExceptionCode, SoapRequest};
 
 use super::client::{Client, profile};
@@ -23,10 +22,4 @@ fn a_profile_of_the_cell_has_its_rights_and_any_password() {
     assert_eq!(fault.reason, "READ-ACCESS-ERROR-CODE: the profile may not read");
     assert_ne!(client.login("default", ""), 0);
     client.ask(set());
-}
-
-#[test]
-fn requests_that_do_not_exist_are_faults() {
-    let fault = Client::logged_in().fault(SoapRequest::SetProjectAsModified(SetProjectAsModified { project: None }));
-    assert_eq!(fault.reason, "INVALID-SOAP-HANDLER: this controller does not offer `setProjectAsModified`");
 }

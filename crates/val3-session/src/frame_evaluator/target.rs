@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{File, Project, Sources};
+use val3_analysis::db::{Database, File, Project, Sources};
 use val3_analysis::items::project::program_files;
 use val3_analysis::paths::path_key;
 use val3_analysis::system::Disk;
@@ -42,6 +42,14 @@ impl Targets {
         Self { main: application, others: Vec::new(), files: FxHashMap::default(), images: FxHashMap::default() }
     }
 
+    /// Replaces the running application. The previous one stays known as long as its programs stop.
+    pub(super) fn set_main(&mut self, application: Application) {
+        let previous = std::mem::replace(&mut self.main, application);
+        self.others = vec![previous];
+        self.files.clear();
+        self.images.clear();
+    }
+
     /// Application with this index. The fallback is the running application.
     pub(super) fn application(&self, number: usize) -> &Application {
         number.checked_sub(1).and_then(|number| self.others.get(number)).unwrap_or(&self.main)
@@ -50,6 +58,13 @@ impl Targets {
     /// Like [`application`](Self::application), mutable.
     pub(super) fn application_mut(&mut self, number: usize) -> &mut Application {
         number.checked_sub(1).and_then(|number| self.others.get_mut(number)).unwrap_or(&mut self.main)
+    }
+
+    /// File with this path, with its database.
+    pub(super) fn source_file(&self, path: &str) -> Option<(&Database, File)> {
+        let key = path_key(path);
+        let mut databases = self.applications().map(|(_, application)| application.db());
+        databases.find_map(|db| Some((db, Sources::get(db).files(db).get(&key).copied()?)))
     }
 
     fn applications(&self) -> impl Iterator<Item = (usize, &Application)> {
@@ -132,7 +147,7 @@ impl Targets {
     }
 
     /// Project from which an image was compiled. An unreferenced library is read from its files.
-    fn project(&mut self, path: &str) -> Result<(usize, Project), EvaluationError> {
+    pub(super) fn project(&mut self, path: &str) -> Result<(usize, Project), EvaluationError> {
         let key = path_key(path);
         let known = self.applications().find_map(|(number, application)| {
             let db = application.db();

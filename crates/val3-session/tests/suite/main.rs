@@ -5,6 +5,7 @@ mod breakpoints;
 mod code_form;
 mod frames;
 mod random_texts;
+mod replace;
 mod stepping;
 mod stopped;
 mod values;

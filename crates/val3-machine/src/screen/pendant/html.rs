@@ -64,9 +64,9 @@ impl Question {
 
 /// Instructions of s8.
 impl Pendant {
-    /// Adds a page of the application's folder `interface`.
-    pub fn add_html_page(&mut self, page: HtmlPage) {
-        self.html_pages.push(page);
+    /// Sets the pages of the application's folder `interface`. No page is displayed.
+    pub fn set_html_pages(&mut self, pages: Vec<HtmlPage>) {
+        (self.html_pages, self.shown_html) = (pages, None);
     }
 
     /// HTML pages.

@@ -298,7 +298,7 @@ fn keys_are_typed_when_a_program_asks_for_them() {
 #[test]
 fn changes_of_html_pages_are_events() {
     let mut pendant = Pendant::default();
-    pendant.add_html_page(HtmlPage { name: "Main".to_owned(), ..HtmlPage::default() });
+    pendant.set_html_pages(vec![HtmlPage { name: "Main".to_owned(), ..HtmlPage::default() }]);
     assert_eq!((pendant.show_html("main"), pendant.show_html("other")), (0, -1));
     assert_eq!(pendant.shown_html().map(|page| page.name.as_str()), Some("Main"));
     pendant.set_html("main", "lblDone", "innerHTML", "12");
