@@ -78,6 +78,11 @@ const STEPS = {
     await user.command("View: Toggle Panel Visibility");
   },
 
+  async "the code shows present values after its lines"(user) {
+    await user.page.locator(".editor-instance .view-line", { hasText: /nSquare=0\s+nSquare\s=\s0/ }).first().waitFor();
+    await user.page.locator(".editor-instance .view-line", { hasText: /sState="done"\s+sState\s=\s"done"/ }).first().waitFor();
+  },
+
   async "the history of a number is a list and a plot"(user) {
     number = await opens(user, "nSquare");
     const [last, before, ...rest] = await rows(number);
