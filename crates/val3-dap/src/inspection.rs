@@ -141,7 +141,7 @@ impl Handles {
             let (name, hint) = match scope.kind {
                 ScopeKind::Parameters => ("Parameters".to_owned(), Some(ScopePresentationHint::Arguments)),
                 ScopeKind::Locals => ("Locals".to_owned(), Some(ScopePresentationHint::Locals)),
-                ScopeKind::Globals => (globals_name(filter), None),
+                ScopeKind::Globals => ("Globals".to_owned(), None),
                 ScopeKind::Library(alias) if is_grouped => {
                     libraries.push(LibraryData { alias, size: named, inside: scope.inside });
                     continue;
@@ -240,11 +240,6 @@ impl Handles {
             ..Variable::default()
         }
     }
-}
-
-/// Returns the name of the scope with the application's data. It contains the filter that hides some of them.
-fn globals_name(filter: Option<&VariableFilter>) -> String {
-    filter.map_or_else(|| "Globals".to_owned(), |filter| format!("Globals ({})", filter.text()))
 }
 
 /// Whether the client requests the other kind of children.

@@ -303,6 +303,7 @@ impl DebugSession {
         self.following.push(StandardEvent::Process(stop_event::process(controller, self.start.is_attach)));
         self.following.extend(notices);
         self.note_unused_skips(run);
+        self.note_variable_filter();
         if self.phase != SessionState::Configuring {
             return;
         }

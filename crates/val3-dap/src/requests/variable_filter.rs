@@ -27,8 +27,7 @@ impl DebugRequest for VariableFilterRequest {
                 "" => None,
                 text => Some(text.parse().map_err(RequestFailure::rejected)?),
             };
-            session.start.settings.variable_filter = filter;
-            session.scopes_changed();
+            session.filter_variables(filter);
         }
         let filter = session.start.settings.variable_filter.as_ref();
         Ok(VariableFilterBody { filter: filter.map(VariableFilter::text).unwrap_or_default().to_owned() })
@@ -66,12 +65,13 @@ mod tests {
     #[test]
     fn a_filter_hides_other_variables_until_it_is_removed() {
         let mut client = TestClient::launched(MANY, json!({ "stopOnEntry": true, "variableFilter": "push" }));
-        assert_eq!(names(&mut client, "Globals (push)"), ["nPush"]);
+        assert_eq!(names(&mut client, "Globals"), ["nPush"]);
         assert_eq!(client.body("val3/variableFilter", json!({}))["filter"], "push");
-        client.body("val3/variableFilter", json!({ "filter": "nP*, main:s?ame" }));
-        assert_eq!(names(&mut client, "Globals (nP*, main:s?ame)"), ["nPush", "nPop", "sName"]);
+        let events = client.events("val3/variableFilter", json!({ "filter": "nP*, main:s?ame" }));
+        assert_eq!(events[0].1["output"], "note: only global variables that match `nP*, main:s?ame` are shown\n");
+        assert_eq!(names(&mut client, "Globals"), ["nPush", "nPop", "sName"]);
         client.body("val3/variableFilter", json!({ "filter": "other:n*" }));
-        assert_eq!(names(&mut client, "Globals (other:n*)"), [""; 0]);
+        assert_eq!(names(&mut client, "Globals"), [""; 0]);
         client.body("val3/variableFilter", json!({ "filter": "" }));
         assert_eq!(names(&mut client, "Globals"), ["nPush", "nPop", "sName"]);
     }
@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn a_filtered_variable_is_set_watched_and_paged() {
         let mut client = TestClient::launched(MANY, json!({ "stopOnEntry": true, "variableFilter": "pop name" }));
-        let globals = client.scope("Globals (pop name)");
+        let globals = client.scope("Globals");
         let page = json!({ "variablesReference": globals, "start": 1, "count": 1 });
         assert_eq!(client.body("variables", page)["variables"][0]["name"], "sName");
         client.body("setVariable", json!({ "variablesReference": globals, "name": "nPop", "value": "3" }));

@@ -1,6 +1,6 @@
 //! Control of the run, for several requests.
 
-use val3_debug::{Goal, StepKind};
+use val3_debug::{Goal, StepKind, VariableFilter};
 use val3_lang::ports::TaskNumber;
 
 use super::{DebugSession, SessionState, changed, has_new_files};
@@ -177,9 +177,19 @@ impl DebugSession {
         self.following.push(StandardEvent::Stopped(event));
     }
 
-    /// Reports that the scopes contain other variables.
-    pub(crate) fn scopes_changed(&mut self) {
+    /// Changes the filter of the global variables in scopes.
+    pub(crate) fn filter_variables(&mut self, filter: Option<VariableFilter>) {
+        self.start.settings.variable_filter = filter;
+        self.note_variable_filter();
         self.invalidate(InvalidatedAreas::Variables);
+    }
+
+    /// Reports that a filter hides global variables. The names of the scopes do not change, because clients expand scopes
+    /// again by their names.
+    pub(super) fn note_variable_filter(&mut self) {
+        if let Some(filter) = &self.start.settings.variable_filter {
+            self.note(&format!("only global variables that match `{}` are shown", filter.text()));
+        }
     }
 
     fn invalidate(&mut self, area: InvalidatedAreas) {
