@@ -1,7 +1,7 @@
 // Buttons keep their places while an operator uses the panels.
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { moveForever, served } = require("./served.js");
+const { BOXES, moveForever, served } = require("./served.js");
 
 const SIZES = [[1280, 800], [900, 500], [390, 844]];
 
@@ -82,6 +82,17 @@ test("a rejection covers the panel and moves nothing", () => served([], async (r
     });
     assert.ok(refused > 20, `the sentence has ${refused} px`);
     assert.deepEqual(await places(page), before, `${width}x${height}`);
+  }
+}));
+
+test("no text of the task table covers another column", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await page.getByRole("tab", { name: "Tasks", exact: true }).first().click();
+  await page.getByRole("table", { name: "Tasks" }).getByRole("row", { name: /^production/ }).waitFor();
+  for (const [width, height] of [[1280, 800], [1366, 768], [390, 844]]) {
+    await page.setViewportSize({ width, height });
+    const cut = await page.locator(".task-table :is(th, td)").evaluateAll((cells) => cells.filter((cell) => cell.scrollWidth > cell.clientWidth).map((cell) => cell.textContent));
+    assert.deepEqual(cut, [], `${width}x${height}`);
   }
 }));
 
