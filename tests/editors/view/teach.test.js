@@ -85,6 +85,7 @@ test("a joint position is taught, and the arm goes to it by hand", () => served(
   assert.match(readFileSync(join(run.folder, POINTS), "latin1"), /name="jHome"[^>]*>\s*<Value key="0" j1="12.5" j2="10" j3="95" j4="-20" j5="40" j6="30" \/>/);
 
   await page.getByRole("button", { name: "Undo jHome" }).click();
+  await page.getByText("Saved palletiser.dtx.").waitFor({ state: "detached" });
   await page.waitForFunction(() => window.val3View.store.panels.cell.joints.value.find(({ name }) => name === "jHome").values[2] === 110);
   await hold(page, page.getByRole("button", { name: "Go to jHome" }), arrives, [0, -20, 110, 0, 90, 0]);
 }));
