@@ -96,6 +96,14 @@ test("no text of the task table covers another column", () => served(BOXES, asyn
   }
 }));
 
+test("in a low window, the tabs and the time bar each have one line", () => served([], async (run) => {
+  const page = await run.open(0, { viewport: { width: 900, height: 500 } });
+  for (const part of ["[role=tablist] > *", ".time-bar > :not(.notice)"]) {
+    const middles = await page.locator(part).evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect()).map(({ top, height }) => top + height / 2));
+    assert.ok(middles.length >= 5 && Math.max(...middles) - Math.min(...middles) < 10, `${part}: ${middles.map(Math.round)}`);
+  }
+}));
+
 test("the buttons of all tabs are large enough for fingers", () => served(["--power"], async (run) => {
   const page = await run.open(0, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   assert.deepEqual(await small(page), [], "at first");
