@@ -1,7 +1,7 @@
 // Buttons keep their places while an operator uses the panels.
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { served } = require("./served.js");
+const { BOXES, moveForever, served } = require("./served.js");
 
 const SIZES = [[1280, 800], [900, 500], [390, 844]];
 
@@ -21,14 +21,24 @@ const places = (page) => page.evaluate(() => {
   }).filter((place) => !place.startsWith("Hide this message"));
 });
 
-/** Returns the names of signals and the buttons *Lock* and *Sim* that are not inside the panel. */
+/** Returns the boards, the names of signals, their buttons and choices that are not inside the table's window, or cut. */
 const outside = (page) => page.evaluate(() => {
-  const panel = document.querySelector(".panel.io").getBoundingClientRect();
-  const cells = [...document.querySelectorAll(".signals :is(tbody th[scope=row], button)")].filter((cell) => cell.getBoundingClientRect().top < innerHeight);
+  const box = document.querySelector(".signals").getBoundingClientRect();
+  const cells = [...document.querySelectorAll(".signals :is(.board-name, tbody th[scope=row], button, input, select)")].filter((cell) => cell.getBoundingClientRect().top < innerHeight);
   return cells.length === 0 ? ["no signals"] : cells.filter((cell) => {
     const { left, right } = cell.getBoundingClientRect();
-    return left < panel.left - 1 || right > panel.right + 1;
+    return left < box.left - 1 || right > box.right + 1 || cell.scrollWidth > cell.clientWidth + 1;
   }).map((cell) => cell.getAttribute("aria-label") ?? cell.textContent);
+});
+
+/** Returns the visible buttons, choices and fields that are too small for a finger, with their sizes. */
+const small = (page) => page.evaluate(() => {
+  const controls = [...document.querySelectorAll("button, summary, select, input:not([type=range], [type=checkbox], [type=radio])")].filter((control) => control.checkVisibility());
+  return controls.flatMap((control) => {
+    const { width, height } = control.getBoundingClientRect();
+    const name = control.getAttribute("aria-label") ?? control.textContent;
+    return Math.min(width, height) < 39.5 ? [`${name}: ${Math.round(width)} x ${Math.round(height)}`] : [];
+  });
 });
 
 test("the buttons of the inputs and outputs keep their places", () => served([], async (run) => {
@@ -74,3 +84,43 @@ test("a rejection covers the panel and moves nothing", () => served([], async (r
     assert.deepEqual(await places(page), before, `${width}x${height}`);
   }
 }));
+
+test("no text of the task table covers another column", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await page.getByRole("tab", { name: "Tasks", exact: true }).first().click();
+  await page.getByRole("table", { name: "Tasks" }).getByRole("row", { name: /^production/ }).waitFor();
+  for (const [width, height] of [[1280, 800], [1366, 768], [390, 844]]) {
+    await page.setViewportSize({ width, height });
+    const cut = await page.locator(".task-table :is(th, td)").evaluateAll((cells) => cells.filter((cell) => cell.scrollWidth > cell.clientWidth).map((cell) => cell.textContent));
+    assert.deepEqual(cut, [], `${width}x${height}`);
+  }
+}));
+
+test("in a low window, the tabs and the time bar each have one line", () => served([], async (run) => {
+  const page = await run.open(0, { viewport: { width: 900, height: 500 } });
+  for (const part of ["[role=tablist] > *", ".time-bar > :not(.notice)"]) {
+    const middles = await page.locator(part).evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect()).map(({ top, height }) => top + height / 2));
+    assert.ok(middles.length >= 5 && Math.max(...middles) - Math.min(...middles) < 10, `${part}: ${middles.map(Math.round)}`);
+  }
+}));
+
+test("the buttons of all tabs are large enough for fingers", () => served(["--power"], async (run) => {
+  const page = await run.open(0, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  assert.deepEqual(await small(page), [], "at first");
+  await page.getByText("Keys of the pendant", { exact: true }).tap();
+  await page.getByRole("button", { name: "Enter joints…" }).tap();
+  assert.deepEqual(await small(page), [], "Pendant");
+  for (const tab of ["Inputs and outputs", "Program", "Tasks", "Points"]) {
+    await page.getByRole("tab", { name: tab, exact: true }).first().tap();
+    assert.deepEqual(await small(page), [], tab);
+  }
+  await page.getByRole("button", { name: "pPick", exact: true }).tap();
+  await page.getByRole("form", { name: "Values of pPick" }).waitFor();
+  await page.getByRole("combobox", { name: /^Frame or tool/ }).selectOption("fPallet");
+  assert.deepEqual(await small(page), [], "the selected point");
+  await page.getByRole("tab", { name: "Tasks", exact: true }).first().tap();
+  for (const tab of ["Motion queue", "Event log", "Distances", "Times"]) {
+    await page.getByRole("tab", { name: tab, exact: true }).tap();
+    assert.deepEqual(await small(page), [], tab);
+  }
+}, moveForever));

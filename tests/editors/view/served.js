@@ -14,6 +14,9 @@ const TIMEOUT = 180_000;
 /** Number of attempts to hold a button before the test fails. */
 const PRESSES = 6;
 
+/** Window of the pages. */
+const DESKTOP = { viewport: { width: 1280, height: 800 } };
+
 let browser;
 before(async () => {
   browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
@@ -22,16 +25,28 @@ after(() => browser.close());
 
 /** The palletiser with its two boxes, served. */
 class Served {
-  constructor(options, prepare) {
+  constructor(options, prepare, secret) {
     this.folder = mkdtempSync(join(tmpdir(), "val3-view-"));
     cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), this.folder, { recursive: true });
     prepare(this.folder);
-    const run = ["run", "usr/usrapp/palletiser", "--serve", "127.0.0.1:0"];
-    this.process = spawn(process.env.VAL3_SERVER, [...run, ...options], { cwd: this.folder });
-    this.ended = new Promise((resolve) => this.process.on("close", resolve));
+    this.options = options;
+    this.environment = secret === undefined ? process.env : { ...process.env, VAL3_SERVE_SECRET: secret };
     this.faults = [];
     this.opened = [];
     this.hasEnded = false;
+    this.start("127.0.0.1:0");
+  }
+
+  start(address) {
+    this.process = spawn(process.env.VAL3_SERVER, ["run", "usr/usrapp/palletiser", "--serve", address, ...this.options], { cwd: this.folder, env: this.environment });
+    this.ended = new Promise((resolve) => this.process.on("close", resolve));
+  }
+
+  /** Starts the server again on its port, after its end. Returns the new addresses of the page. */
+  async restart() {
+    this.start(new URL(this.pages[0]).host);
+    this.pages = await this.addresses();
+    return this.pages;
   }
 
   /** Returns the addresses of the page, for operators and guests. */
@@ -47,9 +62,10 @@ class Served {
     throw new Error(`The run has ended: ${output}`);
   }
 
-  async open(role = 0) {
+  /** Opens the page of operators or guests, in a window of the default size, or in a device with these properties. */
+  async open(role = 0, device = DESKTOP) {
     this.pages ??= await this.addresses();
-    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    const page = await browser.newPage(device);
     this.opened.push(page);
     page.setDefaultTimeout(TIMEOUT);
     page.on("pageerror", (fault) => this.faults.push(String(fault)));
@@ -94,9 +110,9 @@ const moveForever = (folder) => setProgram(folder, `
     waitEndMove()
   endWhile`);
 
-/** Serves the palletiser, after `prepare` has changed its folder, and calls `work` with it. */
-async function served(options, work, prepare = () => undefined) {
-  const run = new Served(options, prepare);
+/** Serves the palletiser, after `prepare` has changed its folder, and calls `work` with it. A random secret is the default. */
+async function served(options, work, prepare = () => undefined, secret = undefined) {
+  const run = new Served(options, prepare, secret);
   try {
     await work(run);
     await run.end();
@@ -153,7 +169,7 @@ async function jogTo(page, joints) {
 
 /** Opens a page that needs no server. */
 async function openFile(path) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const page = await browser.newPage(DESKTOP);
   page.setDefaultTimeout(TIMEOUT);
   await page.goto(`file://${path}`);
   return page;

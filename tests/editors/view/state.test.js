@@ -1,7 +1,7 @@
 // The page shows the state of the run as programs and the operator meet it: locked inputs, faults, waits, the past.
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { served, setProgram } = require("./served.js");
+const { moveForever, served, setProgram } = require("./served.js");
 
 const status = (page) => page.getByRole("status", { name: "Status" });
 const press = (page, name) => page.getByRole("button", { name, exact: true }).click();
@@ -55,6 +55,13 @@ test("a program that waits for the power says so", () => served([], async (run) 
   await press(page, "Switch power on");
   await status(page).getByText(/^palletiser~ waits for time/).waitFor();
 }, (folder) => setProgram(folder, "\n  wait(isPowered())\n  delay(1000)")));
+
+test("a working mode that switches the power off says why the arm stands", () => served(["--power"], async (run) => {
+  const page = await run.open();
+  await status(page).getByText(/^The arm moves\./).waitFor();
+  await page.getByLabel(/mode/i).first().selectOption("manual");
+  await status(page).getByText(/^The arm has no power\. Switch the power on\./).waitFor();
+}, moveForever));
 
 /** Replaces the code by endless moves and output of the palletiser with power. */
 const moveForeverWithPower = (folder) => setProgram(folder, `

@@ -105,17 +105,7 @@ async function focuses(user, text) {
 async function menu(user, text, entry) {
   await focuses(user, text);
   await user.keys("Shift+F10");
-  await user.page.waitForSelector(".monaco-menu .action-item");
-  for (let step = 0; step < 20; step += 1) {
-    if (await user.page.locator(".monaco-menu .action-item.focused", { hasText: entry }).count() > 0) {
-      await user.keys("Enter");
-      // The menu returns the focus when it closes.
-      await user.page.waitForSelector(".monaco-menu", { state: "detached" });
-      return;
-    }
-    await user.keys("ArrowDown");
-  }
-  throw new Error(`The menu of ${text} has no ${entry}`);
+  await user.picks(entry);
 }
 
 /** Replaces the text of the open input box and accepts it. */

@@ -281,6 +281,22 @@ class User {
     await tab.waitFor({ state: "detached" });
   }
 
+  /** Selects an entry in the open menu, with the keyboard. */
+  async picks(entry) {
+    await this.page.waitForSelector(".monaco-menu .action-item");
+    const count = await this.page.locator(".monaco-menu .action-item").count();
+    for (let step = 0; step < count; step += 1) {
+      if (await this.page.locator(".monaco-menu .action-item.focused", { hasText: entry }).count() > 0) {
+        await this.keys("Enter");
+        // The menu returns the focus when it closes.
+        await this.page.waitForSelector(".monaco-menu", { state: "detached" });
+        return;
+      }
+      await this.keys("ArrowDown");
+    }
+    throw new Error(`The menu has no ${entry}`);
+  }
+
   /** Opens these views of the debug sidebar, and closes all others to save space. */
   async views(...names) {
     for (const name of ["Variables", "Watch", "Call Stack", "Breakpoints", "Robot"]) {

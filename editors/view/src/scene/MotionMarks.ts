@@ -21,6 +21,12 @@ export class MotionMarks {
     this.spheres.frustumCulled = false;
   }
 
+  /** Shows or hides the path and the spheres. */
+  show(isShown: boolean): void {
+    this.way.object.visible = isShown && this.way.segments.count > 0;
+    this.spheres.visible = isShown;
+  }
+
   /** Draws the moves if they have changed. */
   place(motion: CellMotion): void {
     if (motion === this.placed) {

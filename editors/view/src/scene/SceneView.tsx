@@ -24,7 +24,15 @@ import "./scene.css";
 declare global {
   interface Window {
     /** The page, for its tests. */
-    val3View?: { store: Store; pose: () => number[]; stats: () => { drawCalls: number; frames: number } };
+    val3View?: {
+      store: Store;
+      pose: () => number[];
+      stats: () => { drawCalls: number; frames: number };
+      /** Corners around the parts of the arm, in world. */
+      outline: () => number[][];
+      /** Location of a position in the picture, in px. */
+      locationOf: (position: readonly number[]) => readonly number[];
+    };
   }
 }
 
@@ -86,8 +94,8 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
       {failure === undefined ? null : <p class="failure" role="alert">{failure}</p>}
       {view === undefined || view.faults.value.length === 0 ? null : <ul class="faults" role="status">{view.faults.value.map((fault) => <li key={fault}>{fault}</li>)}</ul>}
       <div class="picture-tools" role="toolbar" aria-label="Picture">
-        <ViewChoice onChoose={(name) => view?.fit(name)} />
-        <button type="button" title="Show everything" onClick={() => view?.fit()}>Fit</button>
+        <ViewChoice onChoose={(name) => view?.choose(name)} />
+        <button type="button" title="Show everything" onClick={() => view?.choose()}>Fit</button>
         <button type="button" aria-pressed={isFollowing} title="Keep the tool centre point at its place" onClick={follow}>Follow</button>
         <button type="button" aria-pressed={measured !== undefined} title="Distance between two clicked positions" onClick={measure}>Measure</button>
         {cell && hasReach(cell.arm) ? <button type="button" aria-pressed={isReach} title={`The farthest positions of ${tool}`} onClick={showReach}>Reach</button> : null}
@@ -147,9 +155,9 @@ function turn(view: Viewport, event: KeyboardEvent): void {
   };
   const found = turns[event.key];
   if (found !== undefined) {
-    view.camera.turn(...found);
+    view.turn(...found);
   } else if (event.key === "f") {
-    view.fit();
+    view.choose();
   } else {
     return;
   }
@@ -158,7 +166,8 @@ function turn(view: Viewport, event: KeyboardEvent): void {
 }
 
 function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElement, store: Store, use: (view: Viewport) => void, fail: (reason: string) => void): (() => void) | undefined {
-  window.val3View = { store, pose: () => shownPose(store), stats: () => ({ drawCalls: 0, frames: 0 }) };
+  const page = { store, pose: () => shownPose(store) };
+  window.val3View = { ...page, stats: () => ({ drawCalls: 0, frames: 0 }), outline: () => [], locationOf: () => [] };
   let view: Viewport;
   try {
     view = new Viewport(canvas, overlay, store);
@@ -166,7 +175,9 @@ function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElemen
     fail("This browser has no WebGL, so the cell is not drawn. The panels work without it.");
     return undefined;
   }
-  window.val3View = { store, pose: () => shownPose(store), stats: () => ({ drawCalls: view.drawCalls, frames: view.frames }) };
+  window.val3View = {
+    ...page, stats: () => ({ drawCalls: view.drawCalls, frames: view.frames }), outline: () => view.outline(), locationOf: (position) => view.locationOf(position),
+  };
   const observer = new ResizeObserver(() => view.resize(host.clientWidth, host.clientHeight));
   observer.observe(host);
   view.resize(host.clientWidth, host.clientHeight);

@@ -208,9 +208,8 @@ export class Viewport {
       this.objects.group.visible = !hidden.has("objects");
     }
     this.drops.object.visible &&= !hidden.has("heights");
-    for (const [objects, layer] of [[this.trail.objects, "path"], [this.motion.objects, "ahead"]] as const) {
-      objects.forEach((object) => (object.visible &&= !hidden.has(layer)));
-    }
+    this.trail.objects.forEach((object) => (object.visible &&= !hidden.has("path")));
+    this.motion.show(!hidden.has("ahead"));
     const isShown = ({ kind }: Label): boolean => !(kind === "point" && hidden.has("points")) && !(kind === "frame" && hidden.has("frames"));
     this.names = hidden.has("names") ? this.names.filter(({ kind }) => kind !== "point" && kind !== "frame" && kind !== "tool") : this.names.filter(isShown);
   }
@@ -266,6 +265,29 @@ export class Viewport {
   /** Returns the position on the arm, a thing or the floor at a location of the canvas. */
   surfaceAt(x: number, y: number): readonly number[] | undefined {
     return surfaceAt(this.floor, x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, [this.arm?.group, this.objects?.group]);
+  }
+
+  /** Returns the location of a position in the picture, in px from its upper left corner. */
+  locationOf([x = 0, y = 0, z = 0]: readonly number[]): [number, number] {
+    const place = new Vector3(x, y, z).project(this.camera.lens);
+    return [(place.x + 1) * 0.5 * this.canvas.clientWidth, (1 - place.y) * 0.5 * this.canvas.clientHeight];
+  }
+
+  /** Returns the corners around the parts of the arm, in world. */
+  outline(): number[][] {
+    return corners([this.arm?.group]);
+  }
+
+  /** Shows everything from the direction of a view, or from the present direction, also after a reload. */
+  choose(view?: ViewName): void {
+    this.fit(view);
+    this.rememberView();
+  }
+
+  /** Turns the picture by degrees, or zooms by a factor. */
+  turn(sideways: number, up: number, factor = 1): void {
+    this.camera.turn(sideways, up, factor);
+    this.rememberView();
   }
 
   showReach(isShown: boolean): void {

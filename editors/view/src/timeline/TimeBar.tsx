@@ -88,23 +88,21 @@ function Track({ store: { time }, store, zoom, onSeek, onToggle }: { store: Stor
     }
   };
   return (
-    <>
-      <div class="track" title="The wheel zooms, with Shift it moves the shown range" onWheel={wheel}>
-        <Marks store={store} zoom={zoom} />
-        <AwaitedPast store={store} range={zoom.range.value} />
-        <input
-          type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={start} max={end} step={0.004} value={time.value}
-          onKeyDown={(event) => {
-            if (event.key === " ") {
-              event.preventDefault();
-              onToggle();
-            }
-          }}
-          onInput={({ currentTarget }) => onSeek(Number(currentTarget.value))}
-        />
-      </div>
+    <div class="track" title="The wheel zooms, with Shift it moves the shown range" onWheel={wheel}>
+      <Marks store={store} zoom={zoom} />
+      <AwaitedPast store={store} range={zoom.range.value} />
+      <input
+        type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={start} max={end} step={0.004} value={time.value}
+        onKeyDown={(event) => {
+          if (event.key === " ") {
+            event.preventDefault();
+            onToggle();
+          }
+        }}
+        onInput={({ currentTarget }) => onSeek(Number(currentTarget.value))}
+      />
       {zoom.isZoomed.value ? <button type="button" class="whole" title="Show the entire time" onClick={() => zoom.reset()}>{start.toFixed(1)}–{end.toFixed(1)} s ×</button> : null}
-    </>
+    </div>
   );
 }
 

@@ -28,6 +28,8 @@ export class RobotView implements vscode.Disposable {
   private file: vscode.Uri | undefined;
   /** Application of the preview. */
   private application: Application | undefined;
+  /** Number of requested previews. Only the last one is shown. */
+  private previews = 0;
 
   constructor(
     private readonly run: DebuggedRun,
@@ -127,15 +129,17 @@ export class RobotView implements vscode.Disposable {
 
   /** Shows the application of the file, if no application is being debugged. */
   private async showPreview(): Promise<void> {
-    if (this.isReady && this.run.session === undefined) {
-      const shown = await this.preview.of(this.file);
-      if (shown !== undefined) {
-        this.application = shown.application;
-        this.post(shown.scene);
-        const { activeTextEditor: editor } = vscode.window;
-        if (editor !== undefined) {
-          this.follow(editor, editor.selection);
-        }
+    this.previews += 1;
+    const number = this.previews;
+    const isCurrent = (): boolean => this.isReady && this.run.session === undefined && number === this.previews;
+    const shown = isCurrent() ? await this.preview.of(this.file) : undefined;
+    // Meanwhile a session may have begun, or the editor may have changed.
+    if (shown !== undefined && isCurrent()) {
+      this.application = shown.application;
+      this.post(shown.scene);
+      const { activeTextEditor: editor } = vscode.window;
+      if (editor !== undefined) {
+        this.follow(editor, editor.selection);
       }
     }
   }
