@@ -50,7 +50,8 @@ impl Failures {
         if line.starts_with("FAILED ") || line.starts_with("---- ") && line.ends_with(" stdout ----") {
             self.outputs.push(Output { title: line.to_owned(), lines: Vec::new() });
             self.is_output = true;
-        } else if title.is_some() || line == "failures:" || line.starts_with("test result: ") || line.starts_with("ok ") {
+        } else if title.is_some() || line == "failures:" || line.starts_with("test result: ") || line.starts_with("ok ")
+        {
             self.is_output = false;
         } else if let (true, Some(output)) = (self.is_output, self.outputs.last_mut()) {
             output.lines.push(line.to_owned());
