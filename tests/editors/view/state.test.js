@@ -1,5 +1,7 @@
 // The page shows the state of the run as programs and the operator meet it: locked inputs, faults, waits, the past.
 const assert = require("node:assert/strict");
+const { rmSync } = require("node:fs");
+const { join } = require("node:path");
 const { test } = require("node:test");
 const { moveForever, served, setProgram } = require("./served.js");
 
@@ -29,6 +31,18 @@ test("a locked input shows its locked value, and its button changes it in both d
     endIf
     delay(0.1)
   endWhile`)));
+
+test("the page says that no arm is named", () => served([], async (run) => {
+  const page = await run.open();
+  await page.getByText("no arm is named", { exact: true }).waitFor();
+  assert.match(await page.locator(".arm").textContent(), /TX2-90/i);
+}, (folder) => rmSync(join(folder, "usr/configs/arm.cfx"))));
+
+test("the arm of the cell is stated without a note", () => served([], async (run) => {
+  const page = await run.open();
+  await page.locator(".arm", { hasText: /TX90L/i }).waitFor();
+  assert.equal(await page.getByText("no arm is named").count(), 0);
+}));
 
 test("a fault has its code and remedy, and Run starts the application again", () => served([], async (run) => {
   const page = await run.open();
