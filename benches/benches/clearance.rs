@@ -2,9 +2,9 @@
 //!
 //! A TX2-60L with a tool moves for 42 s between random joint positions at nominal speed, among 20 hulls and 5 surfaces of
 //! 5,000 triangles. An iteration has 10,500 samples of 4 ms. Targets for a sample: 14 µs with a clearance of 0 mm, 20 µs
-//! with 20 mm, 39 µs with 100 mm. They apply to the roomy cell, in which a sample needs 3 to 4 real distances: 15, 17 and
-//! 30 µs were measured on one core. In the crowded cell, in which the arm often touches things, it needs 9 to 34: 68, 105
-//! and 266 µs.
+//! with 20 mm, 39 µs with 100 mm. They apply to the roomy cell, in which a sample needs 3 to 4 real distances: 14, 17 and
+//! 28 µs were measured on one core. In the crowded cell, in which the arm often touches things, it needs 9 to 34: 64, 96
+//! and 252 µs.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, reason = "a cell that cannot be built measures nothing")]
