@@ -86,10 +86,15 @@ fn requests_wait_until_the_application_has_stopped() {
 
 #[test]
 fn a_restored_controller_repeats_the_restart() {
-    let mut client = Client::logged_in();
+    assert_repeated_after_a_restore(&mut Client::logged_in(), PROJECT, "unload");
+}
+
+/// Fails unless a restored controller repeats the start of an application in place of the present one, with an event that
+/// contains `text`.
+fn assert_repeated_after_a_restore(client: &mut Client, application: &str, text: &str) {
     client.run(1);
     let snapshot = client.controller().snapshot();
-    for request in [UNLOAD, load(PROJECT), start(PROJECT)] {
+    for request in [UNLOAD, load(application), start(application)] {
         client.ask(request);
     }
     client.controller().devices.take_events();
@@ -98,7 +103,7 @@ fn a_restored_controller_repeats_the_restart() {
     client.controller().restore(&snapshot);
     client.controller().devices.take_events();
     client.run(2);
-    assert!(first.iter().any(|event| format!("{event:?}").contains("unload")), "{first:?}");
+    assert!(first.iter().any(|event| format!("{event:?}").contains(text)), "{first:?}");
     assert_eq!(client.controller().devices.take_events(), first);
 }
 
@@ -202,20 +207,7 @@ fn another_application_of_the_disk_is_loaded_and_started() {
 
 #[test]
 fn a_restored_controller_repeats_the_change_of_applications() {
-    let mut client = Client::of_listing(PROJECTS);
-    client.run(1);
-    let snapshot = client.controller().snapshot();
-    for request in [UNLOAD, load(OTHER), start(OTHER)] {
-        client.ask(request);
-    }
-    client.controller().devices.take_events();
-    client.run(2);
-    let first = client.controller().devices.take_events();
-    client.controller().restore(&snapshot);
-    client.controller().devices.take_events();
-    client.run(2);
-    assert!(first.iter().any(|event| format!("{event:?}").contains("Disk://other")), "{first:?}");
-    assert_eq!(client.controller().devices.take_events(), first);
+    assert_repeated_after_a_restore(&mut Client::of_listing(PROJECTS), OTHER, "Disk://other");
 }
 
 #[test]
