@@ -28,7 +28,7 @@ test("open pages continue after a restart of the server with the same secret", (
   await run.end();
   for (const page of pages) {
     await page.getByRole("status", { name: "Status" }).getByText(/^The connection to the run is lost\.$|^The run and its server have ended\.$/).waitFor();
-    assert.match(await page.title(), /^palletiser – no connection$/);
+    await page.waitForFunction(() => document.title === "palletiser – no connection");
   }
   assert.deepEqual(await run.restart(), addresses);
   for (const page of pages) {

@@ -55,10 +55,14 @@ test("the time bar zooms, jumps to moves and errors, and follows the keys", () =
   }
   await page.getByRole("button", { name: "Next error" }).click();
   await shows(page, error);
+  await page.waitForFunction((error) => Number(document.querySelector(".track input").max) >= error, Number(error));
   const [from, to] = await range();
   assert.ok(from > start && from <= error && to >= error && to - from < 2, `${from} to ${to}`);
   await page.locator(".whole").click();
-  assert.deepEqual(await range(), [start, end]);
+  await page.waitForFunction(([start, end]) => {
+    const { min, max } = document.querySelector(".track input");
+    return Number(min) === start && Number(max) === end;
+  }, [start, end]);
 
   // Keys act where no part of the page has the focus.
   await page.getByRole("heading", { level: 1 }).click();

@@ -111,7 +111,7 @@ test("a fault is a red bar with its cause and its line, and a number on the tab"
   await bar.getByText(/^Error 10: division by zero in task palletiser~ at start:\d+$/).waitFor();
   await page.getByText(/^palletiser~ has failed with error 10 at start:\d+\. Press Run to start the application again\.$/).waitFor();
   await page.getByRole("tab", { name: /Tasks\s*1/ }).waitFor();
-  assert.equal(await page.title(), "palletiser – fault");
+  await page.waitForFunction(() => document.title === "palletiser – fault");
   await bar.getByRole("button", { name: "Hide this fault" }).click();
   assert.equal(await bar.count(), 0);
 }, (folder) => setProgram(folder, '\n  delay(0.2)\n  putln(toString("",1/0))')));
@@ -152,7 +152,7 @@ test("the target of a move whose path the arm cannot follow is marked in the pic
 test("a run without power tells which button helps", () => served([], async (run) => {
   const page = await run.open();
   await page.getByText("The arm has no power. Switch the power on.").waitFor();
-  assert.equal(await page.title(), "palletiser – arm held");
+  await page.waitForFunction(() => document.title === "palletiser – arm held");
 }));
 
 test("panels fold, and their size and the shown tab survive a reload", () => served(BOXES, async (run) => {
