@@ -1,85 +1,47 @@
-"""Tests of `val3 pull`, `status`, `push`, `diff`, `log` and `info` by FTP over TLS, with pyftpdlib."""
+"""Tests of the commands for a controller's files by FTP over TLS, with pyftpdlib."""
 
-import datetime
 import os
 import pty
 import subprocess
-import tempfile
-from pathlib import Path
 
 import val3
 
-from cryptography import x509
-from cryptography.hazmat.primitives import hashes, serialization
-from cryptography.hazmat.primitives.asymmetric import ec, rsa
-from cryptography.x509.oid import NameOID
+import controller_cases
+from controller_cases import environment, replace
+from controller_servers import Certificate, PyftpdlibServer, Server, TlsServer
+
+from cryptography.hazmat.primitives.asymmetric import rsa
 from OpenSSL import SSL
-from pyftpdlib.handlers import DTPHandler, TLS_DTPHandler, TLS_FTPHandler  # type: ignore[import-untyped]
-from test_controller import ControllerCase, Server, environment, replace
 
 
-class Certificate:
-    """A self-signed certificate with its key, in one file. It is not valid any more, like that of an old controller."""
+class TlsCase(controller_cases.ControllerCase):
+    """Checks of servers with TLS."""
 
-    def __init__(self, path: Path, key: ec.EllipticCurvePrivateKey | rsa.RSAPrivateKey) -> None:
-        name = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "controller")])
-        start = datetime.datetime(2001, 1, 1, tzinfo=datetime.timezone.utc)
-        builder = x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
-        builder = builder.not_valid_before(start).not_valid_after(start + datetime.timedelta(days=365))
-        certificate = builder.sign(key, hashes.SHA256())
-        private = key.private_bytes(
-            serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
-        )
-        path.write_bytes(private + certificate.public_bytes(serialization.Encoding.PEM))
-        self.path = path
-        self.fingerprint = "SHA256:" + certificate.fingerprint(hashes.SHA256()).hex(":").upper()
+    def check_resumption(self, server: Server) -> None:
+        """Check that all data connections have resumed the session of the control connection."""
+        assert isinstance(server, TlsServer)
+        self.assertGreater(len(server.resumed), 100)
+        self.assertTrue(all(server.resumed), f"{server.resumed.count(False)} of {len(server.resumed)}")
 
 
-class TlsServer(Server):
-    """A server that requires TLS for the login and for data."""
+class TlsControllerTest(TlsCase, controller_cases.ServerCases):
+    """TLS 1.3."""
 
-    def __init__(self, root: Path, certificate: Certificate, version: int = SSL.TLS1_3_VERSION, port: int = 0) -> None:
-        outer = self
-        #: Whether each data connection has resumed a session.
-        self.resumed: list[bool] = []
-        #: Whether transfers end without the mark of TLS.
-        self.cuts_off = False
+    def new_server(self, is_writable: bool) -> Server:
+        return TlsServer(self.root, Certificate(self.folder / "certificate.pem"), is_writable=is_writable)
 
-        class Data(TLS_DTPHandler):  # type: ignore[misc]
-            def handle_ssl_established(self) -> None:
-                library = SSL._lib  # type: ignore[attr-defined]
-                outer.resumed.append(library.SSL_session_reused(self.socket._ssl) == 1)
-
-            def close(self) -> None:
-                if outer.cuts_off:
-                    DTPHandler.close(self)
-                else:
-                    super().close()
-
-        class Control(TLS_FTPHandler):  # type: ignore[misc]
-            certfile = str(certificate.path)
-            dtp_handler = Data
-            tls_control_required = tls_data_required = True
-
-        context = Control.get_ssl_context()
-        context.set_min_proto_version(version)
-        context.set_max_proto_version(version)
-        super().__init__(root, base=Control, port=port)
-
-    def address(self, user: str = "maintenance") -> str:
-        """Address of the server."""
-        return super().address(user).replace("ftp://", "ftps://")
+    def day(self, server: Server, *options: str) -> None:
+        """The flow of a day. All data connections resume the session."""
+        super().day(server, *options)
+        self.check_resumption(server)
 
 
-class TlsTest(ControllerCase):
-    """Servers with TLS."""
+class TlsTest(TlsCase):
+    """Properties of connections with TLS."""
 
     def setUp(self) -> None:
         super().setUp()
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.certificate = Certificate(self.folder / "first.pem", ec.generate_private_key(ec.SECP256R1()))
+        self.certificate = Certificate(self.folder / "first.pem")
 
     def serve(self, certificate: Certificate, version: int = SSL.TLS1_3_VERSION, port: int = 0) -> TlsServer:
         """Start a server."""
@@ -87,24 +49,11 @@ class TlsTest(ControllerCase):
         self.addCleanup(server.close)
         return server
 
-    def day_with(self, certificate: Certificate, version: int, *options: str) -> TlsServer:
-        """A day with a server that has this certificate. All data connections resume the session."""
-        server = self.serve(certificate, version)
-        self.day(server, "--fingerprint", certificate.fingerprint, *options)
-        self.assertGreater(len(server.resumed), 100)
-        self.assertTrue(all(server.resumed), f"{server.resumed.count(False)} of {len(server.resumed)}")
-        return server
-
-    def test_a_day_with_tls_1_3(self) -> None:
-        self.day_with(self.certificate, SSL.TLS1_3_VERSION)
-
     def test_a_day_with_tls_1_2_and_an_rsa_key(self) -> None:
         key = rsa.generate_private_key(65537, 2048)
-        self.day_with(Certificate(self.folder / "rsa.pem", key), SSL.TLS1_2_VERSION)
-
-    def test_a_day_in_active_mode(self) -> None:
-        server = self.day_with(self.certificate, SSL.TLS1_3_VERSION, "--active")
-        self.assertNotIn("PASV", server.names)
+        server = self.serve(Certificate(self.folder / "rsa.pem", key), SSL.TLS1_2_VERSION)
+        self.day(server)
+        self.check_resumption(server)
 
     def test_the_first_connection_needs_the_fingerprint(self) -> None:
         server = self.serve(self.certificate)
@@ -134,7 +83,7 @@ class TlsTest(ControllerCase):
         self.run_val3("pull", "--fingerprint", self.certificate.fingerprint, server.address())
         port = server.server.address[1]
         server.close()
-        second = Certificate(self.folder / "second.pem", ec.generate_private_key(ec.SECP256R1()))
+        second = Certificate(self.folder / "second.pem")
         repaired = self.serve(second, port=port)
         for command in (["status"], ["push", "--unloaded"], ["pull"], ["diff", repaired.address()]):
             output = self.run_val3(*command, code=2)
@@ -153,7 +102,8 @@ class TlsTest(ControllerCase):
         self.assertFalse((self.cell / "usr").exists())
 
     def test_a_server_without_tls_is_rejected(self) -> None:
-        server = self.start()
+        server = PyftpdlibServer(self.root)
+        self.addCleanup(server.close)
         address = server.address().replace("ftp://", "ftps://")
         for options in ([], ["--fingerprint", self.certificate.fingerprint]):
             output = self.run_val3("pull", *options, address, code=2)

@@ -1,5 +1,7 @@
 //! System commands that steps of `test` start, and their installation on Debian and Ubuntu.
 
+use std::env;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use anyhow::bail;
@@ -22,6 +24,12 @@ const REQUIREMENTS: &[Requirement] = &[
         purpose: "Python, which installs tools below target",
         packages: &["python3", "python3-venv"],
         is_met: |_| node::python().is_some(),
+    },
+    Requirement {
+        steps: &["python"],
+        purpose: "an FTP server",
+        packages: &["vsftpd"],
+        is_met: |_| is_system_command("vsftpd"),
     },
     Requirement {
         steps: &["coverage"],
@@ -128,6 +136,13 @@ fn starts(command: &str) -> bool {
     Command::new(command).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
+/// Whether a command exists that users do not start, and which therefore may be outside of their `PATH`.
+fn is_system_command(command: &str) -> bool {
+    let path = env::var_os("PATH").unwrap_or_default();
+    let mut folders = env::split_paths(&path).chain([PathBuf::from("/usr/sbin")]);
+    folders.any(|folder| folder.join(command).is_file())
+}
+
 fn are_installed(packages: &'static [&'static str]) -> bool {
     let query =
         Command::new("dpkg-query").args(["--show", "--showformat", "${db:Status-Status}\n"]).args(packages).output();
@@ -146,7 +161,9 @@ mod tests {
     #[test]
     fn a_refusal_names_packages_and_the_steps_to_leave_out() {
         let steps = ["tests", "reports", "coverage"];
-        let missing: Vec<&Requirement> = REQUIREMENTS.iter().take(2).collect();
+        let groups = ["python3", "lcov"];
+        let missing = REQUIREMENTS.iter().filter(|requirement| groups.contains(&requirement.packages[0]));
+        let missing: Vec<&Requirement> = missing.collect();
         let packages: Vec<&str> = missing.iter().flat_map(|requirement| requirement.packages).copied().collect();
         let listed: String = missing.iter().map(|requirement| line(requirement, &steps)).collect();
         expect![[r#"
