@@ -20,6 +20,7 @@ mod written;
 pub use declarations::{after, duplicate, in_style, remove, rename_key};
 pub use document::{DeclaredData, document};
 pub use edits::compose;
+pub use lists::is_list_file;
 pub use read::{read, type_name};
 pub use reference::is_old_reference;
 pub use rewrite::{edits, rewrite};

@@ -13,6 +13,13 @@ use crate::{SavedContainer, SavedContent, SavedData, SavedValue, reference, save
 /// s7 attribute that corresponds to the element with the output of a tool.
 const OUTPUT: &str = "ioLink";
 
+/// Whether a data file has the format of s5 and s6, which contains no links of inputs, outputs and lines.
+#[must_use]
+pub fn is_list_file(text: &str) -> bool {
+    let parse = val3_syntax::parse(text);
+    xml::root(parse.view()).is_some_and(|root| root.name() == "dataList")
+}
+
 /// Values of a variable, each with the variable's father.
 pub(crate) fn read(element: XmlElement<'_>) -> SavedData {
     let father = father_element(element).map(|found| ("fatherId".into(), reference::text(found)));

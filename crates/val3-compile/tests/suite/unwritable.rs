@@ -117,6 +117,48 @@ fn different_fathers_in_the_old_dialect() {
         .assert_eq(father.trim());
 }
 
+const OLD_LINKS: &str = r#"
+    library io "Disk://io/io.pjx"
+    version s6.8
+    program start()
+    begin
+      ? libSave("before")
+      dioLink(dA[0],io:dIn)
+      ? libSave("one")
+      dioLink(dA[1],io:dIn)
+      dioLink(dB,io:dIn)
+      ? libSave("three")
+      ? io:libSave()
+    end
+
+    === main/main.dtx
+    <?xml version="1.0"?>
+    <dataList xmlns="DataNameSpace">
+    <dioSection><dio name="dA" public="false" size="2" /><dio name="dB" public="false" size="1" /></dioSection>
+    </dataList>
+    === io/io.pjx
+    <?xml version="1.0"?>
+    <project xmlns="ProjectNameSpace"><parameters version="s6.8" stackSize="0" millimeterUnit="true" /><programSection />
+    <dataSection><data file="io.dtx" /></dataSection><aliasSection /></project>
+    === io/io.dtx
+    <?xml version="1.0"?>
+    <dataList xmlns="DataNameSpace"><dioSection><dio name="dIn" public="true" size="1" /></dioSection></dataList>
+"#;
+
+/// Files of s5 and s6 contain no links of inputs and outputs. The data of the library `io` have their links by name.
+#[test]
+fn new_links_in_the_old_dialect() {
+    let cell = Cell::new(OLD_LINKS);
+    expect![[r#"
+        0
+        `dA[0]` is saved without the link, because files of s5 and s6 contain no links of inputs, outputs and lines: set the link again after loading
+        0
+        `dA[0]` and 2 other values are saved without the link, because files of s5 and s6 contain no links of inputs, outputs and lines: set the link again after loading
+        0
+        0
+    "#]].assert_eq(&messages(&cell));
+}
+
 /// All other texts are loaded as they were saved, as values and as keys.
 #[test]
 fn unusual_texts_are_loaded_again() {

@@ -99,6 +99,23 @@ impl<'s> Saving<'s> {
         Ok(())
     }
 
+    /// Returns a message about new links that the saved files do not contain; `None` if they contain all links.
+    pub(super) fn lost_links(&self, loaded: &LoadedProjects) -> Option<String> {
+        loaded.files(self.saved.0).filter(|files| files.omits_links())?;
+        let saver = self.saver()?;
+        let values = saver.links.new_ports(saver.instance);
+        let (first, others) = values.split_first()?;
+        let (subject, verb) = match others.len() {
+            0 => (format!("`{first}`"), "is"),
+            1 => (format!("`{first}` and 1 other value"), "are"),
+            count => (format!("`{first}` and {count} other values"), "are"),
+        };
+        Some(format!(
+            "{subject} {verb} saved without the link, because files of s5 and s6 contain no links of inputs, outputs and \
+             lines: set the link again after loading"
+        ))
+    }
+
     /// Returns the files as loaded, with the current values.
     pub(super) fn current(&self, loaded: &LoadedProjects) -> Result<LibraryFiles, SaveFault> {
         let loaded = loaded.files(self.saved.0).ok_or(FileFault::NotFound)?;

@@ -104,6 +104,10 @@ impl Host for Devices {
         let DeviceState { io, loaded, media_cost, .. } = &mut self.state;
         let saving = Saving { space, from, saved, io, lines: &self.lines, limit: self.limits.saved };
         let saved = saving.save(to, loaded, media_cost, &mut self.outside);
+        let lost = if saved.is_ok() { saving.lost_links(loaded) } else { None };
+        if let Some(text) = lost {
+            self.report_here(&text, MessageSeverity::Warning);
+        }
         if let Err(SaveFault::Value(value)) = &saved {
             self.report_here(&value.to_string(), MessageSeverity::Error);
         }

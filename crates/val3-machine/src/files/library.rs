@@ -8,7 +8,7 @@ mod zipped;
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_data::{SavedData, UnwritableValue, rewrite};
+use val3_data::{SavedData, UnwritableValue, is_list_file, rewrite};
 use val3_syntax::encoding::decode;
 use val3_syntax::xml;
 
@@ -204,6 +204,13 @@ impl LibraryFiles {
     #[must_use]
     pub fn file(&self, path: &Utf8Path) -> Option<&LibraryFile> {
         self.files.iter().find(|file| file.path == path)
+    }
+
+    /// Whether its data files have the format of s5 and s6, which contains no links of inputs, outputs and lines.
+    #[must_use]
+    pub fn omits_links(&self) -> bool {
+        let mut files = self.files.iter().filter(|file| has_extension(&file.path, "dtx"));
+        files.any(|file| is_list_file(&decode(file.bytes.clone()).text))
     }
 
     /// Returns a copy of the library with these data values.

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
-use val3_bytecode::{FatherLink, LinkInit, LinkTarget};
+use val3_bytecode::{DataDef, FatherLink, LinkInit, LinkTarget};
 use val3_lang::memory::{ContainerShape, KindBase, LinkPlace, Memory, Place, StoreId};
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
@@ -127,6 +127,28 @@ impl<'s> LoadedLinks<'s> {
             LinkTarget::Father(father) if link == LinkPlace::None && self.father(father).is_none() => Some(father),
             _ => None,
         }
+    }
+
+    /// Returns the values that a program has linked to inputs, outputs or lines since they were loaded: `dIn[0]`.
+    pub(super) fn new_ports(&self, instance: &Instance) -> Vec<String> {
+        let data = instance.image.data.iter().zip(instance.data.iter()).zip(0u32..);
+        data.flat_map(|((data, store), number)| self.new_ports_of(data, *store, number)).collect()
+    }
+
+    fn new_ports_of(&self, data: &DataDef, id: StoreId, number: u32) -> Vec<String> {
+        let Ok(store) = self.memory.store(id) else { return Vec::new() };
+        let lanes = store.kind.size.link;
+        let values = indexes(&store.shape).filter(|(value, _)| {
+            let place = store.place(id, *value);
+            (0..lanes).any(|lane| self.is_new_port(place, (number, Vec::new(), *value, lane)))
+        });
+        values.map(|(_, index)| format!("{}[{index}]", data.name)).collect()
+    }
+
+    /// Whether the link of a value at this place is an input, output or line, and was set after loading.
+    fn is_new_port(&self, place: Place, spot: LinkPath) -> bool {
+        let link = self.memory.link(place, spot.3).unwrap_or(LinkPlace::None);
+        matches!(link, LinkPlace::Port(_)) && !self.is_loaded(Some(&spot), link, LinkPlace::None)
     }
 
     /// Finds the frame or tool that a file names.
