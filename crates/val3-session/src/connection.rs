@@ -1,12 +1,18 @@
 //! Connections of a controller's serial lines and sockets, from the cell and from the settings.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::net::{IpAddr, SocketAddr};
 use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::{Database, Sources};
+use val3_analysis::items::input_links::links;
+use val3_analysis::items::project::data_files;
+use val3_bytecode::LinkTarget;
 use val3_files::FileClass;
+use val3_lang::types::BaseType;
+use val3_machine::controller::Controller;
 use val3_machine::devices::ChannelTable;
 use val3_machine::sio::{
     ByteStream, ChannelConfig, LineKind, LineSetting, NetworkAccess, RecordedReply, channels, replay,
@@ -86,6 +92,46 @@ pub(crate) fn connect(
         settings.connections.iter().try_for_each(|line| line.open(lines, &configs))?;
     }
     Ok(())
+}
+
+/// Checks that the cell or a variable of a project names the line of each connection.
+///
+/// # Errors
+/// The first connection with another name, or a file of the cell cannot be read.
+pub(crate) fn check_names(
+    connections: &[Connection],
+    db: &Database,
+    disk: &Utf8Path,
+    controller: &Controller,
+) -> Result<(), SessionError> {
+    if connections.is_empty() {
+        return Ok(());
+    }
+    let of_cell = of_cell(disk)?.into_iter().map(|config| config.link);
+    let known: BTreeSet<String> = of_cell.chain(in_files(db)).chain(in_memory(controller)).collect();
+    let is_known = |connection: &&Connection| known.iter().any(|link| connection.is_for(link));
+    match connections.iter().find(|connection| !is_known(connection)) {
+        Some(Connection { link, .. }) => {
+            Err(SessionError::UnknownLine { link: link.clone(), known: known.into_iter().collect() })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Lines to which variables in data files are linked, also in libraries that are not loaded.
+fn in_files(db: &Database) -> impl Iterator<Item = String> {
+    let projects = Sources::get(db).projects(db).values();
+    let links = projects.flat_map(|project| data_files(db, *project)).flat_map(|file| links(db, *file));
+    links.filter(|link| link.ty == BaseType::Sio).map(|link| link.text.to_string())
+}
+
+/// Lines of the applications and libraries in memory. The library `io` of s5 and s6 has them without links in files.
+fn in_memory(controller: &Controller) -> impl Iterator<Item = String> {
+    let links = controller.vm.space.loaded().flat_map(|(_, instance)| &instance.image.links);
+    links.filter_map(|init| match &init.target {
+        LinkTarget::Port(BaseType::Sio, link) => Some(link.clone()),
+        _ => None,
+    })
 }
 
 /// Lines of a cell with their remote ends. The last matching connection in `lines` replaces the end; the other

@@ -49,6 +49,13 @@ pub enum SessionError {
         /// Line name in the cell, for example `Socket\host`.
         link: String,
     },
+    /// A connection names a line that neither the cell nor the application has.
+    UnknownLine {
+        /// Line name of the connection.
+        link: String,
+        /// Names of all lines, sorted.
+        known: Vec<String>,
+    },
     /// A serial device cannot be opened.
     Device {
         /// The device.
@@ -104,6 +111,10 @@ impl SessionError {
                 "correct it, allow reading it, or copy it from the controller again".to_owned()
             }
             Self::Line { .. } => "look at its parameters in sio.cfx, at --line and at [run] in val3.toml".to_owned(),
+            Self::UnknownLine { known, .. } if known.is_empty() => {
+                "link a variable of the type `sio` to it, or declare it in usr/configs/sio.cfx".to_owned()
+            }
+            Self::UnknownLine { known, .. } => format!("name one of these lines: {}", known.join(", ")),
             Self::Device { .. } => "name a serial device that you may read and write".to_owned(),
             Self::Recording { .. } => "name a file that `val3 run --events` has written".to_owned(),
             Self::Memory => "reduce array sizes, or read large data from files".to_owned(),
@@ -123,6 +134,7 @@ impl Display for SessionError {
             }
             Self::UnreadableFile { file, reason } => write!(f, "cannot read `{file}`: {reason}"),
             Self::Line { link } => write!(f, "the line `{link}` does not accept this configuration"),
+            Self::UnknownLine { link, .. } => write!(f, "neither the cell nor the application has a line `{link}`"),
             Self::Device { device, link, reason } => {
                 write!(f, "cannot open the device `{device}` for `{link}`: {reason}")
             }

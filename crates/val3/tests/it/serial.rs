@@ -110,3 +110,23 @@ fn a_line_without_a_device_is_refused() {
     assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
     assert!(run.stderr.contains("/no/such/device") && run.stderr.contains("help:"), "{run:?}");
 }
+
+#[test]
+fn an_unknown_line_is_rejected_with_the_names_of_all_lines() {
+    let folder = cell();
+    let run = folder.val3(&["run", "--line", r"Socket\prot1=server:0", "usrapp/main"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+    assert!(run.stderr.contains(r"neither the cell nor the application has a line `Socket\prot1`"), "{run:?}");
+    assert!(run.stderr.contains(r"name one of these lines: Serial\port1"), "{run:?}");
+    // Letter case is ignored, as for links.
+    let run = folder.val3(&["run", "--until=0.1", "--line", r"serial\PORT1=serial:/no/such/device", "usrapp/main"]);
+    assert!(run.stderr.contains("cannot open the device"), "{run:?}");
+}
+
+#[test]
+fn a_line_of_a_program_without_lines_is_rejected() {
+    let run =
+        Folder::with("program start()\nbegin\nend\n").val3(&["run", "--line", r"Socket\host=server:0", "usrapp/main"]);
+    assert_eq!(run.code, 2, "{run:?}");
+    assert!(run.stderr.contains("link a variable of the type `sio` to it"), "{run:?}");
+}
