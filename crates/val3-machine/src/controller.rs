@@ -232,14 +232,20 @@ impl Controller {
     pub fn replace_line(&mut self, replacement: LineReplacement, code: &str) -> Result<(), Fault> {
         let LineReplacement { program, row, .. } = replacement;
         let files = self.devices.loaded_files(program.instance);
+        let mut replaced = self.devices.replaced_lines(program.instance);
         let moved = self.vm.replace_line(replacement, &mut self.devices)?;
         self.devices.keep_loaded_files(program.instance, files);
         self.devices.state.arm.move_code(|at| moved.place(at));
         let image = self.vm.space.instance(program.instance).map(|instance| &instance.image);
         let named = image.and_then(|image| Some((&image.name, image.programs.get(usize::from(program.number))?)));
+        let file = image.zip(named).and_then(|(image, (_, program))| image.files.get(program.file as usize));
+        if let Some(file) = file {
+            replaced.insert((file.clone(), row), code.to_owned());
+        }
         let (project, name) = named.map_or(("", ""), |(project, program)| (project.as_str(), program.name.as_str()));
         let action = json!({ "project": project, "program": name, "line": row, "code": code });
         let keys = Map::from_iter([("replaceLine".to_owned(), action)]);
+        self.devices.keep_replaced_lines(program.instance, replaced);
         self.devices.record_outside(self.schedule.now, EventKind::Act { keys });
         Ok(())
     }

@@ -44,6 +44,7 @@ use crate::screen::Pendant;
 use crate::shapes::LinkShape;
 
 pub use lines::{ChannelTable, LinesState};
+pub use loaded::ReplacedLines;
 pub use outside::{Libraries, MediaState};
 pub use saving::{DataSelection, DocumentFault, SavedValues};
 pub use stand_ins::StandIns;

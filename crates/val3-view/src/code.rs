@@ -1,7 +1,7 @@
 //! Code in the text of a program's file: lines without XML, in parts that have a colour.
 
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, decode_entities, parse};
+use val3_syntax::{SyntaxKind, decode_entities, parse, xml};
 
 use crate::wire::{CodeClass, CodePart};
 
@@ -17,6 +17,16 @@ impl Code {
     /// Whether a line of the file, from 1, contains a part of the code.
     pub(crate) fn contains(&self, line: u32) -> bool {
         line.checked_sub(self.line).is_some_and(|index| (index as usize) < self.lines.len())
+    }
+
+    /// Replaces the code at a line of the file. A line outside of the code has no effect.
+    pub(crate) fn replace(&mut self, line: u32, code: &str) {
+        let index = line.checked_sub(self.line).and_then(|index| usize::try_from(index).ok());
+        if let Some(replaced) = index.and_then(|index| self.lines.get_mut(index)) {
+            let program = codes(&format!("<Program><Code>begin\n{}\nend</Code></Program>", xml::escaped(code)));
+            *replaced =
+                program.into_iter().next().and_then(|program| program.lines.into_iter().nth(1)).unwrap_or_default();
+        }
     }
 }
 

@@ -186,7 +186,7 @@ impl Feed {
     }
 
     fn see_programs(&mut self, controller: &Controller) {
-        let programs = self.programs.as_mut().map(|programs| programs.news(&controller.vm.space, &mut self.lines));
+        let programs = self.programs.as_mut().map(|programs| programs.news(controller, &mut self.lines));
         for programs in programs.into_iter().flatten() {
             self.tell(&wire::Message::Programs(programs));
         }

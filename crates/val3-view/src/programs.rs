@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use val3_bytecode::{Image, Program};
-use val3_vm::Space;
+use val3_machine::controller::Controller;
+use val3_machine::devices::ReplacedLines;
 
 use crate::code::{Code, codes};
 use crate::lines::Lines;
@@ -16,37 +17,48 @@ pub(crate) struct Programs {
 }
 
 impl Programs {
-    /// Returns the programs of applications and libraries that were loaded since the last call. A library that is loaded
-    /// again from the same files has no message.
-    pub(crate) fn news(&mut self, space: &Space, lines: &mut Lines) -> Vec<ProgramsMessage> {
+    /// Returns the programs of applications and libraries that were loaded, or have a replaced line, since the last call. A
+    /// library that is loaded again from the same files has no message.
+    pub(crate) fn news(&mut self, controller: &Controller, lines: &mut Lines) -> Vec<ProgramsMessage> {
         let is_known = |image: &Arc<Image>| self.known.iter().any(|known| Arc::ptr_eq(known, image));
-        let images = || space.loaded().map(|(_, instance)| &instance.image);
-        if images().all(is_known) {
+        let loaded = || controller.vm.space.loaded().map(|(id, instance)| (id, &instance.image));
+        if loaded().all(|(_, image)| is_known(image)) {
             return Vec::new();
         }
-        let new: Vec<Arc<Image>> = images().filter(|image| !is_known(image)).map(Arc::clone).collect();
-        self.known = images().map(Arc::clone).collect();
-        new.iter().filter_map(|image| message(image, lines)).collect()
+        let new = loaded().filter(|(_, image)| !is_known(image));
+        let messages = new.filter_map(|(id, image)| message(image, &controller.devices.replaced_lines(id), lines));
+        let messages = messages.collect();
+        self.known = loaded().map(|(_, image)| Arc::clone(image)).collect();
+        messages
     }
 }
 
 /// Returns the programs in the new and changed files of an image; `None` without such programs.
-fn message(image: &Image, lines: &mut Lines) -> Option<ProgramsMessage> {
-    let files = (0..).zip(&image.files).filter(|(_, file)| lines.reload(file)).collect::<Vec<(u32, &String)>>();
+fn message(image: &Image, replaced: &ReplacedLines, lines: &mut Lines) -> Option<ProgramsMessage> {
+    let files = (0..).zip(&image.files).filter(|(_, file)| reload(file, replaced, lines));
+    let files = files.collect::<Vec<(u32, &String)>>();
     let mut programs = Vec::new();
     for (number, file) in files {
         let own: Vec<&Program> = image.programs.iter().filter(|program| program.file == number).collect();
-        if let Some(text) = lines.text(file).filter(|_| !own.is_empty()) {
-            programs.extend(of_file(file, text, &own));
+        let code = lines.text(file).filter(|_| !own.is_empty()).map(codes);
+        if let Some(mut code) = code {
+            lines.replaced(file).for_each(|(row, line)| code.iter_mut().for_each(|code| code.replace(*row, line)));
+            programs.extend(of_file(file, &code, &own));
         }
     }
     (!programs.is_empty()).then(|| ProgramsMessage { application: image.name.clone(), programs })
 }
 
-fn of_file(file: &str, text: &str, programs: &[&Program]) -> Vec<ProgramCode> {
-    let codes = codes(text);
+/// Reads a file and its replaced lines. Returns whether one of them differs from the previous version.
+fn reload(file: &str, replaced: &ReplacedLines, lines: &mut Lines) -> bool {
+    let own = replaced.iter().filter(|((known, _), _)| known == file);
+    let is_replaced = lines.replace(file, own.map(|((_, row), code)| (*row, code.clone())).collect());
+    lines.reload(file) || is_replaced
+}
+
+fn of_file(file: &str, codes: &[Code], programs: &[&Program]) -> Vec<ProgramCode> {
     let code = |program: &&Program| {
-        let Code { line, lines } = of_program(program, &codes)?.clone();
+        let Code { line, lines } = of_program(program, codes)?.clone();
         Some(ProgramCode { name: program.name.clone(), file: file.to_owned(), line, code: lines })
     };
     programs.iter().filter_map(code).collect()
@@ -66,6 +78,7 @@ mod tests {
     use std::cell::Cell;
 
     use val3_tests::running::Running;
+    use val3_vm::{LineReplacement, ProgramId};
 
     use super::*;
 
@@ -83,20 +96,37 @@ mod tests {
     #[test]
     fn programs_are_sent_again_after_a_change_of_their_file() {
         let controller = Running::start("program start()\nbegin\n  delay(1)\nend\n").controller;
-        let space = &controller.vm.space;
         let mut lines = Lines::new(read);
         let mut programs = Programs::default();
-        let sent = programs.news(space, &mut lines);
+        let sent = programs.news(&controller, &mut lines);
         let names = |message: &ProgramsMessage| {
             message.programs.iter().map(|program| (program.name.clone(), program.line)).collect::<Vec<_>>()
         };
         assert_eq!(sent.iter().map(names).collect::<Vec<_>>(), [[("start".to_owned(), 2)]]);
-        assert_eq!(programs.news(space, &mut lines), []);
-        let load_again = |lines: &mut Lines| Programs::default().news(space, lines);
+        assert_eq!(programs.news(&controller, &mut lines), []);
+        let load_again = |lines: &mut Lines| Programs::default().news(&controller, lines);
         assert_eq!(load_again(&mut lines), []);
         CODE.set("delay(2)");
         assert_eq!(load_again(&mut lines).len(), 1);
         assert_eq!(lines.code(&sent[0].programs[0].file, 3).as_deref(), Some("delay(2)"));
+    }
+
+    #[test]
+    fn a_replaced_line_is_sent_with_its_program() {
+        let mut controller = Running::start("program start()\nbegin\n  delay(1)\nend\n").controller;
+        let (mut lines, mut programs) = (Lines::new(read), Programs::default());
+        let file = programs.news(&controller, &mut lines).remove(0).programs.remove(0).file;
+        assert_eq!(lines.code(&file, 3).as_deref(), Some(CODE.get()));
+        let (instance, image) =
+            controller.vm.space.loaded().map(|(id, found)| (id, Image::clone(&found.image))).next().unwrap();
+        let replacement =
+            LineReplacement { program: ProgramId { instance, number: 0 }, row: 3, image: Arc::new(image) };
+        controller.replace_line(replacement, "  delay(nA[nB[0]]>1)").unwrap();
+        let sent = programs.news(&controller, &mut lines);
+        let line: String = sent[0].programs[0].code[1].iter().map(|(_, text)| text.as_str()).collect();
+        assert_eq!(line, "  delay(nA[nB[0]]>1)");
+        assert_eq!(lines.code(&file, 3).as_deref(), Some("delay(nA[nB[0]]>1)"));
+        assert_eq!(programs.news(&controller, &mut lines), []);
     }
 
     #[test]

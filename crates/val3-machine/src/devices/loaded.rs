@@ -16,9 +16,14 @@ pub(super) struct LoadedProjects {
     instances: Vec<Option<LoadedInstance>>,
     /// Loaded files by instance number.
     sources: BTreeMap<u16, Arc<LibraryFiles>>,
+    /// Replaced lines by instance number.
+    replaced: BTreeMap<u16, ReplacedLines>,
     /// The library that was read last, until it is loaded into memory.
     read: Option<(Arc<Image>, Arc<LibraryFiles>)>,
 }
+
+/// Replaced lines of an instance: the code, by file and row.
+pub type ReplacedLines = BTreeMap<(String, u32), String>;
 
 /// An application or library in memory.
 #[derive(Debug, Clone)]
@@ -48,7 +53,17 @@ impl LoadedProjects {
         self.sources.get(&instance).map(Arc::clone)
     }
 
-    /// Adds an application or library under its instance number.
+    /// Returns the replaced lines of the instance.
+    pub(super) fn replaced(&self, instance: u16) -> Option<&ReplacedLines> {
+        self.replaced.get(&instance)
+    }
+
+    /// Stores the replaced lines of an instance.
+    pub(super) fn keep_replaced(&mut self, instance: u16, lines: ReplacedLines) {
+        self.replaced.insert(instance, lines);
+    }
+
+    /// Adds an application or library under its instance number, with its lines as loaded.
     pub(super) fn add(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
         let at = usize::from(instance);
         if self.instances.len() <= at {
@@ -58,6 +73,7 @@ impl LoadedProjects {
             *slot = Some(LoadedInstance { image: Arc::clone(image), data: Arc::clone(data) });
         }
         self.sources.remove(&instance);
+        self.replaced.remove(&instance);
         if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
             self.sources.insert(instance, files);
         }

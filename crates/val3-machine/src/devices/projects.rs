@@ -6,6 +6,7 @@ use val3_lang::ports::TaskNumber;
 use val3_vm::{InstanceId, Space, Vm};
 
 use super::Devices;
+use super::loaded::ReplacedLines;
 use super::saving::{self, DataSelection, DocumentFault, Saving};
 use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, list};
 
@@ -82,6 +83,17 @@ impl Devices {
         if let Some(files) = files {
             self.state.loaded.keep_shared_files(instance.0, files);
         }
+    }
+
+    /// Replaced lines of an instance, which differ from its files: the code, by file and row.
+    #[must_use]
+    pub fn replaced_lines(&self, InstanceId(instance): InstanceId) -> ReplacedLines {
+        self.state.loaded.replaced(instance).cloned().unwrap_or_default()
+    }
+
+    /// Stores the replaced lines of an instance whose image was exchanged for them.
+    pub(crate) fn keep_replaced_lines(&mut self, InstanceId(instance): InstanceId, lines: ReplacedLines) {
+        self.state.loaded.keep_replaced(instance, lines);
     }
 
     /// Data file of a project on a medium.
