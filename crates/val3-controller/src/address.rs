@@ -1,15 +1,13 @@
-//! Address of a controller: a server, or the folder of an emulator.
+//! Controller address: a server, or an emulator's folder.
 
 use std::fmt::{self, Display};
 
 use camino::Utf8PathBuf;
-use percent_encoding::percent_decode_str;
+
+use crate::server_address::{ServerAddress, decoded};
 
 /// Port of FTP.
 const FTP_PORT: u16 = 21;
-
-/// Profile of a controller that exists by default (CS8C manual, page 107).
-const DEFAULT_USER: &str = "default";
 
 /// Address of a controller.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,12 +23,8 @@ pub enum ControllerAddress {
 pub struct FtpAddress {
     /// Whether the connections are encrypted by TLS: `ftps://`.
     pub is_encrypted: bool,
-    /// Name of the profile on the controller.
-    pub user: String,
-    /// Name or number of the host; an IPv6 number without brackets.
-    pub host: String,
-    /// TCP port.
-    pub port: u16,
+    /// Server and profile.
+    pub server: ServerAddress,
     /// Folder of the server that contains `usr`: empty for its root, else with a slash before each name.
     pub base: String,
 }
@@ -40,8 +34,10 @@ pub struct FtpAddress {
 pub enum AddressFault {
     /// Another protocol than FTP, with or without TLS.
     Protocol,
-    /// No host.
+    /// No host, or a host with characters that no host has.
     Host,
+    /// An empty profile.
+    User,
     /// The port is no number from 1 to 65535.
     Port,
     /// The address contains a password.
@@ -69,58 +65,21 @@ impl ControllerAddress {
     /// Whether both addresses lead to the same files. The profile of the login and the encryption may differ.
     pub(crate) fn is_same_place(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Ftp(one), Self::Ftp(other)) => one.is_same_server(other) && one.base == other.base,
+            (Self::Ftp(one), Self::Ftp(other)) => one.server.is_same_server(&other.server) && one.base == other.base,
             _ => self == other,
         }
     }
 }
 
 impl FtpAddress {
-    /// Whether both addresses name the same host and port.
-    pub(crate) fn is_same_server(&self, other: &Self) -> bool {
-        self.host.eq_ignore_ascii_case(&other.host) && self.port == other.port
-    }
-
     /// Parses the part after `ftp://` or `ftps://`.
     fn parse(rest: &str, is_encrypted: bool) -> Result<Self, AddressFault> {
         let (authority, path) = rest.split_once('/').unwrap_or((rest, ""));
-        let (user, server) = authority.rsplit_once('@').unwrap_or((DEFAULT_USER, authority));
-        if user.contains(':') {
-            return Err(AddressFault::Password);
-        }
-        let (host, port) = host_and_port(server)?;
+        let server = ServerAddress::parse(authority, FTP_PORT)?;
         let names = path.split('/').filter(|name| !name.is_empty()).map(decoded);
         let base = names.map(|name| Ok(format!("/{}", name?))).collect::<Result<String, AddressFault>>()?;
-        let address = Self { is_encrypted, user: decoded(user)?, host: decoded(host)?, port, base };
-        if address.host.is_empty() { Err(AddressFault::Host) } else { Ok(address) }
+        Ok(Self { is_encrypted, server, base })
     }
-
-    /// Host and port, for messages.
-    pub(crate) fn place(&self) -> String {
-        if self.host.contains(':') {
-            format!("[{}]:{}", self.host, self.port)
-        } else {
-            format!("{}:{}", self.host, self.port)
-        }
-    }
-}
-
-fn host_and_port(server: &str) -> Result<(&str, u16), AddressFault> {
-    let (host, port) = match server.strip_prefix('[') {
-        Some(rest) => rest.split_once(']').ok_or(AddressFault::Host)?,
-        None => server.split_at(server.find(':').unwrap_or(server.len())),
-    };
-    let port = match port.strip_prefix(':') {
-        Some(number) => number.parse().ok().filter(|port| *port != 0).ok_or(AddressFault::Port)?,
-        None if port.is_empty() => FTP_PORT,
-        None => return Err(AddressFault::Host),
-    };
-    Ok((host, port))
-}
-
-fn decoded(text: &str) -> Result<String, AddressFault> {
-    let text = percent_decode_str(text).decode_utf8().map_err(|_| AddressFault::Text)?;
-    if text.contains(char::is_control) { Err(AddressFault::Text) } else { Ok(text.into_owned()) }
 }
 
 fn encoded(text: &str) -> impl Display {
@@ -133,7 +92,7 @@ impl Display for ControllerAddress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Folder(folder) => write!(f, "{folder}"),
-            Self::Ftp(FtpAddress { is_encrypted, user, host, port, base }) => {
+            Self::Ftp(FtpAddress { is_encrypted, server: ServerAddress { user, host, port }, base }) => {
                 write!(f, "{}://{}@", if *is_encrypted { "ftps" } else { "ftp" }, encoded(user))?;
                 if host.contains(':') { write!(f, "[{host}]") } else { write!(f, "{host}") }?;
                 if *port != FTP_PORT {
@@ -150,6 +109,7 @@ impl Display for AddressFault {
         f.write_str(match self {
             Self::Protocol => "only `ftp://` and `ftps://` addresses and folders are supported",
             Self::Host => "it names no host",
+            Self::User => "it names no profile before `@`",
             Self::Port => "the port is no number from 1 to 65535",
             Self::Password => "a password does not belong in an address, which is stored and shown",
             Self::Text => "a part is not UTF-8, or has control characters",
@@ -165,7 +125,7 @@ mod tests {
 
     fn ftp(user: &str, host: &str, port: u16, base: &str) -> ControllerAddress {
         let [user, host, base] = [user, host, base].map(str::to_owned);
-        ControllerAddress::Ftp(FtpAddress { is_encrypted: false, user, host, port, base })
+        ControllerAddress::Ftp(FtpAddress { is_encrypted: false, server: ServerAddress { user, host, port }, base })
     }
 
     #[test]
@@ -185,7 +145,10 @@ mod tests {
     #[test]
     fn an_address_with_tls_leads_to_the_same_files() {
         let address = ControllerAddress::parse("FTPS://me@robot").unwrap();
-        assert!(matches!(&address, ControllerAddress::Ftp(FtpAddress { is_encrypted: true, port: 21, .. })));
+        assert!(matches!(
+            &address,
+            ControllerAddress::Ftp(FtpAddress { is_encrypted: true, server: ServerAddress { port: 21, .. }, .. })
+        ));
         assert_eq!(address.to_string(), "ftps://me@robot");
         assert!(address.is_same_place(&ftp("default", "ROBOT", 21, "")));
         assert!(!address.is_same_place(&ftp("me", "robot", 2121, "")));
@@ -195,11 +158,8 @@ mod tests {
     fn wrong_addresses_have_a_reason() {
         for (text, fault) in [
             ("ftp://", AddressFault::Host),
-            ("ftp://robot:0", AddressFault::Port),
+            ("ftp://robot/%0a", AddressFault::Text),
             ("ftp://robot:x", AddressFault::Port),
-            ("ftp://me:secret@robot", AddressFault::Password),
-            ("ftp://[::1", AddressFault::Host),
-            ("ftp://ro%0abot", AddressFault::Text),
             ("http://robot", AddressFault::Protocol),
             ("ftps://me:secret@robot", AddressFault::Password),
         ] {

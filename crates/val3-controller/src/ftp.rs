@@ -44,14 +44,14 @@ impl std::fmt::Debug for Password {
     }
 }
 
-/// Files behind an FTP connection.
+/// Controller files by FTP.
 pub struct FtpFiles {
     address: FtpAddress,
     password: Password,
     settings: ConnectionSettings,
     timeouts: FtpTimeouts,
     place: String,
-    /// `None` after an error that leaves replies unread.
+    /// `None` after an error after which unread replies may remain.
     connection: Option<Connection>,
     listing: ListingCommand,
 }
@@ -74,7 +74,7 @@ impl FtpFiles {
         settings: ConnectionSettings,
         timeouts: FtpTimeouts,
     ) -> Result<Self, AccessError> {
-        let (place, listing) = (address.place(), ListingCommand::List);
+        let (place, listing) = (address.server.place(), ListingCommand::List);
         let mut files = Self { address, password, settings, timeouts, place, connection: None, listing };
         files.reconnect()?;
         Ok(files)
@@ -86,7 +86,7 @@ impl FtpFiles {
     /// # Errors
     /// If the server cannot be reached or does not offer TLS.
     pub fn fingerprint(address: &FtpAddress, timeouts: FtpTimeouts) -> Result<CertificateFingerprint, AccessError> {
-        presented_certificate(address, timeouts).map_err(|failure| access_error(failure, &address.place()))
+        presented_certificate(address, timeouts).map_err(|failure| access_error(failure, &address.server.place()))
     }
 
     /// Path as the server expects it.

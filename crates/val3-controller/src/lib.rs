@@ -1,5 +1,5 @@
-//! The files of a controller, by FTP with or without TLS, or in the folder of an emulator: pull, comparison, and a push after which the
-//! controller has the old application or the new one.
+//! Controller files, by FTP with or without TLS, or in an emulator's folder: pull, comparison, and a push after which the
+//! controller has the old application or the new application.
 //!
 //! [`ControllerFiles`] are the operations of a controller; [`FtpFiles`] and [`FolderFiles`] implement them. A
 //! [`ControllerProject`] remembers the controller and its files at the last pull, with which [`compare()`] compares both
@@ -24,6 +24,7 @@ mod pull;
 mod push;
 mod rules;
 mod scan;
+mod server_address;
 mod status;
 
 pub use access::{AccessError, AccessFault, ControllerFiles, ListedEntry};
@@ -48,4 +49,5 @@ pub use rules::{LOG_FOLDER, is_protected};
 pub use scan::{
     ReadableFiles, TOTAL_LIMIT, check_applications, files_below, read_file, read_files, read_readable_files,
 };
+pub use server_address::ServerAddress;
 pub use status::{ProjectStatus, check_identity};

@@ -1,4 +1,4 @@
-//! A local project: a folder with the files of a controller, and what is remembered of the controller.
+//! Local project: a folder with a controller's files, and the state of the last pull or push.
 //!
 //! `.val3/controller.toml` contains the address, the accepted certificate, the identity and the digests of the last pull
 //! or push, `.val3/base` the contents for merges. Neither contains a password.
@@ -40,7 +40,7 @@ const GIT_IGNORE: &str = "backup/\nbase/\nchecked/\nincoming/\n";
 const HEAD: &str =
     "# Written by `val3 pull` and `val3 push`: the controller, and its files at the last pull or push.\n";
 
-/// What is remembered of a controller.
+/// Controller and files at the last pull or push.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ProjectState {
@@ -66,7 +66,7 @@ pub struct ProjectState {
 #[derive(Debug, Clone)]
 pub struct ControllerProject {
     folder: Utf8PathBuf,
-    /// What is remembered; `None` before the first pull.
+    /// State of the last pull or push; `None` before the first pull.
     pub state: Option<ProjectState>,
 }
 
@@ -79,11 +79,13 @@ impl ProjectState {
         Self { version: VERSION, address, fingerprint, active, folders, controller, files }
     }
 
-    /// Settings of the connections to an address: those of the last pull if it was from the same server, else the defaults.
+    /// Connection settings for an address: the last pull's settings if it was from the same server, else the defaults.
     #[must_use]
     pub fn connection(&self, address: &ControllerAddress) -> ConnectionSettings {
         match (ControllerAddress::parse(&self.address), address) {
-            (Ok(ControllerAddress::Ftp(last)), ControllerAddress::Ftp(server)) if last.is_same_server(server) => {
+            (Ok(ControllerAddress::Ftp(last)), ControllerAddress::Ftp(server))
+                if last.server.is_same_server(&server.server) =>
+            {
                 let fingerprint = self.fingerprint.filter(|_| server.is_encrypted);
                 ConnectionSettings { fingerprint, is_active: self.active }
             }

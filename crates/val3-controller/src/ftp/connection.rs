@@ -42,8 +42,8 @@ fn failed_at(step: &'static str) -> impl Fn(AccessFault) -> ConnectFailure {
     move |reason| ConnectFailure { step, reason }
 }
 
-/// Connects, establishes TLS if the address requires it, logs in, and selects the binary type. Without an
-/// accepted certificate, nobody logs in at an encrypted server.
+/// Connects, establishes TLS if the address requires it, logs in, and selects the binary type. At an encrypted server,
+/// the login requires an accepted certificate.
 pub(super) fn connect(
     address: &FtpAddress,
     password: &str,
@@ -67,12 +67,12 @@ pub(super) fn connect(
     };
     let mut client = client.passive_stream_builder(move |peer| open(peer, timeouts).map_err(FtpError::ConnectionError));
     client.set_mode(if is_ipv6 { Mode::ExtendedPassive } else { Mode::Passive });
-    // The data connection goes to the controller, whatever address its reply names.
+    // The address in the reply is ignored: a router may translate it, and data come only from the controller.
     client.set_passive_nat_workaround(true);
     if settings.is_active {
         client = client.active_mode(timeouts.connect);
     }
-    client.login(address.user.as_str(), password).map_err(fault).map_err(failed_at("log in"))?;
+    client.login(address.server.user.as_str(), password).map_err(fault).map_err(failed_at("log in"))?;
     client.transfer_type(FileType::Binary).map_err(fault).map_err(failed_at("select binary transfers"))?;
     Ok(Connection { client, tls, is_active: settings.is_active, timeouts })
 }
@@ -101,7 +101,7 @@ fn secure(
     timeouts: FtpTimeouts,
 ) -> Result<(FtpClient, TlsSession), ConnectFailure> {
     let tls = TlsSession::new(accepted, timeouts.transfer).map_err(failed_at(SECURE))?;
-    let error = match client.into_secure(tls.clone(), &address.host) {
+    let error = match client.into_secure(tls.clone(), &address.server.host) {
         Ok(client) => return Ok((client, tls)),
         Err(error) => error,
     };
@@ -117,7 +117,7 @@ fn secure(
 
 /// Opens the control connection to the first address that accepts it.
 fn socket(address: &FtpAddress, timeouts: FtpTimeouts) -> Result<TcpStream, AccessFault> {
-    let resolved = (address.host.as_str(), address.port).to_socket_addrs();
+    let resolved = (address.server.host.as_str(), address.server.port).to_socket_addrs();
     let resolved = resolved.map_err(|error| AccessFault::Connection(error.to_string()))?;
     let mut reason = AccessFault::Connection("the host has no address".to_owned());
     for peer in resolved {

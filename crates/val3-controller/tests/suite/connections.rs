@@ -6,9 +6,9 @@ use val3_controller::{ControllerError, FailureOutcome};
 use crate::bench::{Bench, path, shown, tree};
 use crate::server::{Behaviour, ListForm, Server};
 
-/// Message of an error without the port.
+/// Error message without the port.
 fn message(server: &Server, error: &ControllerError) -> String {
-    error.to_string().replace(&server.address().port.to_string(), "PORT")
+    error.to_string().replace(&server.address().server.port.to_string(), "PORT")
 }
 
 fn is_active(server: &Server) -> bool {

@@ -15,7 +15,7 @@ fn failed(behaviour: Behaviour) -> (String, FailureOutcome) {
     let failure = bench.push_plan(&plan).unwrap_err();
     assert_eq!(shown(&bench.server.state().tree), shown(&tree()), "{failure:?}");
     assert_eq!(bench.server.state().tree.folders, tree().folders);
-    let place = bench.server.address().port.to_string();
+    let place = bench.server.address().server.port.to_string();
     (failure.error.to_string().replace(&place, "PORT"), failure.outcome)
 }
 
@@ -163,7 +163,7 @@ fn a_pull_that_fails_changes_no_local_file() {
 fn a_wrong_password_has_a_help() {
     let bench = Bench::empty(Behaviour { password: "secret", ..Behaviour::default() });
     let error = bench.server.try_connect("wrong").unwrap_err();
-    let message = error.to_string().replace(&bench.server.address().port.to_string(), "PORT");
+    let message = error.to_string().replace(&bench.server.address().server.port.to_string(), "PORT");
     expect!["cannot log in at 127.0.0.1:PORT: 530 Login incorrect"].assert_eq(&message);
     let help = ControllerError::from(error).help();
     assert!(help.contains("connectionPassword"));

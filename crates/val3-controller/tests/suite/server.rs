@@ -1,4 +1,4 @@
-//! An FTP server in memory that misbehaves as it is told.
+//! An FTP server in memory with configurable faults.
 
 mod commands;
 
@@ -8,7 +8,7 @@ use std::net::{TcpListener, TcpStream};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread;
 
-use val3_controller::{AccessError, ConnectionSettings, FtpAddress, FtpFiles, FtpTimeouts, Password};
+use val3_controller::{AccessError, ConnectionSettings, FtpAddress, FtpFiles, FtpTimeouts, Password, ServerAddress};
 
 use commands::Session;
 
@@ -124,9 +124,7 @@ impl Server {
     pub(crate) fn address(&self) -> FtpAddress {
         FtpAddress {
             is_encrypted: false,
-            user: "default".into(),
-            host: "127.0.0.1".into(),
-            port: self.port,
+            server: ServerAddress { user: "default".into(), host: "127.0.0.1".into(), port: self.port },
             base: String::new(),
         }
     }

@@ -17,6 +17,7 @@ use rustls::{ServerConfig, ServerConnection, StreamOwned, SupportedProtocolVersi
 use sha2::{Digest as _, Sha256};
 use val3_controller::{
     AccessError, AccessFault, CertificateFingerprint, ConnectionSettings, FtpAddress, FtpFiles, FtpTimeouts, Password,
+    ServerAddress,
 };
 
 use crate::bench::tree;
@@ -66,9 +67,7 @@ impl TlsServer {
     fn address(&self) -> FtpAddress {
         FtpAddress {
             is_encrypted: true,
-            user: "default".into(),
-            host: "127.0.0.1".into(),
-            port: self.port,
+            server: ServerAddress { user: "default".into(), host: "127.0.0.1".into(), port: self.port },
             base: String::new(),
         }
     }

@@ -4,7 +4,7 @@ use std::env;
 use std::io::IsTerminal as _;
 
 use camino::Utf8PathBuf;
-use val3_controller::Password;
+use val3_controller::{Password, ServerAddress};
 use val3_files::{FileClass, Unreadable};
 
 use super::netrc;
@@ -17,7 +17,8 @@ const VARIABLE: &str = "VAL3_PASSWORD";
 ///
 /// # Errors
 /// `VAL3_PASSWORD` or `~/.netrc` is not UTF-8, or the prompt fails.
-pub(crate) fn read(user: &str, host: &str) -> Result<Password, UserError> {
+pub(crate) fn read(server: &ServerAddress) -> Result<Password, UserError> {
+    let ServerAddress { user, host, .. } = server;
     if let Some(text) = env::var_os(VARIABLE) {
         let text = text.into_string().map_err(|_| UserError::new(format!("`{VARIABLE}` is not UTF-8")))?;
         return Ok(Password::new(text));

@@ -3,6 +3,7 @@
 use std::io::Read as _;
 use std::str::FromStr;
 
+use val3_controller::{AddressFault, ServerAddress};
 use val3_soap::{
     Envelope, Operation, SessionHeader, SoapFault, SoapVersion, multipart,
     operations::{read_answer, request_body},
@@ -15,9 +16,6 @@ use crate::user_error::UserError;
 /// Default port: the port of older controllers. Newer controllers have 851.
 const PORT: u16 = 5653;
 
-/// Profile of a controller that exists by default.
-const DEFAULT_USER: &str = "default";
-
 /// Time for one answer, in seconds.
 const ANSWER_SECONDS: u64 = 10;
 
@@ -26,40 +24,24 @@ const LIMIT: u64 = 1 << 20;
 
 /// Server of a controller, and the profile of the login.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct SoapTarget {
-    user: String,
-    /// Name or number of the host; an IPv6 number in brackets.
-    host: String,
-    port: u16,
-}
+pub(crate) struct SoapTarget(ServerAddress);
 
 impl FromStr for SoapTarget {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let rest = text.strip_prefix("http://").unwrap_or(text).trim_end_matches('/');
-        let (user, server) = rest.rsplit_once('@').unwrap_or((DEFAULT_USER, rest));
-        if user.contains(':') {
-            return Err("a password does not belong in the address; set VAL3_PASSWORD".to_owned());
-        }
-        let (host, port) = match server.rsplit_once(':').filter(|(_, port)| !port.ends_with(']')) {
-            Some((host, port)) => (host, port.parse().ok().filter(|port| *port != 0)),
-            None => (server, Some(PORT)),
-        };
-        let is_host = |character: char| character.is_ascii_alphanumeric() || "-._:[]".contains(character);
-        match port {
-            Some(port) if !host.is_empty() && !user.is_empty() && host.chars().all(is_host) => {
-                Ok(Self { user: user.to_owned(), host: host.to_owned(), port })
-            }
-            _ => Err("write [PROFILE@]HOST[:PORT], for example 192.168.0.254:5653".to_owned()),
-        }
+        ServerAddress::parse(rest, PORT).map(Self).map_err(|fault| match fault {
+            AddressFault::Password => format!("{fault}: set VAL3_PASSWORD"),
+            _ => format!("{fault}: write [PROFILE@]HOST[:PORT], for example 192.168.0.254:5653"),
+        })
     }
 }
 
 impl SoapTarget {
     /// Host and port, for messages.
     pub(crate) fn place(&self) -> String {
-        format!("{}:{}", self.host, self.port)
+        self.0.place()
     }
 }
 
@@ -77,8 +59,8 @@ impl SoapClient {
     /// The controller cannot be reached, or rejects the login.
     pub(crate) fn login(target: &SoapTarget) -> Result<Self, UserError> {
         let mut client = Self { place: target.place(), session: None };
-        let SoapTarget { user, host, .. } = target;
-        let password = password::read(user, host)?;
+        let password = password::read(&target.0)?;
+        let user = &target.0.user;
         let request = Login { user: Some(user.clone()), password: Some(password.text().to_owned()) };
         let id = client.call(&request)?.session;
         if id <= 0 {
@@ -139,14 +121,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn targets_have_a_profile_and_a_port() {
-        let parsed = |text: &str| {
-            text.parse().map(|SoapTarget { user, host, port }: SoapTarget| format!("{user} {host} {port}"))
-        };
-        assert_eq!(parsed("robot").unwrap(), "default robot 5653");
-        assert_eq!(parsed("http://maintenance@192.168.0.254:851/").unwrap(), "maintenance 192.168.0.254 851");
-        assert_eq!(parsed("[::1]").unwrap(), "default [::1] 5653");
-        assert_eq!(parsed("[::1]:851").unwrap(), "default [::1] 851");
+    fn targets_are_addresses_of_servers_with_a_default_port() {
+        let parsed = |text: &str| text.parse().map(|SoapTarget(server)| format!("{} {}", server.user, server.place()));
+        assert_eq!(parsed("robot").unwrap(), "default robot:5653");
+        assert_eq!(parsed("http://maintenance@192.168.0.254:851/").unwrap(), "maintenance 192.168.0.254:851");
+        assert_eq!(parsed("[::1]").unwrap(), "default [::1]:5653");
         assert!(parsed("me:secret@robot").unwrap_err().contains("VAL3_PASSWORD"));
         for wrong in ["", "robot:0", "robot:x", "@robot", "ftp://robot", "a b"] {
             assert!(parsed(wrong).unwrap_err().contains("[PROFILE@]HOST[:PORT]"), "{wrong}");

@@ -30,7 +30,7 @@ impl ControllerTarget {
     ) -> Result<Self, UserError> {
         match &address {
             ControllerAddress::Folder(_) => check_no_option(args)?,
-            ControllerAddress::Ftp(server) if args.fingerprint.is_some() && !server.is_encrypted => {
+            ControllerAddress::Ftp(ftp) if args.fingerprint.is_some() && !ftp.is_encrypted => {
                 return Err(UserError::new("--fingerprint requires an address `ftps://`")
                     .with_help("without TLS, a controller has no certificate"));
             }
@@ -51,13 +51,13 @@ impl ControllerTarget {
     pub(crate) fn connect(&mut self) -> Result<Box<dyn ControllerFiles>, UserError> {
         Ok(match &self.address {
             ControllerAddress::Folder(folder) => Box::new(FolderFiles::open(folder).map_err(ControllerError::from)?),
-            ControllerAddress::Ftp(server) => {
+            ControllerAddress::Ftp(ftp) => {
                 // Without a terminal, the connection ends with an error that names the fingerprint.
-                if server.is_encrypted && self.settings.fingerprint.is_none() && can_ask() {
-                    self.settings.fingerprint = Some(accepted_fingerprint(server)?);
+                if ftp.is_encrypted && self.settings.fingerprint.is_none() && can_ask() {
+                    self.settings.fingerprint = Some(accepted_fingerprint(ftp)?);
                 }
-                let password = password::read(&server.user, &server.host)?;
-                let files = FtpFiles::connect(server.clone(), password, self.settings, FtpTimeouts::default());
+                let password = password::read(&ftp.server)?;
+                let files = FtpFiles::connect(ftp.clone(), password, self.settings, FtpTimeouts::default());
                 Box::new(files.map_err(ControllerError::from)?)
             }
         })
@@ -77,16 +77,16 @@ pub(crate) fn check_no_option(args: &ConnectionArgs) -> Result<(), UserError> {
 }
 
 /// Fingerprint of a certificate that the user accepts.
-fn accepted_fingerprint(server: &FtpAddress) -> Result<CertificateFingerprint, UserError> {
-    let found = FtpFiles::fingerprint(server, FtpTimeouts::default()).map_err(ControllerError::from)?;
+fn accepted_fingerprint(address: &FtpAddress) -> Result<CertificateFingerprint, UserError> {
+    let found = FtpFiles::fingerprint(address, FtpTimeouts::default()).map_err(ControllerError::from)?;
+    let host = &address.server.host;
     let question = format!(
-        "The certificate of {} is not known. Its fingerprint is {found}. Compare it with the certificate on the controller. \
-         Is it the same?",
-        server.host
+        "The certificate of {host} is not known. Its fingerprint is {found}. Compare it with the certificate on the controller. \
+         Is it the same?"
     );
     if is_confirmed(&question)? {
         return Ok(found);
     }
-    Err(UserError::new(format!("the certificate of {} was not accepted", server.host))
+    Err(UserError::new(format!("the certificate of {host} was not accepted"))
         .with_help("no password was sent; compare the fingerprint with the certificate on the controller"))
 }
