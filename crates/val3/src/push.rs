@@ -14,6 +14,7 @@ use val3_controller::{
     ControllerError, ControllerPath, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected, push,
 };
 
+use self::loaded::LoadEvidence;
 use self::removal::Removal;
 use crate::args::{PushArgs, TransferFormat};
 use crate::color::Color;
@@ -84,7 +85,12 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(reason) = removal.refusal()? {
         return Ok(refused(&reason));
     }
-    let loaded = loaded::refusal(&mut *session.files, &plan, &mut session.observer, args.unloaded);
+    let evidence = match &args.soap {
+        _ if args.unloaded || plan.applications().is_empty() => LoadEvidence::Statement,
+        Some(target) => LoadEvidence::Interface(target),
+        None => LoadEvidence::Log,
+    };
+    let loaded = loaded::refusal(&mut *session.files, &plan, &mut session.observer, evidence);
     session.observer.end();
     if let Some(reason) = loaded? {
         return Ok(refused(&reason));

@@ -114,6 +114,10 @@ pub(crate) struct PushArgs {
     /// State that none of the applications is loaded on the controller, instead of its log or an answer to the question
     #[arg(long)]
     pub(crate) unloaded: bool,
+    /// Read from the controller's SOAP interface which applications are loaded, instead of from its log; a loaded application
+    /// stops the push. The port is 5653 if none is named; newer controllers have 851
+    #[arg(long, value_name = "PROFILE@HOST:PORT", conflicts_with = "unloaded")]
+    pub(crate) soap: Option<SoapTarget>,
     /// Accept a controller with another serial number than at the last pull, or without one
     #[arg(long)]
     pub(crate) new_controller: bool,

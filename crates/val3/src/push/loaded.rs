@@ -2,30 +2,70 @@
 
 use val3_backup::log::{ApplicationState, UnknownCause};
 use val3_controller::{ControllerFiles, PushPlan, TransferObserver};
+use val3_soap::v1::GetApplications;
 
 use super::logs::application_state;
 use crate::controller::note;
 use crate::controller::question::{can_ask, is_confirmed};
+use crate::controller::soap_client::{SoapClient, SoapTarget};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Option that states that no application is loaded.
 const OPTION: &str = "stop and unload it on the controller, then add --unloaded";
 
-/// Reason why the push is refused; `None` if none of its applications is loaded.
+/// Source of the information which applications are loaded.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum LoadEvidence<'t> {
+    /// The user states that no application is loaded, or the push changes no application.
+    Statement,
+    /// The SOAP interface of the controller.
+    Interface(&'t SoapTarget),
+    /// The logs of the controller, which contain starts and stops.
+    Log,
+}
+
+/// Reason why the push is refused; `None` if no application is loaded.
 ///
 /// # Errors
-/// The log or the answer cannot be read.
+/// The interface, the log or the answer cannot be read.
 pub(super) fn refusal(
     files: &mut dyn ControllerFiles,
     plan: &PushPlan,
     observer: &mut dyn TransferObserver,
-    is_unloaded: bool,
+    evidence: LoadEvidence<'_>,
 ) -> Result<Option<UserError>, UserError> {
-    let applications = plan.applications();
-    if is_unloaded || applications.is_empty() {
+    match evidence {
+        LoadEvidence::Statement => Ok(None),
+        LoadEvidence::Interface(target) => refusal_of_interface(target),
+        LoadEvidence::Log => refusal_of_log(files, plan, observer),
+    }
+}
+
+fn refusal_of_interface(target: &SoapTarget) -> Result<Option<UserError>, UserError> {
+    let loaded = loaded_applications(target)?;
+    if loaded.is_empty() {
         return Ok(None);
     }
+    let message = format!("loaded on the controller: `{}`", loaded.join("`, `"));
+    Ok(Some(UserError::new(message).with_help("stop and unload them on the controller, then push again")))
+}
+
+/// Names of the projects in memory, for example `Disk://demo/demo.pjx`.
+fn loaded_applications(target: &SoapTarget) -> Result<Vec<String>, UserError> {
+    let mut client = SoapClient::login(target)?;
+    let answer = client.call(&GetApplications {});
+    let closed = client.logout();
+    let listed = answer?.applications.into_iter().filter(|application| application.loaded);
+    closed?;
+    Ok(listed.map(|application| one_line(&application.name.unwrap_or_default()).into_owned()).collect())
+}
+
+fn refusal_of_log(
+    files: &mut dyn ControllerFiles,
+    plan: &PushPlan,
+    observer: &mut dyn TransferObserver,
+) -> Result<Option<UserError>, UserError> {
     match application_state(files, observer)? {
         ApplicationState::NoneRuns => Ok(None),
         ApplicationState::Running(running) => {
@@ -33,7 +73,7 @@ pub(super) fn refusal(
             let message = format!("`{names}` runs on the controller, according to its log");
             Ok(Some(UserError::new(message).with_help(OPTION)))
         }
-        ApplicationState::Unknown(cause) if can_ask() => ask(&applications.join("`, `"), &cause),
+        ApplicationState::Unknown(cause) if can_ask() => ask(&plan.applications().join("`, `"), &cause),
         ApplicationState::Unknown(cause) => Ok(Some(unknown(&cause))),
     }
 }
