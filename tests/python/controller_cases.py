@@ -204,17 +204,20 @@ class ServerCases(ControllerCase):
         shutil.copytree(self.cell, copies / "cell")
         command = [val3.find_binary(), "push", "--unloaded", "--ignore", "V"]
         server.wait_until_idle()
-        server.commands = 0
+        begin = len(server.names)
         subprocess.run(command, cwd=self.cell, env=environment(), check=True, capture_output=True)
         server.wait_until_idle()
-        total, old, new = server.commands, contents(copies / "robot"), contents(self.root)
+        names, old, new = server.names[begin:], contents(copies / "robot"), contents(self.root)
+        # The first third of a push only reads. The renames are few, so that half of the kills are aimed at them.
+        ends = len(names) - names[::-1].index("RNTO")
+        moments = [(len(names) // 3, len(names)), (names.index("RNFR"), ends)]
         chance, outcomes = random.Random(1), {"old": 0, "new": 0, "restored": 0}
         for number in range(KILLS):
             for folder in (self.root, self.cell):
                 shutil.rmtree(folder)
                 shutil.copytree(copies / folder.name, folder)
-            # The first third of a push only reads.
-            at, delay = chance.randrange(total // 3, total + 1), chance.choice([0, 0, chance.random() * 0.01])
+            at = chance.randint(*chance.choice(moments))
+            delay = chance.choice([0, 0, chance.random() * 0.01])
             process = subprocess.Popen(
                 command, cwd=self.cell, env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
             )
@@ -239,4 +242,4 @@ class ServerCases(ControllerCase):
             state = "restored" if "restored from" in output else "new" if after == new else "old"
             outcomes[state] += 1
             server.wait_until_idle()
-        print(f"kills: {outcomes}, commands of a push: {total}")
+        print(f"kills: {outcomes}, commands of a push: {len(names)}")
