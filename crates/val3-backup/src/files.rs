@@ -9,7 +9,7 @@ pub struct BackupFile {
     pub path: String,
     /// Size in bytes; 0 for a file on a controller that was listed and not downloaded.
     pub size: u64,
-    /// Time of the last change, if the backup has kept it. The time zone is the one of the backup's origin.
+    /// Time of the last change, if the backup contains it, in the time zone of the backup's origin.
     pub modified: Option<DateTime>,
 }
 
@@ -23,7 +23,7 @@ pub struct UnreadFile {
 }
 
 /// Files of a backup: in a folder, in an archive, or on a controller. Listing and reading are separate, because reading
-/// from a controller takes long.
+/// from a controller is slow.
 pub trait BackupFiles {
     /// Returns all files, sorted by path.
     fn files(&self) -> &[BackupFile];

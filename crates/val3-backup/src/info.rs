@@ -1,4 +1,4 @@
-//! Description of a controller from the files of its backup.
+//! Controller description, from the files in a backup.
 //!
 //! Passwords and licence codes are never read into the description: [`cfx`] omits passwords, and an option only has a
 //! state.

@@ -1,4 +1,4 @@
-//! Contents of a controller backup beside the applications: log messages, and a description of the controller.
+//! Contents of a controller backup, apart from applications: log messages, and a description of the controller.
 //!
 //! The files come from a [`BackupFiles`]: a folder, an archive or a controller. This crate opens nothing itself.
 

@@ -1,4 +1,4 @@
-//! Logs of each version, and laws of reading them.
+//! Logs of each version, and laws that hold for any log.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 

@@ -162,7 +162,7 @@ impl AccessError {
 }
 
 impl AccessError {
-    /// What to do; empty if the message says it.
+    /// Remedy; empty if the message contains it.
     pub(crate) fn help(&self) -> &'static str {
         match &self.reason {
             AccessFault::Rejected { code: 530, .. } => {

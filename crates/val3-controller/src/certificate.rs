@@ -43,7 +43,7 @@ impl FromStr for CertificateFingerprint {
     }
 }
 
-/// Value of two hexadecimal digits.
+/// Parses two hexadecimal digits.
 fn byte(pair: [u8; 2]) -> Option<u8> {
     let [high, low] = pair.map(|digit| char::from(digit).to_digit(16));
     u8::try_from(high? * 16 + low?).ok()

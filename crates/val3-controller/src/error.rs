@@ -20,7 +20,7 @@ pub enum ControllerError {
         /// The reason.
         reason: String,
     },
-    /// What is remembered of the controller cannot be read.
+    /// The project state in `.val3/controller.toml` cannot be read.
     DamagedState {
         /// The file.
         path: Utf8PathBuf,
@@ -41,7 +41,7 @@ pub enum ControllerError {
         /// Names of the controller's applications.
         present: Vec<String>,
     },
-    /// A pull would remove whole applications or folders of settings here. Each has the number of its files.
+    /// A pull would remove whole local applications or settings folders; each with the file count.
     RemovesFolders(Vec<(ControllerPath, usize)>),
     /// A local file is where a pull needs a folder, or in a folder where it needs a file.
     Obstacle {
@@ -90,7 +90,7 @@ pub enum ControllerError {
     },
     /// The controller has no serial number by which it could be identified.
     NoSerial,
-    /// The controller has no serial number, and another address than the one of the last pull.
+    /// The controller has no serial number, and its address differs from the last pull's address.
     OtherAddress {
         /// Address of the last pull.
         expected: String,
@@ -104,7 +104,7 @@ pub enum ControllerError {
     },
     /// A file was changed during the push.
     ChangedMeanwhile(ControllerPath),
-    /// A file on the controller is not what was written.
+    /// A file on the controller differs from the written content.
     NotAsWritten(ControllerPath),
     /// The user has interrupted the transfer.
     Interrupted,
@@ -126,7 +126,7 @@ impl From<AccessError> for ControllerError {
 }
 
 impl ControllerError {
-    /// What to do; empty if the message says it.
+    /// Remedy; empty if the message contains it.
     #[must_use]
     pub fn help(&self) -> &'static str {
         match self {

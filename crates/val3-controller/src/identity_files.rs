@@ -44,7 +44,7 @@ fn settings(files: &mut dyn ControllerFiles, path: &str) -> Result<Option<Vec<u8
     if Presence::default().has(files, &path)? { Ok(Some(files.read(&path, SETTINGS_LIMIT)?)) } else { Ok(None) }
 }
 
-/// Value of the element with this `name`; empty if there is none.
+/// Value of the element with this `name`; empty without the element.
 fn attribute_value(file: &str, bytes: &[u8], name: &str) -> Result<String, ControllerError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');

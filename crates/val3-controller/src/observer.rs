@@ -23,7 +23,7 @@ pub enum TransferStep {
 
 /// Receiver of the progress. It also decides whether the transfer ends early.
 pub trait TransferObserver {
-    /// A step begins; `files` is the number of its files, or 0 if it is unknown.
+    /// A step begins; `files` is the expected file count, or 0 if it is unknown.
     fn step(&mut self, step: TransferStep, files: usize);
 
     /// A file was transferred or renamed; `bytes` is the size of the transferred content.

@@ -34,7 +34,7 @@ impl ControllerPath {
         text.split('/').try_fold(Self::root(), |folder, name| folder.child(name))
     }
 
-    /// Path of an entry of this folder.
+    /// Returns the path of an entry in this folder.
     ///
     /// # Errors
     /// If the name is not allowed.
@@ -76,15 +76,15 @@ impl ControllerPath {
         folders.iter().any(|folder| self.is_in(folder))
     }
 
-    /// Paths without those in other ones, sorted.
+    /// Returns the outermost paths, sorted: each path that is not inside another path.
     pub(crate) fn outermost(paths: impl IntoIterator<Item = Self>) -> Vec<Self> {
         let all: BTreeSet<Self> = paths.into_iter().collect();
         let is_inner = |path: &&Self| all.iter().any(|other| other != *path && path.is_in(other));
         all.iter().filter(|path| !is_inner(path)).cloned().collect()
     }
 
-    /// Application of a file or folder: the name of its uppermost folder below the applications. `None` outside of them,
-    /// and for a file directly in their folder.
+    /// Name of the application folder that contains the file or folder. `None` outside of `usr/usrapp`, and for a file
+    /// directly in this folder.
     #[must_use]
     pub fn application(&self) -> Option<&str> {
         let inner = self.0.strip_prefix(Self::applications().as_str())?.strip_prefix('/')?;

@@ -15,7 +15,7 @@ pub const TOTAL_LIMIT: u64 = 500 << 20;
 /// Limit of nested folders.
 const DEPTH_LIMIT: usize = 32;
 
-/// Limit of the number of files and folders.
+/// Maximum number of files and folders.
 const COUNT_LIMIT: usize = 100_000;
 
 /// Returns the files below folders, without ignored ones. Folders that do not exist have no files.
@@ -200,7 +200,7 @@ fn read_within(files: &mut dyn ControllerFiles, path: &ControllerPath, left: u64
     })
 }
 
-/// Returns the content of one file.
+/// Returns a file's content.
 ///
 /// # Errors
 /// If the file does not exist or cannot be read.

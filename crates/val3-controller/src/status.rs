@@ -37,7 +37,7 @@ impl ProjectStatus {
         Self::read_with(project, files, folders, observer, &mut |_, _| Ok(()))
     }
 
-    /// As [`read`](Self::read); passes the content of each file on the controller to `store`.
+    /// As [`read`](Self::read); passes each downloaded content to `store`.
     pub(crate) fn read_with(
         project: &ControllerProject,
         files: &mut dyn ControllerFiles,
@@ -58,7 +58,7 @@ impl ProjectStatus {
 }
 
 /// Reads the controller's identity, and checks that it is the controller of the last pull. Without a serial number, the
-/// address must be that of the last pull.
+/// address must equal the last pull's address.
 ///
 /// # Errors
 /// If the address has no folder of applications, or the identity cannot be read, or differs.

@@ -17,10 +17,10 @@ pub(crate) struct Answer {
     pub(crate) detail: bool,
 }
 
-/// Size limit of an answer, in bytes.
+/// Size limit for answers, in bytes.
 pub(crate) const SHORT: usize = 8_000;
 
-/// Size limit of an answer with `detail`, in bytes.
+/// Size limit for answers with `detail`, in bytes.
 pub(crate) const LONG: usize = 24_000;
 
 impl Answer {

@@ -20,7 +20,7 @@ use crate::projects;
 use crate::refusal::Refusal;
 use crate::roots::Roots;
 
-/// Change of one file. The content is in the file's encoding.
+/// Contents of a file before and after the change, in the file's encoding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct FileChange {
     path: Utf8PathBuf,
@@ -34,7 +34,7 @@ struct FileChange {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Changes {
     files: Vec<FileChange>,
-    /// Old and new path of each file that is moved, relative to the root.
+    /// Moved files: old and new path, relative to the root.
     moves: Vec<[String; 2]>,
     /// Old and new name of the declaration that is renamed.
     renamed: Option<[String; 2]>,

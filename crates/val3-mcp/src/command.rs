@@ -53,7 +53,7 @@ pub struct CommandOutput {
 }
 
 impl CommandOutput {
-    /// Whether the command rejects its arguments, or could not read or execute some of what they name.
+    /// Whether the command rejects the arguments, or could not read a named file or execute a named test.
     fn is_incomplete(&self) -> bool {
         self.exit_code == USAGE
     }
@@ -64,7 +64,7 @@ impl CommandOutput {
 pub(crate) struct Report {
     /// JSON document.
     pub(crate) document: Value,
-    /// Whether the command has read and executed everything that its arguments name.
+    /// Whether the command has read all named files and executed all named tests.
     pub(crate) is_complete: bool,
     /// Exit code.
     pub(crate) exit_code: i32,
@@ -115,8 +115,8 @@ pub(crate) fn run(
     if output.is_incomplete() { Err(Refusal::new(output.messages.trim())) } else { Ok(output) }
 }
 
-/// Starts a command that writes its report as a JSON document. The report of a command that could not read some of its
-/// files describes these files, and is returned as well.
+/// Starts a command that writes a report as a JSON document. If the command could not read some files, the report
+/// describes them, and is returned as well.
 ///
 /// # Errors
 ///
@@ -141,7 +141,7 @@ pub(crate) fn report(
     }
 }
 
-/// Starts a command, and returns the output of each exit code.
+/// Starts a command, and returns the output for any exit code.
 fn started(
     commands: &dyn Commands,
     request: &CommandRequest,

@@ -60,7 +60,7 @@ impl Roots {
         target.starts_with(&self.first) || self.others.iter().any(|root| target.starts_with(root))
     }
 
-    /// Path for answers: relative to the first root, with `/` as separator.
+    /// Path in answers: relative to the first root, with `/` as separator.
     pub(crate) fn shown(&self, path: &Utf8Path) -> String {
         let relative = path.strip_prefix(&self.first).unwrap_or(path);
         if relative.as_str().is_empty() { ".".to_owned() } else { relative.as_str().replace('\\', "/") }

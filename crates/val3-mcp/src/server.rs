@@ -71,7 +71,7 @@ pub fn serve(options: ServerOptions, commands: Arc<dyn Commands>) -> Result<(), 
             // A client may disconnect before the handshake.
             Err(_) => Ok(()),
         };
-        // Ends the command of an unfinished call before the server exits.
+        // Ends the commands of unfinished calls before the server exits.
         is_closed.store(true, Relaxed);
         let _ = tokio::time::timeout(CLOSING, turn.acquire()).await;
         ended

@@ -1,4 +1,4 @@
-//! A tool: its definition, and the context of its calls.
+//! Definition of a tool, and context of a call.
 
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;

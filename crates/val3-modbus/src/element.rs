@@ -14,8 +14,8 @@ pub struct Element {
     pub writer: Writer,
     /// Link, for example `ModbusSrv-0\Modbus-Bit\bStart`, or `ModbusSrv-0\Modbus-Bit\bIn[0]` in an array.
     pub link: String,
-    /// Other links to the same value. Older files write the number of elements: `bIn:8[0]`. The name of an array is a
-    /// link to its first element.
+    /// Other links to the same value. Older files contain the array size: `bIn:8[0]`. An array's name is a link to the first
+    /// element.
     pub other_links: Vec<String>,
 }
 

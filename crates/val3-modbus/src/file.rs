@@ -55,7 +55,7 @@ pub struct Item {
     pub writer: Writer,
     /// First address, from 0.
     pub first: u16,
-    /// Number of addresses of an array, 1 to 65536; `None` for a single value.
+    /// Array size in addresses, 1 to 65536; `None` for a single value.
     pub count: Option<u32>,
     /// Byte offset of the element.
     pub offset: usize,

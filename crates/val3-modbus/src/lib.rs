@@ -1,6 +1,6 @@
 //! The Modbus server of a controller, without sockets and without signals.
 //!
-//! [`ModbusFile`] contains the tables of `usr/applicom/Modbus/modbus.xml`. A [`ModbusMap`] has the addresses of one topic,
+//! [`ModbusFile`] contains the tables of `usr/applicom/Modbus/modbus.xml`. A [`ModbusMap`] contains one topic's addresses,
 //! and a [`ModbusImage`] their values, which the run and the clients exchange. [`Message`] splits received bytes, and
 //! [`respond`] executes a request on the image. Requests and responses are encoded by `modbus-core`.
 
@@ -45,7 +45,7 @@ impl TableKind {
         }
     }
 
-    /// Letters in the `Syntaxe` of an item, after `Q` or `I`.
+    /// Letters after `Q` or `I` in an item's `Syntaxe`.
     const fn letters(self) -> &'static str {
         match self {
             Self::Bits => "",
@@ -53,7 +53,7 @@ impl TableKind {
         }
     }
 
-    /// Size of one address in bits.
+    /// Address size in bits.
     const fn bits(self) -> u32 {
         match self {
             Self::Bits => 1,
@@ -62,7 +62,7 @@ impl TableKind {
     }
 }
 
-/// Side that writes the values of an item. The letters in the file are those of the client.
+/// Side that writes an item's values. The file names each direction as seen by the client.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Writer {
     /// `%Q`: an output of the client, which programs of the robot only read.

@@ -34,7 +34,7 @@ impl ModbusMap {
     /// Returns the addresses of the active topic.
     ///
     /// # Errors
-    /// The file has a fault that makes addresses uncertain, or does not have one active topic.
+    /// Addresses are uncertain because of a fault in the file, or the number of active topics is not 1.
     pub fn of(file: &ModbusFile) -> Result<Self, NotServed> {
         let faults: Vec<FileFault> = file.faults.iter().filter(|fault| !fault.kind.is_harmless()).cloned().collect();
         if !faults.is_empty() {

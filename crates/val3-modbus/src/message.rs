@@ -9,7 +9,7 @@ const LENGTHS: std::ops::RangeInclusive<usize> = 2..=254;
 /// Functions up to this number are requests; greater numbers are exceptions.
 const LAST_FUNCTION: u8 = 0x7F;
 
-/// Received request with the fields of its header that the response repeats.
+/// Received request, with the header fields that the response repeats.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
     pub(crate) transaction: u16,

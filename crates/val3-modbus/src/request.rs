@@ -80,7 +80,7 @@ fn execute<'a>(request: &'a [u8], image: &mut ModbusImage, values: &'a mut [u8])
     }
 }
 
-/// Changes the bits of a word that the first mask excludes to those of the second one.
+/// Replaces the bits of a word outside the first mask by the bits of the second mask.
 fn write_masked(image: &mut ModbusImage, request: &[u8]) -> Result<(), Exception> {
     let fields: Vec<u16> =
         request.chunks_exact(2).map(|pair| pair.iter().fold(0, |word, byte| word << 8 | u16::from(*byte))).collect();

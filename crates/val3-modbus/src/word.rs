@@ -1,4 +1,4 @@
-//! Conversion of the number of an `aio` variable to a word.
+//! Conversion of a number in an `aio` variable to a word.
 
 /// Least number that a word can contain, if it is read as a signed number.
 const LOWEST_WORD: f64 = -32_768.0;

@@ -18,8 +18,8 @@ struct Account {
 }
 
 impl Accounts {
-    /// Accounts for the profiles of a controller and of its cell. A profile has the password of the controller's
-    /// settings and the rights of the cell; without a file of the cell it has all rights.
+    /// Creates accounts for the profiles in the controller's settings and in the cell's files. Passwords come from the
+    /// settings, rights from the cell. A profile without a file in the cell has all rights.
     #[must_use]
     pub fn new(profiles: &[Profile], of_cell: Vec<CellProfile>) -> Self {
         let own = |name: &str| profiles.iter().find(|profile| profile.name.eq_ignore_ascii_case(name));

@@ -42,10 +42,10 @@ pub(crate) const MOST_SIGNALS: usize = 10;
 /// Code of a breakpoint that was set or removed. The enumeration has no value for a success.
 pub(crate) const BREAKPOINT_SET: ExceptionCode = ExceptionCode::Unknown;
 
-/// Whether `asked`, the element `prjName` of a request, names a project: by its full name or its bare name.
-pub(crate) fn is_project_name(project: &str, asked: &str) -> bool {
+/// Whether `requested`, the element `prjName`, is the full name or the bare name of a project.
+pub(crate) fn is_project_name(project: &str, requested: &str) -> bool {
     let bare = project.rsplit('/').next().and_then(|file| file.rsplit_once('.')).map(|(name, _)| name);
-    project.eq_ignore_ascii_case(asked) || bare.is_some_and(|bare| bare.eq_ignore_ascii_case(asked))
+    project.eq_ignore_ascii_case(requested) || bare.is_some_and(|bare| bare.eq_ignore_ascii_case(requested))
 }
 
 /// Result of a line that was not replaced.
@@ -58,7 +58,7 @@ pub(crate) const fn replacement_result(fault: &ReplaceFault) -> ReplacementResul
     }
 }
 
-/// Code of an application that cannot be loaded or started. Newer interfaces have a code of unknown spelling.
+/// Fault code if an application cannot be loaded or started. Newer interfaces have a specific code with an unknown name.
 pub(crate) const NOT_LOADED: ExceptionCode = ExceptionCode::Unknown;
 
 /// Type of a signal in the list of all signals.

@@ -9,8 +9,8 @@ use val3_soap::{ExceptionCode, SoapFault};
 use crate::context::{Context, refused};
 use crate::units::{MM, joints_from_si};
 
-/// Largest deviation of an axis from length 1, and of the axes from right angles, as a sine. It covers matrices that are
-/// rounded to three decimals.
+/// Tolerance for axis lengths, and for right angles between axes as a sine. It accepts matrices that are rounded to three
+/// decimals.
 const DEVIATION: f64 = 1e-3;
 
 impl Context<'_, '_> {

@@ -1,10 +1,11 @@
-//! A controller that answers clients of its SOAP interface.
+//! SOAP interface of the virtual controller.
 //!
 //! A [`Service`] receives the requests of `val3-soap` between the cycles of a run and executes them on its controller:
 //! sessions with the rights of profiles, units, and the faults of a real controller. Connections and the clock belong
 //! to the binary.
 //!
-//! The interface is known from clients only. All answers that are inferred are in `inferred.rs`.
+//! No specification of the interface is public; its behaviour is derived from clients. All inferred answers are in
+//! `inferred.rs`.
 
 mod accounts;
 mod applications;

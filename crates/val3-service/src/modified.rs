@@ -8,7 +8,7 @@ use crate::applications;
 use crate::context::Context;
 
 impl Context<'_, '_> {
-    /// Marks a project in memory as changed. The event log contains the first change of each project.
+    /// Marks a project in memory as changed. The event log contains each project's first change.
     pub(crate) fn mark_as_modified(&mut self, project: InstanceId) {
         let instance = self.target.debugger.controller.vm.space.instance(project);
         let Some(name) = instance.map(applications::project_name) else { return };

@@ -1,4 +1,4 @@
-//! Moves of clients: the conversion of their descriptions to requests of the controller, and of its results.
+//! Moves of clients: conversion of move descriptors to move requests, and of results to answers.
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::Joints;
@@ -14,10 +14,10 @@ use crate::inferred::{BLOCKED_MOVE, NO_MOVE, UNLIMITED_SPEED, origin_of_position
 use crate::kinematics::{pose, requested};
 use crate::units::MM;
 
-/// Largest coordinate of a tool, a frame or a destination, in mm: 1 km. Larger coordinates are no positions of an arm.
+/// Coordinate limit for tools, frames and destinations, in mm: 1 km. No arm reaches larger coordinates.
 const MOST_COORDINATE: f64 = 1e6;
 
-/// Tool of a move, and the origin of its positions.
+/// Frames that a move descriptor selects.
 pub(crate) struct MoveFrames {
     /// Tool centre point on the flange.
     tool: IsometryMatrix3<f64>,
@@ -32,7 +32,7 @@ impl MoveFrames {
         Ok(Self { tool, origin: origin_of_positions(description.kind, frame, flange * tool) })
     }
 
-    /// Pose of a matrix of a request in `world`. `name` is the name of its element.
+    /// Converts a matrix in a request to a pose in `world`. `name` is the element's name for messages.
     ///
     /// # Errors
     /// The matrix is no frame.
@@ -133,7 +133,7 @@ fn percent(fraction: f64) -> f64 {
     fraction * 100.0
 }
 
-/// Pose of a matrix in mm. `name` is the name of its element.
+/// Converts a matrix to a pose in mm. `name` is the element's name for messages.
 fn valid_pose(name: &str, matrix: &Matrix) -> Result<IsometryMatrix3<f64>, String> {
     let pose = pose(matrix).ok_or_else(|| format!("`{name}` is no right-handed frame"))?;
     if pose.translation.vector.amax() > MOST_COORDINATE {

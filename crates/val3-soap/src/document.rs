@@ -20,13 +20,13 @@ pub struct SoapElement {
     pub namespace: String,
     /// Attributes without declarations of name spaces.
     pub attributes: Vec<SoapAttribute>,
-    /// Text of the element, without the text of its children.
+    /// Text directly in the element.
     pub text: String,
     /// Elements below this element.
     pub children: Vec<SoapElement>,
 }
 
-/// Attribute of an element.
+/// XML attribute.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SoapAttribute {
     /// Name without prefix.
@@ -108,7 +108,7 @@ impl SoapElement {
         self.children.iter().find(|child| child.is(namespace, name))
     }
 
-    /// Value of an attribute.
+    /// Attribute value.
     pub(crate) fn attribute(&self, namespace: &str, name: &str) -> Option<&str> {
         let attribute = self.attributes.iter().find(|known| known.name == name && known.namespace == namespace);
         attribute.map(|attribute| attribute.value.as_str())
@@ -119,7 +119,7 @@ impl SoapElement {
         matches!(self.attribute(SCHEMA_INSTANCE, "nil"), Some("true" | "1"))
     }
 
-    /// Text of an element without children.
+    /// Text, which is the element's only content.
     ///
     /// # Errors
     /// The element has children.

@@ -9,7 +9,7 @@ use crate::version::{SOAP_11, SOAP_12, SoapVersion};
 /// Name of the header entry with the session.
 const SESSION: &str = "sessionId";
 
-/// Name of the attribute of header entries that the receiver may not ignore.
+/// Attribute that forbids the receiver to ignore a header entry.
 const MUST_UNDERSTAND: &str = "mustUnderstand";
 
 /// Header entry with the session of a message.

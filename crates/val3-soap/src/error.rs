@@ -16,7 +16,7 @@ pub enum SoapError {
         /// Name of the root.
         root: String,
     },
-    /// The envelope has the name space of an unsupported SOAP version.
+    /// The envelope's name space belongs to an unsupported SOAP version.
     OtherVersion {
         /// Name space of the envelope.
         namespace: String,
@@ -42,7 +42,7 @@ pub enum SoapError {
         /// Name space of the element.
         namespace: String,
     },
-    /// The text or the content of an element is not a value of its type.
+    /// The element's content is not a value of the expected type.
     WrongValue {
         /// Name of the element.
         name: String,
@@ -91,11 +91,11 @@ impl fmt::Display for SoapError {
 
 impl std::error::Error for SoapError {}
 
-/// Longest text of an element in a message for people, in characters.
+/// Length limit for element texts in messages for people, in characters.
 const SHOWN_CHARACTERS: usize = 40;
 
 impl SoapError {
-    /// Creates the error of an element whose content has another type.
+    /// Creates [`WrongValue`](Self::WrongValue), with the beginning of the text.
     pub(crate) fn wrong_value(name: &str, text: &str, expected: impl Into<String>) -> Self {
         let mut shown: String = text.chars().take(SHOWN_CHARACTERS).collect();
         if shown.len() < text.len() {

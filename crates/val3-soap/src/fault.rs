@@ -39,7 +39,7 @@ impl Culprit {
     }
 }
 
-/// Fault in the body of an answer.
+/// SOAP fault, which replaces the answer in the body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoapFault {
     /// Party that has to change something.
@@ -156,7 +156,7 @@ impl SoapFault {
         body.is(version.namespace(), "Fault")
     }
 
-    /// Element in the body of an answer.
+    /// Returns the fault as an element for the body.
     #[must_use]
     pub fn write(&self, version: SoapVersion) -> SoapElement {
         let namespace = version.namespace();
@@ -184,7 +184,7 @@ impl SoapFault {
         fault
     }
 
-    /// Reads the body of an answer.
+    /// Reads the fault in a body.
     ///
     /// # Errors
     /// The body is no fault, or has no code or reason.

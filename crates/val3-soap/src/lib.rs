@@ -1,11 +1,10 @@
 //! Messages of the SOAP interface of CS8 and CS9 controllers: requests, answers and faults as typed structs.
 //!
-//! A message is a [`Envelope`]: a SOAP version, a session and a body. The body of a request is a [`SoapRequest`], the
-//! body of an answer a [`SoapAnswer`] or a [`SoapFault`]. Each operation is one file, and [`operations`] lists all of
-//! them.
+//! A message is a [`Envelope`]: a SOAP version, a session and a body. A request's body is a [`SoapRequest`], an
+//! answer's body a [`SoapAnswer`] or a [`SoapFault`]. Each operation is one file, and [`operations`] lists all operations.
 //!
-//! Names and types are facts of the stubs of public clients. The folder `tests/samples` contains one request and one
-//! answer for each operation.
+//! Names and types come from public clients' stubs. The folder `tests/samples` contains a request and an answer
+//! for each operation.
 
 mod base64_value;
 mod document;

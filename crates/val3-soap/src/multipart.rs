@@ -6,7 +6,7 @@ use crate::version::SoapVersion;
 /// Maximum number of parts. Requests of the interface contain no attachments.
 const MOST_PARTS: usize = 16;
 
-/// Finds the envelope in the body of an HTTP message.
+/// Finds the envelope in an HTTP body.
 ///
 /// # Errors
 /// The content type is no type of SOAP messages, or the parts are incomplete.
@@ -66,7 +66,7 @@ fn content_id(head: &[u8]) -> Option<String> {
         .find_map(|(name, value)| name.trim().eq_ignore_ascii_case("content-id").then(|| value.trim().to_owned()))
 }
 
-/// Value of a parameter of a content type, without quotation marks.
+/// Parameter value in a content type, without quotation marks.
 fn parameter(content_type: &str, name: &str) -> Option<String> {
     let mut rest = content_type.split_once(';')?.1;
     loop {

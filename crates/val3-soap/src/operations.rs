@@ -154,13 +154,13 @@ operations! {
     SetPower,
 }
 
-/// Body of a message with the request of an operation.
+/// Returns a message body with the request.
 #[must_use]
 pub fn request_body<O: Operation>(request: &O) -> SoapElement {
     written::<O, _>(O::NAME, request)
 }
 
-/// Element of a request or an answer of an operation.
+/// Returns a request or answer as an element in the operation's name space.
 fn written<O: Operation, V: SoapValue>(name: &str, value: &V) -> SoapElement {
     let mut element = SoapElement::qualified(O::SERVER.namespace(), name);
     value.write(&mut element);

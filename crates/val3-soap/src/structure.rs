@@ -1,9 +1,8 @@
 //! Declarations of structures, choices, enumerations and operations.
 
-/// Declares a structure: each field with its type, the name of its element and, for a list, the name of the elements in
-/// it.
+/// Declares a structure: each field with type and element name, and lists also with the name of the inner elements.
 ///
-/// The children of an element may be in any order. Unknown children are ignored, because newer clients may send more.
+/// Child elements may be in any order. Unknown children are ignored, because newer clients may send more.
 macro_rules! structure {
     ($(#[$meta:meta])* $name:ident {}) => {
         $(#[$meta])*
@@ -83,7 +82,7 @@ macro_rules! enumeration {
         pub enum $name { $($(#[$doc])* $variant,)* }
 
         impl $name {
-            /// All values, in the order of their numbers.
+            /// All values, sorted by number.
             pub const ALL: &[Self] = &[$(Self::$variant,)*];
 
             /// Text in messages.

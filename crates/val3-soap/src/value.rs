@@ -4,9 +4,9 @@ use crate::document::SoapElement;
 use crate::error::SoapError;
 use crate::server::SoapServer;
 
-/// Content of an element.
+/// Element content.
 pub trait SoapValue: Sized {
-    /// Reads the content of an element.
+    /// Reads the element's content.
     ///
     /// # Errors
     /// The content has another type.
@@ -30,7 +30,7 @@ pub trait Operation: SoapValue {
     type Answer: SoapValue;
 }
 
-/// Content of an element without fields.
+/// Empty element content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Empty;
 
@@ -95,7 +95,7 @@ impl SoapValue for bool {
 
 /// Field of a structure.
 pub(crate) trait SoapField: Sized {
-    /// Reads the field from the children of an element.
+    /// Reads the field from its child elements of `parent`.
     fn read_field(parent: &SoapElement, name: &'static str) -> Result<Self, SoapError>;
 
     /// Adds the field to an element.
@@ -151,7 +151,7 @@ fn children<'a>(
     })
 }
 
-/// Child with this name; `None` if there is none.
+/// Only child with this name; `None` if the element has no such child.
 pub(crate) fn only_child<'a>(
     parent: &'a SoapElement,
     name: &'static str,

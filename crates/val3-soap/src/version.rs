@@ -6,7 +6,7 @@ pub(crate) const SOAP_11: &str = "http://schemas.xmlsoap.org/soap/envelope/";
 /// Name space of envelopes in SOAP 1.2.
 pub(crate) const SOAP_12: &str = "http://www.w3.org/2003/05/soap-envelope";
 
-/// SOAP version of a message. An answer has the version of its request.
+/// SOAP version. An answer has the request's version.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SoapVersion {
     /// SOAP 1.1.

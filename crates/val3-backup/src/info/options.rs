@@ -6,7 +6,7 @@ use super::cfx::Settings;
 const NAMES: [&str; 8] =
     ["VAL 3", "testMode", "mcpMode", "continuousAxis", "valKernel", "valPlast", "valTending", "uniVAL"];
 
-/// Value of an option on trial. It is also the value in emulators.
+/// Value for options on trial, and for all options in emulators.
 const TRIAL: &str = "Demo";
 
 /// An option.
@@ -18,7 +18,7 @@ pub struct ControllerOption {
     pub state: OptionState,
 }
 
-/// State of an option. The licence code is not read.
+/// Option state. The licence code is not read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OptionState {
     /// A licence code is stored.

@@ -7,7 +7,7 @@ use crate::BackupFile;
 /// Folders of which each marks its parent as the `usr` of a controller.
 const MARKS: [&str; 2] = ["usrapp", "configs"];
 
-/// Folders of one controller.
+/// Folders that belong to a controller.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ControllerRoot {
     /// Path of the folder with `usr`, `sys` and `log`; empty for the root of the backup.

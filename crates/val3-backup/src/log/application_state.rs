@@ -32,7 +32,7 @@ pub enum UnknownCause {
     UnreadLine(String),
 }
 
-/// Starts and stops in one log, from the entries of its files, oldest file first.
+/// Running applications according to a log's entries, which are added oldest first.
 #[derive(Debug, Clone, Default)]
 pub struct ApplicationHistory {
     running: BTreeSet<String>,
@@ -104,7 +104,7 @@ fn mentions_applications(text: &str) -> bool {
     has_code || text.contains("application") && (text.contains("started") || text.contains("stopped"))
 }
 
-/// Whether the text is the name of an application. `%s` remains in an entry without its values.
+/// Whether the text can be an application name. `%s` remains in entries without values.
 fn is_name(text: &str) -> bool {
     !text.trim().is_empty() && !text.contains(['%', '\''])
 }

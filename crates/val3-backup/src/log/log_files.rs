@@ -11,12 +11,12 @@ const LOGS: [&str; 3] = ["errors", "system", "user"];
 /// Extensions of a log's files, oldest file first.
 const EXTENSIONS: [&str; 2] = ["old", "log"];
 
-/// Folder with the logs of one controller.
+/// Log folder of a controller.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LogFolder {
     /// Path in the backup; empty for the root.
     pub path: String,
-    /// Logs, each with the paths of its files, oldest file first.
+    /// Paths of each log's files, oldest file first.
     pub logs: Vec<Vec<String>>,
 }
 
@@ -58,7 +58,7 @@ fn logs(mut files: Vec<LogFile<'_>>) -> Vec<Vec<String>> {
 }
 
 impl<'a> LogFile<'a> {
-    /// Returns the file if its name is that of a log's file.
+    /// Returns the file if it has the name of a log file.
     fn new(path: &'a str, name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
         let (stem, extension) = name.rsplit_once('.')?;

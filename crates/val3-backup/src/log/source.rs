@@ -1,4 +1,4 @@
-//! Source lines of messages: the programs of applications that are at hand.
+//! Source lines of messages, from the programs of available applications.
 
 use std::collections::BTreeMap;
 
@@ -114,7 +114,7 @@ impl Program {
     }
 }
 
-/// Offsets of `begin` and of the end of the first code in a file.
+/// Offsets of `begin` and of the code's end, for the first code in a file.
 fn code_range(node: View<'_>) -> Option<(usize, usize)> {
     node.children().find_map(|child| match child.kind() {
         SyntaxKind::CODE => {

@@ -85,8 +85,8 @@ fn runtime_error(text: &str) -> Subject {
     let text = text.trim_end().trim_end_matches('.');
     let task = text.rsplit_once(". ").map(|(_, task)| task.to_owned()).filter(|task| !task.contains(' '));
     let application = task.as_deref().and_then(|task| task.strip_suffix('~')).map(str::to_owned);
-    // The first task of an application is called `demo~` and executes `start`. A click on a user page runs its program
-    // in a task such as `first.btnReset.click_clkReset`.
+    // The first task of the application `demo` is called `demo~` and executes `start`. A click on a user page starts the
+    // program `clkReset` in a task such as `first.btnReset.click_clkReset`.
     let clicked = task.as_deref().and_then(|task| task.rsplit_once('.')?.1.split_once('_'));
     let program = clicked.map(|(_, program)| program.to_owned());
     Subject { application, task, program, error, ..Subject::default() }

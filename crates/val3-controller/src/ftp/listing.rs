@@ -126,7 +126,7 @@ fn names(connection: &mut Connection) -> Result<Vec<String>, AccessFault> {
     Ok(lines.iter().map(last).filter(|name| name != "." && name != "..").collect())
 }
 
-/// Determines the type of each name: it is a folder if it can be entered.
+/// Determines types by entering: a name that can be entered is a folder.
 fn with_types(
     connection: &mut Connection,
     folder: &ControllerPath,

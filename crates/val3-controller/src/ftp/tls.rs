@@ -34,7 +34,7 @@ pub(super) enum AcceptedCertificate {
     Only(CertificateFingerprint),
 }
 
-/// Certificate and fault of the handshakes of one session. `suppaftp` passes on the text of an error only.
+/// Certificate and fault of a session's handshakes, because `suppaftp` passes on only error texts.
 #[derive(Debug, Default)]
 struct HandshakeRecord {
     presented: Option<CertificateFingerprint>,
@@ -50,7 +50,7 @@ fn lock(record: &Mutex<HandshakeRecord>) -> MutexGuard<'_, HandshakeRecord> {
     record.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Establishes the TLS of one control connection and its data connections.
+/// Establishes TLS on a control connection and its data connections.
 #[derive(Debug, Clone)]
 pub(super) struct TlsSession {
     config: Arc<ClientConfig>,
@@ -185,7 +185,7 @@ pub(super) struct TlsSocket {
 }
 
 impl Read for TlsSocket {
-    /// An end without the mark of TLS is an error, so that nobody can cut off a file.
+    /// An end without the mark of TLS is an error: otherwise, an attacker could truncate a file.
     fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
         let read = self.stream.read(buffer);
         self.is_upload = false;

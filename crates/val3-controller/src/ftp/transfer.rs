@@ -50,7 +50,7 @@ fn receive(mut stream: TransferStream<TlsSocket>, limit: u64) -> Result<Vec<u8>,
 }
 
 impl Connection {
-    /// Returns the data connection of a command, with a limit of its time.
+    /// Returns the opened data connection, with the transfer timeout.
     fn opened(&self, stream: FtpResult<TransferStream<TlsSocket>>) -> Result<TransferStream<TlsSocket>, AccessFault> {
         let stream = stream.map_err(|error| self.opening_fault(error))?;
         self.limit(stream.get_ref().get_ref())?;

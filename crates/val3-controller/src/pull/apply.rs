@@ -68,7 +68,7 @@ fn update(project: &ControllerProject, status: &ProjectStatus, path: &Controller
     project::move_file(&incoming, &project.local(path))
 }
 
-/// Removes what is in the way of the stored copy of a file, for example after a pull that was killed.
+/// Removes obstacles at the path of a stored copy, for example after a pull that was killed.
 pub(super) fn free_base_name(project: &ControllerProject, path: &ControllerPath) -> Result<(), ControllerError> {
     for folder in std::iter::successors(path.parent(), ControllerPath::parent) {
         let at = project.stored(BASE, &folder);

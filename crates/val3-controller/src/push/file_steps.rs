@@ -1,4 +1,4 @@
-//! Steps of a push and of its recovery for single files and folders.
+//! Steps for single files and folders, shared by push and recovery.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Journal of a push, with the old and new contents of its files: `.val3/backup/TIME`.
+//! Push journal, with the old and new contents of changed files: `.val3/backup/TIME`.
 //!
 //! It is written before the controller is changed, so that the next command can undo a push whose process was killed.
 
@@ -30,7 +30,7 @@ pub(super) enum PushPhase {
     Complete,
 }
 
-/// What has to be known to undo a push.
+/// Data for undoing or completing a push.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct PushJournal {
     version: u32,

@@ -10,7 +10,7 @@ const DISK: &str = "disk://";
 /// Project files by path, with their texts.
 pub(super) type ProjectTexts = BTreeMap<ControllerPath, String>;
 
-/// Returns the rank of each application's folder: its libraries and types have lower ranks, unless they form a circle.
+/// Returns the ranks of application folders. Libraries and types have lower ranks than their users, except in circles.
 pub(super) fn ranks(projects: &ProjectTexts) -> BTreeMap<ControllerPath, usize> {
     let folders: BTreeSet<ControllerPath> = projects.keys().filter_map(ControllerPath::parent).collect();
     let uses = projects.iter().filter_map(|(path, text)| {
@@ -32,8 +32,8 @@ pub(super) fn ranks(projects: &ProjectTexts) -> BTreeMap<ControllerPath, usize> 
     ranks
 }
 
-/// Returns the project files that a change concerns: those in the folders of the changed files, and those of direct and
-/// indirect users of these projects.
+/// Returns the project files that a change affects: project files in the same folders as changed files, and their direct
+/// and indirect users.
 pub(super) fn affected<'c>(
     projects: &ProjectTexts,
     changed: impl Iterator<Item = &'c ControllerPath> + Clone,

@@ -98,7 +98,7 @@ fn is_stale(text: &str, now: u64) -> bool {
     time_of(text).is_none_or(|time| now.saturating_sub(time) > STALE_SECONDS)
 }
 
-/// Time in a lock, in seconds since 1970 on the clock of its owner.
+/// Time in a lock, in seconds since 1970 on the owner's clock.
 fn time_of(text: &str) -> Option<u64> {
     text.lines().find_map(|line| line.strip_prefix("time ")).and_then(|time| time.trim().parse().ok())
 }

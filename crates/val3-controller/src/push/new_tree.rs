@@ -36,8 +36,8 @@ pub fn remove_new_tree(project: &ControllerProject) -> Result<(), ControllerErro
     project::remove_tree(&project.area("checked"))
 }
 
-/// Returns the project files of the applications that the push changes, and of their direct and indirect users, as the
-/// controller will have them.
+/// Returns the project files that the push affects, with their contents after the push: changed applications, and direct
+/// and indirect users.
 ///
 /// # Errors
 /// If a project file cannot be read, or the controller's content is not stored.

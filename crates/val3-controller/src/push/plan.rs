@@ -14,7 +14,7 @@ use crate::project::{self, ControllerProject};
 use crate::rules::is_protected;
 use crate::status::ProjectStatus;
 
-/// Change of one file on the controller.
+/// Planned change to a file on the controller.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PlannedChange {
     /// The file.

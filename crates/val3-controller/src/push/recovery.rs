@@ -98,7 +98,7 @@ pub(super) fn finish(
     backup.complete(journal.clone())
 }
 
-/// Stores the new contents as those of the last push.
+/// Stores the new contents as the state of the last push.
 fn remember(
     project: &mut ControllerProject,
     backup: &BackupFolder,

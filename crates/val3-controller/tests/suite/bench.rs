@@ -1,4 +1,4 @@
-//! A project and the server of its controller.
+//! A project and its controller's server.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,8 +1,8 @@
 //! Ends of the controller and of the client at every operation of a push.
 //!
-//! The law: the controller has the old application, or the new one, or the next command restores one of them and says
-//! so. A client that is killed leaves the same state as a client whose controller has died, because the journal is
-//! written first; `tests/python/test_controller.py` kills the real process.
+//! The law: the controller has the old application or the new application, or the next command restores one and reports
+//! it. A killed client causes the same state as a controller that has died, because the journal is written first.
+//! `tests/python/controller_cases.py` kills the real process.
 
 use val3_controller::{FailureOutcome, PushFailure, RecoveryOutcome};
 

@@ -1,4 +1,4 @@
-//! A controller in memory that dies at one of its operations, without sockets: so that every operation can be tried.
+//! A controller in memory, without sockets, that dies at a chosen operation, so that tests can try every operation.
 
 use std::sync::{Arc, Mutex, MutexGuard};
 

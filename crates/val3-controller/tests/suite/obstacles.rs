@@ -49,7 +49,7 @@ fn a_local_file_in_the_way_is_named_before_anything_is_written() {
     }
 }
 
-/// A pull that was killed, or a state that was removed, leaves copies that no state names.
+/// After a pull was killed, or a state was removed, copies remain that no state names.
 #[test]
 fn old_copies_are_not_in_the_way() {
     let bench = bench();

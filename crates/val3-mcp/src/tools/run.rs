@@ -93,7 +93,7 @@ fn with_arguments(text: &str) -> String {
     options.iter().fold(text.to_owned(), |text, (option, argument)| text.replace(option, argument))
 }
 
-/// Name of an arm, or the path of its file, which must be inside of the roots.
+/// Returns an arm's name unchanged, or the resolved path of an arm file inside of the roots.
 fn known_arm(call: &Call<'_>, arm: &str) -> Result<String, Refusal> {
     let is_path = arm.contains(['/', '\\', '.', ':']) || arm.starts_with('-');
     if is_path { call.roots.resolve(arm).map(Into::into) } else { Ok(arm.to_owned()) }

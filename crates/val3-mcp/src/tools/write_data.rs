@@ -64,7 +64,7 @@ impl Definition for WriteData {
     }
 }
 
-/// File of the data, and the edits of its tables.
+/// Returns the data file, and the edits of the data's table.
 fn edits(db: &Database, project: Project, arguments: &Arguments) -> Result<(File, Vec<DataEdit>), Refusal> {
     let known = items(db, project).data.get(arguments.name.as_str());
     let mut edits = Vec::new();

@@ -1,4 +1,4 @@
-//! Compares the names and addresses of the items of a topic.
+//! Comparison of a topic's items: repeated names, overlapping and missing addresses.
 
 use std::collections::BTreeSet;
 

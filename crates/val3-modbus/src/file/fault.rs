@@ -33,9 +33,9 @@ pub enum FaultKind {
     },
     /// The `IDModule` of a module is neither `BOOLEAN` nor `WORD`.
     Module(String),
-    /// The `Syntaxe` of an item is unknown in its table, or has addresses beyond the table.
+    /// An item's `Syntaxe` is unknown in its table, or has addresses beyond the table.
     Syntax(String),
-    /// The `Offset` of an item is not the address in its `Syntaxe`.
+    /// An item's `Offset` is not the address in its `Syntaxe`.
     Offset {
         /// Name of the item.
         item: String,
@@ -62,7 +62,7 @@ pub enum FaultKind {
         /// Last address.
         last: u32,
     },
-    /// The `OutputSize` of a module is not the size of its items.
+    /// A module's `OutputSize` is not the total size of the items.
     Size {
         /// `OutputSize` as written.
         stated: String,

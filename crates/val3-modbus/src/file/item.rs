@@ -1,8 +1,8 @@
-//! Addresses of an item: its `Syntaxe`, such as `%Q0`, `%I10:8` or `%QW0:2`.
+//! Item addresses: the `Syntaxe`, such as `%Q0`, `%I10:8` or `%QW0:2`.
 
 use crate::{TableKind, Writer};
 
-/// Number of addresses of a table.
+/// Number of addresses in each table.
 pub(super) const ADDRESSES: u32 = 0x1_0000;
 
 /// Parsed `Syntaxe`.
@@ -11,7 +11,7 @@ pub(super) struct ItemSyntax {
     pub(super) writer: Writer,
     /// First address, from 0.
     pub(super) first: u16,
-    /// Number of addresses of an array, 1 to 65536; `None` for a single value.
+    /// Array size in addresses, 1 to 65536; `None` for a single value.
     pub(super) count: Option<u32>,
 }
 

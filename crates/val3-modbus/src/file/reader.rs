@@ -7,7 +7,7 @@ use super::item::ItemSyntax;
 use super::{FaultKind, FileFault, Item, ModbusFile, Topic};
 use crate::TableKind;
 
-/// Attributes of a topic of which one is the number in the device name.
+/// Topic attributes, one of which is the number in the device name.
 const NUMBERS: [&str; 3] = ["Card", "Channel", "Equipment"];
 
 /// Reads the elements. The addresses of the items are not compared.
@@ -95,7 +95,7 @@ impl ModbusFile {
         Some(Item { name, table, writer, first, count, offset: start(element) })
     }
 
-    /// Reads the port and the number of clients of a topic.
+    /// Reads a topic's port and client limit.
     fn parameters(&mut self, element: XmlElement<'_>) {
         let Some(name) = self.text(element, "GENERAL_PARAMETERS", "TopicName") else { return };
         let clients = self.parameter(element, "ConnectionNumber");
@@ -126,7 +126,7 @@ impl ModbusFile {
     }
 }
 
-/// Range of an attribute's value, or of the start tag.
+/// Range of the attribute's value; the start tag without the attribute.
 fn place(element: XmlElement<'_>, attribute: &str) -> TextRange {
     element.attribute(attribute).map_or(element.tag_range(), |found| found.range)
 }

@@ -46,8 +46,8 @@ fn is_write(request: &[u8], counts: RangeInclusive<usize>, bytes: fn(usize) -> u
     stated == Some(bytes(count)) && request.len() == BEFORE_VALUES + bytes(count)
 }
 
-/// Whether function 23 reads and writes permitted numbers of words. The first address and count are those to read, the
-/// second ones those to write.
+/// Whether function 23 reads and writes permitted numbers of words. The first address and count belong to the read range,
+/// the second address and count to the write range.
 fn is_exchange(request: &[u8]) -> bool {
     let read = request.get(..FIXED).is_some_and(|read| is_read(read, 1..=125));
     read && request.get(FIXED - 1..).is_some_and(|written| is_write(written, 1..=121, |count| count * 2))

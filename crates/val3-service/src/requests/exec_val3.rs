@@ -1,4 +1,4 @@
-//! `execVal3`: executes code in a stack frame, or with the data of an application.
+//! `execVal3`: executes code in a stack frame, or with an application's global data.
 
 use val3_debug::DisplayFormat;
 use val3_session::{Evaluation, EvaluationError, Purpose};
@@ -29,7 +29,7 @@ pub(super) fn answer(request: &ExecVal3, context: &mut Context<'_, '_>) -> Resul
     Ok(ExecVal3Answer { code, output: Some(output) })
 }
 
-/// Value of an expression, or the lines that statements have printed.
+/// Text of the result: the expression's value, or the lines that statements have printed.
 fn text(evaluation: Evaluation) -> String {
     match evaluation.value {
         Some(value) => value.shown,

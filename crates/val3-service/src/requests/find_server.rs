@@ -1,4 +1,4 @@
-//! `findServer`: all servers exist, but not all of their requests are offered.
+//! `findServer`: all servers exist, although some requests are not offered.
 
 use val3_soap::v0::{FindServer, FindServerAnswer};
 use val3_soap::{SoapFault, SoapServer};

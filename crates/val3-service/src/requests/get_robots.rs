@@ -31,7 +31,7 @@ fn mount(mounting: &str) -> MountType {
     }
 }
 
-/// Value of an enumeration for a part of an arm's name: `L200` in `rs60-S1-D20-L200` is `LENGTHAXIS3-L200`.
+/// Finds the enumerator for a part of an arm's name: `L200` in `rs60-S1-D20-L200` is `LENGTHAXIS3-L200`.
 fn in_name<T: Copy>(name: &str, letter: &str, all: &[T], text: fn(T) -> &'static str) -> Option<T> {
     let mut parts = name.split('-').filter(|part| part.starts_with(letter));
     parts.find_map(|part| all.iter().copied().find(|value| text(*value).ends_with(&format!("-{part}"))))

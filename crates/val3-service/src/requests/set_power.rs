@@ -1,4 +1,4 @@
-//! `setPower`: switches the power at once, only in the remote mode.
+//! `setPower`: switches the power immediately, only in the remote mode.
 
 use serde_json::Map;
 use val3_machine::controller::Controller;

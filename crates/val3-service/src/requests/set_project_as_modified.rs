@@ -1,4 +1,4 @@
-//! `setProjectAsModified`: marks a project in memory as changed. The event log reports when it leaves the memory.
+//! `setProjectAsModified`: marks a project in memory as changed. The event log warns when the project is unloaded.
 
 use val3_soap::v2::SetProjectAsModified;
 use val3_soap::{Empty, SoapFault};

@@ -89,8 +89,8 @@ fn a_restored_controller_repeats_the_restart() {
     assert_repeated_after_a_restore(&mut Client::logged_in(), PROJECT, "unload");
 }
 
-/// Fails unless a restored controller repeats the start of an application in place of the present one, with an event that
-/// contains `text`.
+/// Asserts that a restored controller repeats the replacement of the present application, with an event that contains
+/// `text`.
 fn assert_repeated_after_a_restore(client: &mut Client, application: &str, text: &str) {
     client.run(1);
     let snapshot = client.controller().snapshot();
@@ -120,7 +120,7 @@ fn breakpoints_remain_for_the_next_start() {
     assert_eq!((state, number), (TaskState::Stopped, 3));
 }
 
-/// An application, another one that runs in its place, a project with an error, and a library.
+/// Two applications, a project with an error, and a library.
 const PROJECTS: &str = r#"
 num nCount
 program start()

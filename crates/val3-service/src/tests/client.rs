@@ -25,7 +25,7 @@ pub(super) struct Client {
     pub(super) session: Option<i32>,
     /// Time of the next request.
     pub(super) now: Duration,
-    /// Folder of an application that only this test has.
+    /// Temporary folder with the test's own application.
     folder: Option<TempDir>,
 }
 
@@ -58,7 +58,7 @@ impl Client {
         client
     }
 
-    /// Folder of the projects of a listing.
+    /// Folder that is `Disk` for the listing's projects.
     pub(super) fn disk(&self) -> PathBuf {
         self.folder.as_ref().unwrap().path().join("usrapp")
     }

@@ -214,7 +214,7 @@ fn project(name: &str) -> SoapRequest {
     SoapRequest::GetProject(GetProject { name: some(name) })
 }
 
-/// Names of the files in the archive of a project, and the text of one file.
+/// File names in a project's archive, and the text of `file`.
 fn files(client: &mut Client, name: &str, file: &str) -> (Vec<String>, String) {
     let SoapAnswer::GetProject(answer) = client.ask(project(name)) else { panic!("no project") };
     let mut archive = zip::ZipArchive::new(std::io::Cursor::new(answer.data.0)).unwrap();

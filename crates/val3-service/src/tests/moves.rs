@@ -71,7 +71,7 @@ fn alone() -> Client {
     client
 }
 
-/// Result of a move with its id, or of another request for a motion.
+/// Move id and result; id 0 for a motion request without a move.
 #[track_caller]
 fn result(client: &mut Client, request: SoapRequest) -> (i32, MotionResult) {
     match client.ask(request) {

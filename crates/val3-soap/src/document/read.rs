@@ -18,7 +18,7 @@ const MOST_DEPTH: usize = 32;
 /// Maximum number of elements.
 const MOST_ELEMENTS: usize = 20_000;
 
-/// Maximum number of attributes of one element.
+/// Maximum number of attributes in an element.
 const MOST_ATTRIBUTES: usize = 64;
 
 /// Byte order mark, with which some clients begin the document.

@@ -14,7 +14,7 @@ pub(super) fn write(root: &SoapElement) -> String {
     writer.text
 }
 
-/// Adds the name spaces of an element and its descendants, each once.
+/// Adds each name space in the element and below it once.
 fn collect<'a>(element: &'a SoapElement, namespaces: &mut Vec<&'a str>) {
     let attributes = element.attributes.iter().map(|attribute| attribute.namespace.as_str());
     for namespace in std::iter::once(element.namespace.as_str()).chain(attributes) {

@@ -21,7 +21,7 @@ structure! {
 }
 
 enumeration! {
-    /// Kind of an arm.
+    /// Kinematic structure.
     Kinematic {
         /// No kind.
         Invalid = "KINEMATIC-INVALID",
@@ -37,7 +37,7 @@ enumeration! {
 }
 
 enumeration! {
-    /// Mounting of an arm.
+    /// Mounting position.
     MountType {
         /// No mounting.
         Invalid = "MOUNTTYPE-INVALID",

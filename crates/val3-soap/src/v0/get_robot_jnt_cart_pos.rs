@@ -1,4 +1,4 @@
-//! `getRobotJntCartPos`: the joints of an arm, and the position of a tool.
+//! `getRobotJntCartPos`: the arm's joints, and the tool's position.
 
 use super::CartesianPosition;
 use crate::structure::{operation, structure};

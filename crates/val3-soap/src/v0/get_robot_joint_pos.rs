@@ -1,4 +1,4 @@
-//! `getRobotJointPos`: the joints of an arm.
+//! `getRobotJointPos`: the arm's joints.
 
 use crate::structure::{operation, structure};
 

@@ -11,7 +11,7 @@ structure! {
 structure! {
     /// Answer of `getRobots`.
     GetRobotsAnswer {
-        /// Arms, in the order of their indexes.
+        /// Arms, sorted by index.
         robots: Vec<RobotDescription> = "out" of "Robots",
     }
 }

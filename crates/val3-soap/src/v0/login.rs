@@ -5,7 +5,7 @@ use crate::structure::{operation, structure};
 structure! {
     /// Request `login`.
     Login {
-        /// Name of a profile of the controller.
+        /// Profile name.
         user: Option<String> = "user",
         /// Password of the profile.
         password: Option<String> = "pwd",

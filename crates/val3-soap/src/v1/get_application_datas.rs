@@ -1,4 +1,4 @@
-//! `getApplicationDatas`: the data of an application with their current values.
+//! `getApplicationDatas`: an application's data with the current values.
 
 use crate::base64_value::Binary;
 use crate::structure::{operation, structure};

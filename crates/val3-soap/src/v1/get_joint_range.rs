@@ -1,4 +1,4 @@
-//! `getJointRange`: the limits of the joints of an arm.
+//! `getJointRange`: the arm's joint limits.
 
 use super::JointRange;
 use crate::structure::{operation, structure};

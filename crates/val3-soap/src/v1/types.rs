@@ -15,9 +15,9 @@ structure! {
 structure! {
     /// Limits of joints, in rad or m.
     JointRange {
-        /// Smallest value of each joint.
+        /// Lower limits, by joint.
         min: Vec<f64> = "min",
-        /// Largest value of each joint.
+        /// Upper limits, by joint.
         max: Vec<f64> = "max",
     }
 }

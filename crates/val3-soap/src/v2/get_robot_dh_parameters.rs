@@ -1,4 +1,4 @@
-//! `getRobotDhParameters`: the geometry of an arm.
+//! `getRobotDhParameters`: Denavit-Hartenberg parameters of the arm's joints.
 
 use super::DhParameters;
 use crate::structure::{operation, structure};
@@ -14,7 +14,7 @@ structure! {
 structure! {
     /// Answer of `getRobotDhParameters`.
     GetRobotDhParametersAnswer {
-        /// Parameters of each joint.
+        /// Parameters, by joint.
         joints: Vec<DhParameters> = "dhParametersArray" of "DhParameters",
         /// Distance of the flange from the last joint, in m.
         last_d: f64 = "lastDParam",

@@ -18,7 +18,7 @@ structure! {
     ReplaceLineAnswer {
         /// Result.
         code: ReplacementResult = "retCode",
-        /// Description of an error.
+        /// Error description.
         output: Option<String> = "strOut",
     }
 }

@@ -13,7 +13,7 @@ structure! {
         simulated: bool = "simulated",
         /// Value; 0 or 1 for a digital signal.
         value: f64 = "value",
-        /// Description, if the request asks for it.
+        /// Description, if it was requested.
         description: Option<String> = "description",
         /// Conversion of the value.
         attributes: SignalAttributes = "attrib",
@@ -51,7 +51,7 @@ structure! {
 }
 
 structure! {
-    /// Conversion of an analogue signal: `a * x + b` (inferred).
+    /// Analogue conversion: `a * x + b` (inferred).
     AnalogueAttributes {
         /// Factor.
         a: f64 = "coefA",
@@ -61,7 +61,7 @@ structure! {
 }
 
 structure! {
-    /// Result of a change of a signal.
+    /// Result of writing, locking or unlocking a signal.
     SignalResponse {
         /// Whether the signal was changed.
         success: bool = "success",

@@ -3,7 +3,7 @@
 use crate::structure::{choice, enumeration, structure};
 
 choice! {
-    /// Configuration of an arm.
+    /// Arm configuration.
     ArmConfig {
         /// Arm with six rotary joints.
         Anthro(AnthroConfig) = "anthroConfig",
@@ -15,7 +15,7 @@ choice! {
 }
 
 structure! {
-    /// Configuration of an arm with six rotary joints.
+    /// Configuration with six rotary joints.
     AnthroConfig {
         /// Shoulder.
         shoulder: Shoulder = "shoulder",
@@ -35,7 +35,7 @@ structure! {
 }
 
 structure! {
-    /// Configuration of an arm for painting.
+    /// Painting arm configuration.
     VrbxConfig {
         /// First joint.
         joint_1: AboveBelow = "jnt1",
@@ -61,7 +61,7 @@ enumeration! {
 }
 
 enumeration! {
-    /// Configuration of an elbow or a wrist.
+    /// Elbow or wrist configuration.
     PositiveNegative {
         /// The configuration before the move.
         Same = "PNSAME",
@@ -75,7 +75,7 @@ enumeration! {
 }
 
 enumeration! {
-    /// Configuration of the first joint of an arm for painting.
+    /// Configuration of joint 1 in painting arms.
     AboveBelow {
         /// The configuration before the move.
         Same = "ABSAME",

@@ -22,9 +22,9 @@ structure! {
 }
 
 structure! {
-    /// State of an arm.
+    /// Arm state.
     RobotPosition {
-        /// Whether the arm stands still at the end of its moves.
+        /// Whether the arm is settled: all moves are done, and no joint moves.
         settled: bool = "settled",
         /// Joints, in rad or m.
         joints: Vec<f64> = "joint" of "item",
@@ -76,7 +76,7 @@ enumeration! {
 }
 
 enumeration! {
-    /// Result of a change of the power.
+    /// Result of `setPower`.
     PowerResult {
         /// The power was changed.
         NoError = "POWER-NO-ERR",
@@ -92,7 +92,7 @@ enumeration! {
 }
 
 enumeration! {
-    /// Who schedules the moves.
+    /// Scheduler of the moves.
     SchedulingMode {
         /// The controller.
         Internal = "SCHEDULING-INTERNAL",

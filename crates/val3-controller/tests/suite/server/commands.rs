@@ -6,7 +6,7 @@ use std::sync::Mutex;
 
 use super::{Behaviour, Death, ListForm, ServerState, Tree};
 
-/// State of one connection.
+/// Connection state.
 #[derive(Default)]
 pub(super) struct Session {
     folder: String,
@@ -22,7 +22,7 @@ pub(super) struct Session {
 type Reply<'a> = dyn FnMut(&str) -> bool + 'a;
 
 impl Session {
-    /// Executes a command. Returns the final reply; `None` if there is none.
+    /// Executes a command. Returns the final reply; `None` if the connection ends without a reply.
     pub(super) fn execute(&mut self, line: &str, state: &Mutex<ServerState>, reply: &mut Reply<'_>) -> Option<String> {
         let (verb, argument) = line.split_once(' ').unwrap_or((line, ""));
         if !self.is_logged_in {
@@ -137,7 +137,7 @@ impl Session {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = listener.local_addr().unwrap().port();
         self.passive = Some(listener);
-        // The address is wrong, as behind a router.
+        // A server whose address a router translates replies with an unreachable address.
         format!("227 Entering Passive Mode (10,0,0,1,{},{})", port / 256, port % 256)
     }
 
@@ -203,7 +203,7 @@ fn folder_path(argument: &str) -> String {
     argument.trim_end_matches('/').to_owned()
 }
 
-/// Path of an existing file with the same name, if case is ignored.
+/// Path of an existing file with the same name; letter case is ignored if the server does so.
 fn resolved(state: &ServerState, path: &str) -> String {
     let is_same = |other: &&String| other.eq_ignore_ascii_case(path);
     let found = state.tree.files.keys().find(is_same).filter(|_| state.behaviour.ignores_case);

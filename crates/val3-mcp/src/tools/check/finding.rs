@@ -80,7 +80,7 @@ impl FileText {
     }
 }
 
-/// Byte range and new text of an edit.
+/// Byte range and replacement text.
 fn edit(edit: &Value) -> Option<(Range<usize>, &str)> {
     let at = |end: &str| usize::try_from(number(edit.pointer(&format!("/range/{end}"))?, "offset")).ok();
     Some((at("start")?..at("end")?, text(edit, "text")))
