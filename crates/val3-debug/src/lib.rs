@@ -6,6 +6,7 @@
 mod arguments;
 mod backwards;
 mod breakpoints;
+mod calls;
 mod conditions;
 mod contacts;
 mod data_breakpoints;
@@ -39,6 +40,7 @@ pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
+pub use calls::{Execution, ExecutionEnd, ExecutionLimits};
 pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
 pub use contacts::Contact;
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
