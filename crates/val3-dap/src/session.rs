@@ -8,6 +8,7 @@ mod arm_wait;
 mod at_end;
 mod console_call;
 mod control;
+mod earlier_values;
 mod end_progress;
 mod evaluation;
 mod line_wait;

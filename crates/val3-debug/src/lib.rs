@@ -63,4 +63,4 @@ pub use values::{
 };
 pub use variable_filter::{InvalidVariableFilter, VariableFilter};
 pub use watched::{DataForm, DataTable, NumberSeries, TableRow, WatchedData};
-pub use writes::{DataWrite, DataWrites, InitialValue};
+pub use writes::{DataWrite, DataWrites, InitialValue, WriteLimits};

@@ -50,7 +50,11 @@ impl DebugRequest for Evaluate {
             refers_to: value.refers_to.filter(|other| !is_copied && !names(&arguments.expression, other)),
             ..value
         });
-        let variable = value.map(|value| session.shown(value, run)).unwrap_or_default();
+        let mut variable = value.map(|value| session.shown(value, run)).unwrap_or_default();
+        if is_short && variable.variables_reference == 0 {
+            let earlier = session.earlier_values(&arguments.expression, arguments.frame_id, run);
+            variable.value.extend(earlier.map(|earlier| format!(" · {earlier}")));
+        }
         let mut lines = output;
         lines.extend(stop.map(|_| STOPPED.to_owned()));
         lines.extend(Some(list.unwrap_or(variable.value)).filter(|value| !value.is_empty()));
@@ -122,7 +126,7 @@ mod tests {
         };
         assert_eq!(shown("nThird", "clipboard"), "0.3333333333333333");
         assert_eq!(shown("nThird", "watch"), "0.3333333333333333");
-        assert_eq!(shown("nThird", "hover"), "0.33333333333333");
+        assert!(shown("nThird", "hover").as_str().unwrap().starts_with("0.33333333333333 · since "));
         assert_eq!(shown("nOne[0]", "watch"), "0");
         assert_eq!(shown("nThird*3", "watch"), "1");
     }
