@@ -5,10 +5,8 @@ const { Application } = require("./application");
 const { debug } = require("./session");
 
 const CALLING = {
+  data: { "num nA": "", "num nB": "" },
   programs: `
-num nA
-num nB
-
 program start()
 begin
   nB=1
@@ -72,7 +70,7 @@ test("a call stops at a breakpoint, is stepped, and returns to where it was made
     await session.stopped("step");
     assert.equal(await value(session, "nA"), "1");
     await session.ask("stepBack", { threadId: session.thread });
-    await session.stopped();
+    await session.stopped("step");
     assert.equal(await value(session, "nA"), "0");
     await session.setBreakpoints(own.file("sub"));
     await session.ask("continue", { threadId: session.thread });

@@ -316,6 +316,29 @@ end
     }
 
     #[test]
+    fn each_step_back_in_a_call_undoes_a_step() {
+        let mut client = stopped();
+        set(&mut client, "work", json!([{ "line": 11 }]));
+        client.console("call work(3)\ncall divide(2)\ncall work(1)");
+        set(&mut client, "work", json!([]));
+        let state = |client: &mut TestClient| (stack(client), client.value("nA"), client.debugger.controller.now());
+        let mut states = vec![state(&mut client)];
+        while stack(&mut client).len() > 1 {
+            client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+            states.push(state(&mut client));
+        }
+        assert!(states.len() > 12, "{states:?}");
+        for expected in states.iter().rev().skip(1) {
+            client.stop_after("val3/stepBackInto", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!(state(&mut client), *expected);
+        }
+        for expected in states.iter().skip(1) {
+            client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+            assert_eq!(state(&mut client), *expected);
+        }
+    }
+
+    #[test]
     fn a_program_of_the_call_is_restarted_only_if_its_beginning_is_recorded() {
         let mut client = stopped();
         set(&mut client, "work", json!([{ "line": 12 }]));
