@@ -33,9 +33,13 @@ impl FragmentValue {
 }
 
 impl Fragment {
-    /// Creates a fragment of statements.
+    /// Creates a fragment of statements. The task stops before each `return`, because the caller of the fragment is no
+    /// program.
     #[must_use]
-    pub fn statements(program: Program) -> Self {
+    pub fn statements(mut program: Program) -> Self {
+        for step in program.code.iter_mut().filter(|step| step.op == Op::Return) {
+            step.mark = if step.mark.begins_line() { LineMark::Stop } else { LineMark::StopWithin };
+        }
         Self { program: Arc::new(program), value: None }
     }
 
@@ -84,9 +88,11 @@ mod tests {
     }
 
     #[test]
-    fn statements_have_no_stop_and_no_value() {
-        let fragment = Fragment::statements(program("line 1 Add n0 n0 n1\nReturn"));
-        assert_eq!((fragment.value, fragment.program.code[1].mark), (None, LineMark::Within));
+    fn statements_have_no_value_and_stop_before_each_return() {
+        let fragment = Fragment::statements(program("line 1 Add n0 n0 n1\nline 2 Return\nReturn"));
+        let marks: Vec<LineMark> = fragment.program.code.iter().map(|step| step.mark).collect();
+        assert_eq!(marks, [LineMark::Line, LineMark::Stop, LineMark::StopWithin]);
+        assert_eq!(fragment.value, None);
         assert_eq!(Fragment::statements(Program::default()).end(), 0);
     }
 

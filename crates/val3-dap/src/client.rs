@@ -25,6 +25,15 @@ pub enum Incoming {
     End(Option<ReadError>),
 }
 
+/// Reason why a client no longer expects the result of a request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Interruption {
+    /// The client has cancelled the request, or ended the run.
+    Cancel,
+    /// The client has requested `pause`.
+    Pause,
+}
+
 /// Reads the messages of a client until its connection ends. The caller runs this on a separate thread.
 pub fn read_messages(input: impl BufRead, inbox: &Sender<Incoming>) {
     let mut reader = MessageReader::new(input);
@@ -102,15 +111,23 @@ impl Client {
         }
     }
 
-    /// Whether the client no longer expects the result of this request: it has cancelled the request or the progress
-    /// with this id, requested `pause`, or ended the run.
+    /// Whether the client no longer expects the result of this request: see [`interruption`](Self::interruption).
+    pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
+        self.interruption(request, progress).is_some()
+    }
+
+    /// Returns the reason why the client no longer expects the result of this request: it has cancelled the request or
+    /// the progress with this id, requested `pause`, or ended the run.
     ///
     /// Waiting requests that the client has cancelled are rejected now, so that they do not wait for this request.
-    pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
+    pub(crate) fn interruption(&mut self, request: i64, progress: &str) -> Option<Interruption> {
         self.queue.extend(self.inbox.try_iter());
         self.reject_cancelled();
-        let is_over = |incoming: &Incoming| is_end(incoming) || is_pause(incoming);
-        self.queue.iter().any(|incoming| is_over(incoming) || is_cancel(incoming, request, progress))
+        let cancels = |incoming: &Incoming| is_end(incoming) || is_cancel(incoming, request, progress);
+        if self.queue.iter().any(cancels) {
+            return Some(Interruption::Cancel);
+        }
+        self.queue.iter().any(is_pause).then_some(Interruption::Pause)
     }
 
     /// Rejects the waiting requests that the client has cancelled, and responds to these `cancel` requests.

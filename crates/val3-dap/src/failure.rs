@@ -31,6 +31,8 @@ pub(crate) enum RequestFailure {
     NoData(String),
     /// The run belongs to another client.
     AttachedRestart,
+    /// The debug console has called no program in the task.
+    NoCall,
     /// The run has no history.
     NotRecorded,
     /// The motion is not in step mode.
@@ -87,6 +89,7 @@ impl fmt::Display for RequestFailure {
             Self::NotLoaded => "the application has loaded no program of this file",
             Self::NoApplication => "no application is in memory",
             Self::AttachedRestart => "a run that a client has attached to cannot be restarted: start it again",
+            Self::NoCall => "the debug console has called no program in this task",
             Self::NotRecorded => "the run is not recorded",
             Self::NoStepMode => "the motion is not in step mode: change it with `val3/motionMode`",
             Self::NoMotion => "no further motion is determined: execute the next line",

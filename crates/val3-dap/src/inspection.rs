@@ -111,6 +111,9 @@ impl Handles {
         let shows_line = arguments.format.as_ref().is_some_and(|format| format.line == Some(true));
         let page = all.iter().enumerate().skip(start).take(levels).map(|(depth, frame)| {
             let id = self.add_frame(FrameHandle { task, depth });
+            if frame.is_console {
+                return label(id, frame);
+            }
             let image = controller.vm.space.instance(frame.instance).map(|instance| &instance.image);
             let module_id = image.map(|image| module_id(&image.path));
             let columns = files(&frame.file).and_then(|text| Columns::of(&text, frame.row, frame.code.clone()));
@@ -268,6 +271,17 @@ fn stack_frame(
         end_column: columns.map(|columns| conventions.column(columns.end)),
         source: Some(conventions.source(&frame.file)),
         can_restart: Some(true),
+        ..StackFrame::default()
+    }
+}
+
+/// Returns the frame of statements of the debug console: a label without a source.
+fn label(id: i32, frame: &TaskFrame) -> StackFrame {
+    StackFrame {
+        id,
+        name: frame.program.clone(),
+        presentation_hint: Some(StackFramePresentationHint::Label),
+        can_restart: Some(false),
         ..StackFrame::default()
     }
 }

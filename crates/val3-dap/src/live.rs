@@ -1,5 +1,7 @@
 //! The subscriptions of a client: samples of the arm, changes of inputs and outputs, the user page.
 
+use std::collections::VecDeque;
+
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use schemars::JsonSchema;
@@ -17,6 +19,9 @@ use crate::failure::RequestFailure;
 use crate::moves::ArmSample;
 use crate::user_page::ShownUserPage;
 
+/// Largest number of faults that a page shows from the time before it was opened.
+const FAULTS: usize = 100;
+
 /// Duration of a batch.
 const BATCH: Time = 25 * CYCLE;
 
@@ -29,6 +34,8 @@ pub(crate) struct Subscriptions {
     has_user_page: bool,
     /// Messages for a page that shows the run.
     view: Option<Feed>,
+    /// Latest faults, which a page shows that is opened after them.
+    faults: VecDeque<Event>,
     /// Operator at this page.
     pub(crate) operator: Operator,
     /// Latest message `unsaved`.
@@ -82,7 +89,7 @@ impl Subscriptions {
         self.has_io = io.unwrap_or(self.has_io);
         self.has_user_page = user_page.unwrap_or(self.has_user_page);
         if let Some(is_shown) = view {
-            self.view = is_shown.then(|| Feed::new(&run.debugger.controller, Role::Debugger, run.files));
+            self.view = is_shown.then(|| self.new_feed(run));
             (self.unsaved, self.is_stopped) = (None, None);
         }
         Ok(())
@@ -137,8 +144,32 @@ impl Subscriptions {
         messages(feed)
     }
 
+    /// Returns the messages for a page that is opened now: the present state, and the faults so far.
+    fn new_feed(&self, run: &DebuggedRun<'_>) -> Feed {
+        let controller = &run.debugger.controller;
+        let mut feed = Feed::new(controller, Role::Debugger, run.files);
+        let now = seconds(controller.now());
+        let faults: Vec<Event> = self.faults.iter().filter(|fault| fault.t <= now).cloned().collect();
+        feed.see_events(&faults, controller);
+        feed
+    }
+
+    /// Discards the faults after the present time, because the run continues in another way.
+    pub(crate) fn begin_new_future(&mut self, controller: &Controller) {
+        let now = seconds(controller.now());
+        self.faults.retain(|fault| fault.t <= now);
+    }
+
     /// Adds events of the run to the messages for the page.
     pub(crate) fn note(&mut self, events: &[Event], controller: &Controller) {
+        for fault in events.iter().filter(|event| is_fault(&event.kind)) {
+            if !self.faults.contains(fault) {
+                self.faults.push_back(fault.clone());
+            }
+            if self.faults.len() > FAULTS {
+                self.faults.pop_front();
+            }
+        }
         if let Some(feed) = &mut self.view {
             feed.see_events(events, controller);
         }
@@ -174,6 +205,11 @@ fn messages(feed: &mut Feed) -> Option<Value> {
     });
     let messages: Vec<Value> = messages.collect();
     (!messages.is_empty()).then(|| json!({ "messages": messages }))
+}
+
+/// Whether the page shows an event as a fault.
+fn is_fault(kind: &EventKind) -> bool {
+    matches!(kind, EventKind::Error { .. } | EventKind::Fault { .. } | EventKind::Lacking { .. })
 }
 
 /// Whether an event changes the user page.

@@ -7,6 +7,7 @@ mod configuration_done;
 mod continue_run;
 mod data_breakpoint_info;
 mod disconnect;
+mod end_call;
 mod evaluate;
 mod exception_info;
 mod goto;
@@ -133,6 +134,7 @@ static REQUESTS: &[RequestHandler] = &[
     standard::<evaluate::Evaluate>(MayChangeRun),
     own::<step_back_into::StepBackInto>(NeedsStop),
     own::<step_back_out::StepBackOut>(NeedsStop),
+    own::<end_call::EndCall>(Steers),
     own::<motion_mode::MotionModeRequest>(Steers),
     own::<motion_step::MotionStep>(NeedsStop),
     own::<motion_queue::MotionQueue>(Inspects),

@@ -6,7 +6,9 @@
 
 mod arm_wait;
 mod at_end;
+mod console_call;
 mod control;
+mod earlier_values;
 mod end_progress;
 mod evaluation;
 mod line_wait;
@@ -209,8 +211,13 @@ impl DebugSession {
 
     /// Shows a text in the debug console.
     fn print(&mut self, output: String) {
-        let category = Some(OutputEventCategory::Console);
-        self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+        self.client.event(&console_output(output));
+    }
+
+    /// Shows the messages of log points after the response to the present request.
+    pub(crate) fn follow_log_points(&mut self, run: &mut DebuggedRun<'_>) {
+        let messages = run.debugger.take_logged().into_iter();
+        self.following.extend(messages.map(|message| console_output(message.text + "\n")));
     }
 
     /// Notes whether the next cycle repeats a part of the run that was already reported.
@@ -252,9 +259,14 @@ impl DebugSession {
 
     /// Sends the changes of breakpoints at a stop: hit counts, and data that have ended or exist again.
     pub(crate) fn report_hits(&mut self, run: &DebuggedRun<'_>) {
-        self.report_ended_data(run);
-        let changes = self.shown_hits.changes(run.debugger);
-        changes.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+        self.hit_changes(run).iter().for_each(|event| self.client.event(event));
+    }
+
+    /// Returns the changes of breakpoints at a stop, like [`report_hits`](Self::report_hits).
+    fn hit_changes(&mut self, run: &DebuggedRun<'_>) -> Vec<StandardEvent> {
+        let ended = self.breakpoints.ended_data(run.debugger);
+        self.shown_hits.update(&ended);
+        ended.into_iter().chain(self.shown_hits.changes(run.debugger)).map(changed).collect()
     }
 
     fn breakpoint_changed(&mut self, breakpoint: protocol::Breakpoint) {
@@ -269,6 +281,9 @@ impl DebugSession {
         self.end_run_to_end(run);
         let is_alone = stop.task_alone().is_some_and(|task| run.debugger.is_task_paused(task));
         let event = stop_event::stopped(stop, &mut run.debugger.controller);
+        if let Some(text) = event.text.as_ref().filter(|_| matches!(stop, Stop::CallEnded { .. })) {
+            self.print(format!("{text}\n"));
+        }
         self.report_stop(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event }, run);
     }
 
@@ -413,6 +428,11 @@ impl DebugSession {
         self.client.send(MessageContent::success(seq, &response));
         action
     }
+}
+
+fn console_output(output: String) -> StandardEvent {
+    let category = Some(OutputEventCategory::Console);
+    StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() })
 }
 
 /// Whether programs were loaded, in which breakpoints may have a line now.

@@ -1,6 +1,6 @@
 //! Event `stopped`, for each kind of stop.
 
-use val3_debug::{Contact, DataChange, DataStop, MotionStop, Stop, frames, unlinked};
+use val3_debug::{Contact, DataChange, DataStop, MotionStop, Stop, TaskFrame, frames, unlinked};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
@@ -34,6 +34,11 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
                 ..event(StoppedEventReason::Exception, Some(*task))
             }
         }
+        Stop::CallEnded { task, fault, line } => StoppedEvent {
+            description: Some("Paused after the call from the debug console".to_owned()),
+            text: Some(call_end(*fault, line.as_deref())),
+            ..event(StoppedEventReason::Pause, Some(*task))
+        },
         Stop::PathFault(fault) => path_fault(fault, controller),
         Stop::Contacts(contacts) => contact(contacts, controller),
         Stop::Exit { task } => StoppedEvent {
@@ -55,6 +60,15 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             }
         }
     }
+}
+
+/// Describes how a call of the debug console has ended.
+fn call_end(fault: Option<Fault>, line: Option<&TaskFrame>) -> String {
+    let Some(Fault(number)) = fault else { return "the call from the debug console has ended".to_owned() };
+    let meaning = runtime_errors::find(number).map_or("unknown run-time error", |error| error.short);
+    let place = line.filter(|line| !line.is_console);
+    let place = place.map(|line| format!(" ({}:{}(), line {})", line.application, line.program, line.row));
+    format!("error {number} has ended the call from the debug console: {meaning}{}", place.unwrap_or_default())
 }
 
 /// Names the variables without a signal that have caused a run-time error: ``: `diPart` has no link``. Empty for other

@@ -235,6 +235,11 @@ impl TestClient {
         messages.into_iter().filter_map(event).collect()
     }
 
+    /// Sends a request after other requests that are not handled yet, and returns all events: name and body.
+    pub(crate) fn events_of_all(&mut self, command: &str, arguments: Value) -> Vec<(String, Value)> {
+        self.exchange(command, arguments).into_iter().filter_map(event).collect()
+    }
+
     /// Sends a request, runs to the next stop if the run does not stop immediately, and returns the body of `stopped`.
     #[track_caller]
     pub(crate) fn stop_after(&mut self, command: &str, arguments: Value) -> Value {
@@ -314,6 +319,21 @@ impl TestClient {
         let trace = self.body("stackTrace", json!({ "threadId": thread }));
         (thread, trace["stackFrames"][0]["id"].clone())
     }
+
+    /// Executes code of the debug console in the innermost stack frame of the first thread. Returns the result, and the
+    /// events after it: name and body.
+    pub(crate) fn console(&mut self, code: &str) -> (Value, Vec<(String, Value)>) {
+        let (_, frame) = self.thread_and_frame();
+        let arguments = json!({ "expression": code, "frameId": frame, "context": "repl" });
+        let messages = self.exchange("evaluate", arguments);
+        let result = messages.iter().find_map(|content| match content {
+            MessageContent::Response { success: true, body, .. } => Some(body.as_ref()?["result"].clone()),
+            MessageContent::Response { message, .. } => Some(json!(message)),
+            MessageContent::Request { .. } | MessageContent::Event { .. } => None,
+        });
+        (result.expect("a response"), messages.into_iter().filter_map(event).collect())
+    }
+
     /// Returns program and line of the innermost stack frame of the first thread.
     pub(crate) fn place(&mut self) -> (String, u64) {
         let (thread, _) = self.thread_and_frame();

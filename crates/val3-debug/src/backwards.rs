@@ -99,6 +99,9 @@ impl Debugger {
             watcher,
             |debugger, replayed| match replayed.status {
                 RunStatus::Seen(seen) if debugger.ends_step_back(step, seen) => Some(Stop::Step { task }),
+                RunStatus::AtStop(seen) if replayed.is_change && debugger.ends_step_back(step, seen) => {
+                    Some(Stop::Step { task })
+                }
                 _ => debugger.stop_of_arm(replayed),
             },
         )
@@ -123,7 +126,8 @@ impl Debugger {
 
     /// Whether the task has stopped for another reason than a stop mark.
     pub(crate) fn has_no_breakpoint(&self, task: TaskNumber) -> bool {
-        self.controller.vm.is_at_end(task) || self.controller.vm.is_at_return(task)
+        let vm = &self.controller.vm;
+        vm.is_at_end(task) || vm.is_at_return(task) || vm.is_at_fragment_end(task)
     }
 
     /// Returns the stop for contacts, or for a path that the arm cannot follow, if the arm has just come to it.
@@ -203,8 +207,9 @@ impl Debugger {
     ) -> Option<Stop> {
         let task = self.history.as_ref()?.changed_at(moment)?;
         self.go_to(moment);
-        let stop =
-            is_wanted(self, Replayed { status: RunStatus::AtStop(task), contacts: Vec::new(), is_path_fault: false })?;
+        let status = RunStatus::AtStop(task);
+        let change = Replayed { status, contacts: Vec::new(), is_path_fault: false, is_change: true };
+        let stop = is_wanted(self, change)?;
         self.controller.vm.pass_stop(task);
         Some(stop)
     }

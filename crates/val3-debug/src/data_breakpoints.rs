@@ -260,6 +260,7 @@ impl Debugger {
             return None;
         }
         let line = line.and_then(|line| task_frame(&self.controller.vm, &line.frame, line.op));
+        let line = line.filter(|line| !line.is_console);
         Some(Stop::Data(Box::new(DataStop { task, line, changes })))
     }
 

@@ -10,6 +10,7 @@ use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, Conditi
 use crate::contacts::Contact;
 use crate::data_breakpoints::{DataBreakpoints, DataStop};
 use crate::errors::StopErrors;
+use crate::frames::TaskFrame;
 use crate::history::History;
 use crate::pause::Pause;
 use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
@@ -45,7 +46,7 @@ pub struct Debugger {
     pub(crate) mode: MotionMode,
     /// Whether a stop pauses only the stopped task.
     stops_alone: bool,
-    /// Whether the run stops before the end of its last task.
+    /// Whether the run stops before its last task ends.
     stops_at_exit: bool,
     /// Code in which steps into calls do not end.
     skipped: Vec<SkipPattern>,
@@ -98,6 +99,15 @@ pub enum Stop {
         /// Run-time error.
         fault: Fault,
     },
+    /// [Statements](Debugger::execute) of the debugger have ended, and the task is where it was before.
+    CallEnded {
+        /// The task.
+        task: TaskNumber,
+        /// Run-time error that has ended the statements.
+        fault: Option<Fault>,
+        /// Line of the error.
+        line: Option<Box<TaskFrame>>,
+    },
     /// The arm has come to rest before a path that it cannot follow.
     PathFault(Box<MotionFault>),
     /// Contacts have begun in a cycle.
@@ -113,7 +123,10 @@ impl Stop {
     #[must_use]
     pub fn task_alone(&self) -> Option<TaskNumber> {
         match self {
-            Self::Breakpoints { task, .. } | Self::Step { task } | Self::Error { task, .. } => Some(*task),
+            Self::Breakpoints { task, .. }
+            | Self::Step { task }
+            | Self::Error { task, .. }
+            | Self::CallEnded { task, .. } => Some(*task),
             Self::Data(stop) => stop.task,
             Self::Motion(stop) => stop.task,
             Self::Pause { .. } | Self::Exit { .. } | Self::PathFault(_) | Self::Contacts(_) | Self::Beginning => None,
@@ -191,6 +204,7 @@ impl Debugger {
         if self.travel.take().is_some() {
             self.controller.rest_tasks(false);
         }
+        self.leave_calls();
         self.resume_tasks();
         self.set_motion_mode(MotionMode::Continuous);
         let files: Vec<String> = self.breakpoints.files().map(str::to_owned).collect();
@@ -210,7 +224,7 @@ impl Debugger {
         self.stops_alone = alone;
     }
 
-    /// Sets whether the run stops before the end of its last task.
+    /// Sets whether the run stops before its last task ends.
     pub fn stop_at_exit(&mut self, is_wanted: bool) {
         self.stops_at_exit = is_wanted;
         self.controller.vm.stop_at_ends(is_wanted);
@@ -264,7 +278,7 @@ impl Debugger {
             self.step = None;
             return AdvanceResult::Stopped(stop);
         }
-        if let Some(stop) = self.take_contacts() {
+        if let Some(stop) = self.take_contacts().or_else(|| self.leave_failed_call()) {
             self.step = None;
             return AdvanceResult::Stopped(stop);
         }
@@ -328,7 +342,7 @@ impl Debugger {
         let sees_lines = self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some();
         self.controller.watch(match self.watch_of_data() {
             _ if sees_lines => CycleWatch::Lines,
-            CycleWatch::Nothing if !self.errors.is_none() => CycleWatch::Failures,
+            CycleWatch::Nothing if !self.errors.is_none() || self.has_calls() => CycleWatch::Failures,
             watch => watch,
         });
         if let Some(stop) = self.begin_watched_cycle() {
@@ -373,6 +387,9 @@ impl Debugger {
             self.controller.vm.meet_stop_again(task);
             return Some(data);
         }
+        if self.controller.vm.is_at_fragment_end(task) {
+            return Some(self.leave_call(task, None));
+        }
         if self.controller.vm.is_at_end(task) {
             return self.exit(task);
         }
@@ -400,8 +417,13 @@ impl Debugger {
 
     fn seen(&mut self, task: TaskNumber) -> Option<Stop> {
         let data = self.follow_data(Some(task), false);
-        if let Some(fault) = self.failure(task).filter(|fault| self.errors.contain(&self.controller.vm, task, *fault)) {
-            return Some(Stop::Error { task, fault });
+        if let Some(fault) = self.failure(task) {
+            if self.errors.contain(&self.controller.vm, task, fault) {
+                return Some(Stop::Error { task, fault });
+            }
+            if self.is_in_call(task) {
+                return Some(self.leave_call(task, Some(fault)));
+            }
         }
         if data.is_some() {
             return data;

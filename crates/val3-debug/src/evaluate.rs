@@ -44,6 +44,7 @@ pub fn end_message<T>(end: &FragmentEnd<T>) -> String {
         FragmentEnd::Limit => "it was ended because it executes too many lines, probably in an endless loop".to_owned(),
         FragmentEnd::Interrupted => "it was interrupted, or it has printed too much".to_owned(),
         FragmentEnd::Unsupported => "it uses an instruction that this controller does not have".to_owned(),
+        FragmentEnd::AtStop => "it has stopped at a breakpoint".to_owned(),
         FragmentEnd::Gone => "the stack frame no longer exists".to_owned(),
         FragmentEnd::Value(_) | FragmentEnd::Done => String::new(),
     }

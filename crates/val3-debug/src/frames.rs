@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use val3_bytecode::Image;
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Frame, InstanceId, Vm};
 
@@ -22,7 +23,13 @@ pub struct TaskFrame {
     pub instance: InstanceId,
     /// Number of the program in its application or library.
     pub number: u16,
+    /// Whether the frame belongs to statements that the debugger executes: see
+    /// [`Debugger::execute`](crate::Debugger::execute). It has no file, and its program name describes it.
+    pub is_console: bool,
 }
+
+/// Program name in the stack frame of the debugger's statements.
+const CONSOLE: &str = "called from the debug console";
 
 /// Returns the stack frames of a task, the innermost first; empty if there is no such task.
 #[must_use]
@@ -39,6 +46,9 @@ pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
 /// Returns the stack frame at an operation's line.
 pub(crate) fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
     let image = &vm.space.instance(frame.instance)?.image;
+    if vm.is_fragment(frame) {
+        return Some(console_frame(image, frame));
+    }
     let program = image.programs.get(usize::from(frame.program))?;
     let halt = program.halt_at(op);
     Some(TaskFrame {
@@ -49,5 +59,19 @@ pub(crate) fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
         code: halt.map_or(0..0, |halt| halt.range.start..halt.range.end),
         instance: frame.instance,
         number: frame.program,
+        is_console: false,
     })
+}
+
+fn console_frame(image: &Image, frame: &Frame) -> TaskFrame {
+    TaskFrame {
+        application: image.name.clone(),
+        program: CONSOLE.to_owned(),
+        file: String::new(),
+        row: 0,
+        code: 0..0,
+        instance: frame.instance,
+        number: frame.program,
+        is_console: true,
+    }
 }

@@ -108,7 +108,7 @@ pub(crate) struct History {
 
 impl History {
     /// Creates the history of a run that begins now. Older snapshots are thinned out to keep the limits. The first one
-    /// is kept unless the snapshots of changes alone exceed the limits.
+    /// is kept unless the snapshots of changes exceed the limits by themselves.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
         let mut history = Self { points: VecDeque::new(), input_bytes: 0, limits, cycles: 0, latest: None };
         history.add(controller, hits, SnapshotReason::Time);
@@ -244,6 +244,11 @@ impl History {
     /// Returns the task that had executed the last line before a change from outside at this moment.
     pub(crate) fn changed_at(&self, moment: Moment) -> Option<TaskNumber> {
         self.before(moment).filter(|point| point.moment == moment && point.cause == SnapshotReason::Change)?.last
+    }
+
+    /// Whether a change from outside is recorded at this moment.
+    pub(crate) fn has_change_at(&self, moment: Moment) -> bool {
+        self.points.iter().any(|point| point.moment == moment && point.cause == SnapshotReason::Change)
     }
 
     /// Returns the moment of the first snapshot.

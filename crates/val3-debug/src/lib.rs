@@ -6,6 +6,7 @@
 mod arguments;
 mod backwards;
 mod breakpoints;
+mod calls;
 mod conditions;
 mod contacts;
 mod data_breakpoints;
@@ -39,6 +40,7 @@ pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
+pub use calls::{Execution, ExecutionEnd, ExecutionLimits};
 pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
 pub use contacts::Contact;
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
@@ -61,4 +63,4 @@ pub use values::{
 };
 pub use variable_filter::{InvalidVariableFilter, VariableFilter};
 pub use watched::{DataForm, DataTable, NumberSeries, TableRow, WatchedData};
-pub use writes::{DataWrite, DataWrites, InitialValue};
+pub use writes::{DataWrite, DataWrites, InitialValue, WriteLimits};

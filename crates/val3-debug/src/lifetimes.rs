@@ -57,7 +57,7 @@ impl Lifetime {
         self.follow(has_frame, now)
     }
 
-    /// Discards what is recorded after a moment, because the run was changed there.
+    /// Discards the records after a moment at which the run was changed.
     pub(crate) fn discard_future(&mut self, now: Moment) {
         if let Beginning::At(begun) = self.beginning
             && now < begun

@@ -16,6 +16,8 @@ pub(crate) struct Replayed {
     pub(crate) contacts: Vec<Contact>,
     /// Whether the arm came to rest before a path that it cannot follow, which stops the run.
     pub(crate) is_path_fault: bool,
+    /// Whether nothing was replayed: the caller changed the run while the task was before a line.
+    pub(crate) is_change: bool,
 }
 
 impl Debugger {
@@ -106,7 +108,7 @@ impl Debugger {
         {
             self.pass_idle_time(wake, end.time);
         }
-        Some(Replayed { status, contacts, is_path_fault })
+        Some(Replayed { status, contacts, is_path_fault, is_change: false })
     }
 
     /// Skips the time without any activity. If a waiting line may receive external input, no time is skipped, so that

@@ -47,6 +47,7 @@ impl Debugger {
         let entered = frames.checked_sub(depth).filter(|count| *count > 0).ok_or(RestartFault::NoFrame)?;
         let first = self.first_moment().ok_or(RestartFault::NoPast)?;
         let present = Moment::of(&self.controller);
+        let calls = self.controller.vm.fragments_below(task, entered);
         if self.has_just_entered(task, entered) {
             return Ok(Stop::Step { task });
         }
@@ -58,7 +59,9 @@ impl Debugger {
                     // A program is called by the task itself. Its first program is entered when another task creates the
                     // task.
                     RunStatus::Seen(seen)
-                        if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) =>
+                        if (seen == task || entered == 1)
+                            && debugger.has_just_entered(task, entered)
+                            && debugger.controller.vm.fragments_below(task, entered) == calls =>
                     {
                         Some(Stop::Step { task })
                     }
@@ -67,7 +70,7 @@ impl Debugger {
             },
         );
         let stop = stop.unwrap_or(Stop::Beginning);
-        if stop != Stop::Beginning || (first.time == 0 && self.has_just_entered(task, entered)) {
+        if stop != Stop::Beginning || (first.time == 0 && calls == 0 && self.has_just_entered(task, entered)) {
             return Ok(if stop == Stop::Beginning { Stop::Step { task } } else { stop });
         }
         self.go_to(present);

@@ -16,7 +16,7 @@ pub struct VariableFilter {
     patterns: Vec<VariablePattern>,
 }
 
-/// Pattern of variable names. Letter case makes no difference.
+/// Pattern for variable names, without regard to letter case.
 #[derive(Debug, Clone)]
 struct VariablePattern {
     /// Library identifier, or application name; `None` for the variables of all applications and libraries.
@@ -77,7 +77,7 @@ fn matcher(pattern: &str) -> Result<GlobMatcher, InvalidVariableFilter> {
 }
 
 impl VariableFilter {
-    /// The filter as it was written.
+    /// The filter in the user's spelling.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text

@@ -49,10 +49,30 @@ pub struct InitialValue {
 pub struct DataWrites {
     /// Writes, the newest first.
     pub writes: Vec<DataWrite>,
-    /// Value before the first write. `None` if there are writes before [`writes`](Self::writes).
+    /// Value before the first write. `None` if there are writes before [`writes`](Self::writes), or if the search has
+    /// ended before the beginning of the history.
     pub initial: Option<InitialValue>,
+    /// Controller clock since which all writes were searched, in ns.
+    pub since: Time,
     /// Type and numbers of the data; `None` if the data were never in memory at a write.
     pub form: Option<DataForm>,
+}
+
+/// End of a search for writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WriteLimits {
+    /// Largest number of writes.
+    pub writes: usize,
+    /// Number of replayed lines after which no further part of the history is replayed.
+    pub lines: u64,
+}
+
+impl WriteLimits {
+    /// Limits only the number of writes.
+    #[must_use]
+    pub const fn writes(writes: usize) -> Self {
+        Self { writes, lines: u64::MAX }
+    }
 }
 
 /// Value of watched data at a moment.
@@ -73,7 +93,7 @@ struct PartWrites {
     limit: usize,
     /// Value before the first write.
     initial: InitialValue,
-    /// Type and numbers of the data, as soon as they are in memory.
+    /// Type and numbers of the data; `None` until the data are in memory.
     form: Option<DataForm>,
     /// Present value; `None` if it is not in memory.
     seen: Option<Digest>,
@@ -86,14 +106,14 @@ struct PartWrites {
 }
 
 impl Debugger {
-    /// Returns the last writes of the data before the present moment, at most `count`. The run stays at its moment.
+    /// Returns the last writes of the data before the present moment, within limits. The run stays at its moment.
     /// Returns `None` if the run is not recorded, or if the watcher cancels the search.
-    pub fn writes(&mut self, data: &WatchedData, count: usize, watcher: Watcher<'_>) -> Option<DataWrites> {
+    pub fn writes(&mut self, data: &WatchedData, limits: WriteLimits, watcher: Watcher<'_>) -> Option<DataWrites> {
         self.history.as_ref()?;
         let present = self.controller.snapshot();
         let hits = self.breakpoints.hits.clone();
         let watches = std::mem::take(&mut self.data);
-        let found = self.search_writes(data, count, watcher);
+        let found = self.search_writes(data, limits, watcher);
         self.controller.restore(&present);
         (self.breakpoints.hits, self.data) = (hits, watches);
         self.restore_marks();
@@ -109,13 +129,14 @@ impl Debugger {
         MomentValue { digest, text, numbers, exists }
     }
 
-    fn search_writes(&mut self, data: &WatchedData, count: usize, watcher: Watcher<'_>) -> Option<DataWrites> {
+    fn search_writes(&mut self, data: &WatchedData, limits: WriteLimits, watcher: Watcher<'_>) -> Option<DataWrites> {
+        let WriteLimits { writes: count, lines: mut lines_left } = limits;
         let present = Moment::of(&self.controller);
         let past = present.time - self.first_moment().map_or(0, |first| first.time);
         let mut later = self.present(data);
         let form = data.form(&mut self.controller);
         let initial = Some(InitialValue::new(present.time, &later));
-        let mut all = DataWrites { initial, form, ..DataWrites::default() };
+        let mut all = DataWrites { initial, form, since: present.time, ..DataWrites::default() };
         let mut end = present;
         while all.writes.len() <= count
             && let Some(start) = self.restore_earlier(end)
@@ -126,6 +147,7 @@ impl Debugger {
             self.watch_return(data);
             while let Some(task) = self.replay_line(end) {
                 part.follow(self, data, task);
+                lines_left = lines_left.saturating_sub(1);
                 let searched = (present.time - end.time) + (self.controller.now() - start.time);
                 if watcher(fraction(searched, past)).is_break() {
                     return None;
@@ -138,11 +160,15 @@ impl Debugger {
                 part.add(write, later.digest, later.exists);
             }
             all.writes.extend(part.writes.into_iter().rev());
-            (all.initial, all.form) = (Some(part.initial), part.form);
+            (all.since, all.initial, all.form) = (start.time, Some(part.initial), part.form);
             if part.has_begun {
                 break;
             }
             (end, later) = (start, first);
+            if lines_left == 0 && self.first_moment() != Some(start) {
+                all.initial = None;
+                break;
+            }
         }
         if all.writes.len() > count {
             all.writes.truncate(count);
@@ -151,7 +177,7 @@ impl Debugger {
         Some(all)
     }
 
-    /// Lets tasks stop before the return of the program of a local variable.
+    /// Lets tasks stop before a return from a local variable's program.
     fn watch_return(&mut self, data: &WatchedData) {
         let watch = DataWatch { frames: data.owner().into_iter().collect(), ..DataWatch::default() };
         self.controller.vm.watch_data(Some(Arc::new(watch)));
@@ -199,7 +225,7 @@ impl PartWrites {
         }
     }
 
-    /// Stores the name of each task.
+    /// Stores all task names.
     fn keep_names(&mut self, vm: &Vm) {
         for task in vm.tasks() {
             self.names.entry(task.id).or_insert_with(|| task.name.clone());
@@ -221,6 +247,7 @@ impl PartWrites {
         }
         let (value, numbers) = (data.text(controller), data.numbers(controller));
         let line = line.and_then(|line| task_frame(&controller.vm, &line.frame, line.op));
+        let line = line.filter(|line| !line.is_console);
         let task = task.and_then(|task| self.names.get(&task).cloned());
         self.add(DataWrite { time: controller.now(), task, line, value, numbers }, now, exists);
     }

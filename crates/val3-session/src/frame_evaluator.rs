@@ -6,6 +6,7 @@ mod completions;
 mod condition;
 mod effects;
 mod evaluation;
+mod execution;
 mod load;
 mod log;
 mod replace;
@@ -34,6 +35,7 @@ use crate::application::Application;
 pub use completions::FrameCompletion;
 pub use condition::LineCondition;
 pub use evaluation::{Evaluation, EvaluationError};
+pub use execution::ExecutionRequests;
 pub use load::LoadRequest;
 pub use replace::ReplaceFault;
 
@@ -58,6 +60,15 @@ pub enum Purpose {
     Watch,
     /// Execution of statements: calls, assignments, output.
     Execute,
+}
+
+/// Compiled code of an evaluation.
+struct EvaluatedCode {
+    fragment: Fragment,
+    /// Whether the code may change the run.
+    has_effects: bool,
+    /// Whether the code is a single assignment, which forces an input.
+    forces_inputs: bool,
 }
 
 /// Evaluates code in the stack frames of a controller's tasks.
@@ -115,20 +126,10 @@ impl FrameEvaluator {
         {
             return self.assign(controller, context, variable, value, format).map(Evaluation::of_assignment);
         }
-        let is_expression = purpose == Purpose::Watch || self.is_expression(&target, text);
-        let (fragment, has_effects) = if is_expression {
-            let (fragment, effect) = self.expression(&target, text)?;
-            match effect {
-                Some(effect) if purpose == Purpose::Watch => return Err(effect.into()),
-                effect => (fragment, effect.is_some()),
-            }
-        } else {
-            (self.statements(&target, text)?, true)
-        };
+        let EvaluatedCode { fragment, has_effects, forces_inputs } = self.compiled(&target, text, purpose)?;
         let mut of_statements = iter::repeat_n(PORTION, PORTIONS).take_while(|_| may_go_on());
         let grants: &mut dyn Iterator<Item = u32> =
             if has_effects { &mut of_statements } else { &mut expression_grant() };
-        let forces_inputs = !is_expression && self.is_assignment(&target, text);
         controller.devices.state.io.force_inputs(forces_inputs);
         let (end, events) =
             evaluate(controller, NamedFragment { fragment: &fragment, text: text.trim() }, context, grants, format);
@@ -139,6 +140,24 @@ impl FrameEvaluator {
             FragmentEnd::Value(value) => Ok(Evaluation { value: Some(value), ..done }),
             FragmentEnd::Done => Ok(done),
             end => Err(EvaluationError::ended(&end, done)),
+        }
+    }
+
+    /// Compiles code for a purpose.
+    fn compiled(
+        &mut self,
+        target: &EvaluationContext,
+        text: &str,
+        purpose: Purpose,
+    ) -> Result<EvaluatedCode, EvaluationError> {
+        if purpose == Purpose::Execute && !self.is_expression(target, text) {
+            let forces_inputs = self.is_assignment(target, text);
+            return Ok(EvaluatedCode { fragment: self.statements(target, text)?, has_effects: true, forces_inputs });
+        }
+        let (fragment, effect) = self.expression(target, text)?;
+        match effect {
+            Some(effect) if purpose == Purpose::Watch => Err(effect.into()),
+            effect => Ok(EvaluatedCode { fragment, has_effects: effect.is_some(), forces_inputs: false }),
         }
     }
 

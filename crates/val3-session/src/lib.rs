@@ -39,7 +39,8 @@ pub use connection::{Connection, Tape};
 pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};
 pub use frame_evaluator::{
-    Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, LineCondition, LoadRequest, Purpose, ReplaceFault,
+    Evaluation, EvaluationError, ExecutionRequests, FrameCompletion, FrameEvaluator, LineCondition, LoadRequest,
+    Purpose, ReplaceFault,
 };
 pub use json_fault::json_fault;
 pub use pace::{Delay, Pace};

@@ -139,10 +139,16 @@ impl Feed {
         state
     }
 
+    /// Whether the run has gone back since the last messages.
+    #[must_use]
+    pub fn is_later_than(&self, controller: &Controller) -> bool {
+        controller.now() < self.seen
+    }
+
     /// Sends the changes of the complete state immediately: after a command, at a stop, or after stepping back.
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
-        if now < self.seen {
+        if self.is_later_than(controller) {
             self.flush_samples();
             self.tell(&wire::Message::Rewind(Rewind { t: seconds(now) }));
             self.known = Known::default();

@@ -81,7 +81,7 @@ impl TurnContext<'_> {
     /// guard excludes a stop.
     #[cold]
     fn meets_stop(&mut self, thread: &mut Thread, instance: &Instance, frame: &Frame, op: usize) -> bool {
-        let task = self.roster.position(self.task).and_then(|at| self.roster.tasks.get(at));
+        let task = self.roster.position(self.stops_as).and_then(|at| self.roster.tasks.get(at));
         let name = task.map_or("", |task| task.name.as_str());
         (thread.is_at_stop || !self.space.passes_stop(instance, frame, op, name)) && thread.meets_stop()
     }

@@ -27,6 +27,7 @@ mod roster;
 mod schedule;
 mod services;
 mod space;
+mod stacked_fragment;
 mod stops;
 mod task;
 mod turn;

@@ -140,8 +140,8 @@ impl Vm {
             let mut frames = Vec::with_capacity(task.thread.frames.len());
             for frame in &task.thread.frames {
                 let is_replaced = (frame.instance, frame.program) == (id.instance, id.number);
-                let image = self.space.instance(frame.instance).map(|instance| &instance.image);
-                let program = image.and_then(|image| image.programs.get(usize::from(frame.program)));
+                let instance = self.space.instance(frame.instance);
+                let program = instance.and_then(|instance| instance.program(frame.program));
                 let program = program.ok_or(Fault::INTERPRETER)?;
                 let from = frame.base;
                 let size = if is_replaced { old.frame } else { program.frame };
@@ -198,6 +198,13 @@ fn move_positions(thread: &mut Thread, moved: MovedCode) {
         |frame: &crate::Frame| (frame.instance, frame.program) == (moved.program.instance, moved.program.number);
     if thread.frames.last().is_some_and(is_replaced) {
         (thread.next, thread.line) = (moved.op(thread.next), moved.op(thread.line));
+    }
+    for fragment in &mut thread.fragments {
+        let below = fragment.depth.checked_sub(1).and_then(|depth| thread.frames.get(depth));
+        if below.is_some_and(is_replaced) {
+            let position = &mut fragment.position;
+            (position.next, position.line) = (moved.op(position.next), moved.op(position.line));
+        }
     }
     for depth in 1..thread.frames.len() {
         if thread.frames.get(depth - 1).is_some_and(is_replaced)

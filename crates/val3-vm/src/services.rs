@@ -48,7 +48,7 @@ impl Tasks for Services<'_> {
         }
         let frame = task.thread.frames.last().ok_or(Fault::INTERPRETER)?;
         let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
-        let program = instance.image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
+        let program = instance.program(frame.program).ok_or(Fault::INTERPRETER)?;
         let op = line_to_resume(program, task.thread.line, skip)?;
         // A task that was halted within a line resumes there; every other task begins a line.
         if skip != 0.0 || task.state != TaskState::Halted {

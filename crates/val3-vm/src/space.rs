@@ -81,6 +81,13 @@ impl Space {
         Arc::make_mut(&mut self.instances).get_mut(usize::from(id.0))
     }
 
+    /// Removes the fragments that do not satisfy the predicate.
+    pub(crate) fn retain_fragments(&mut self, is_used: impl Fn(InstanceId, u16) -> bool) {
+        for (id, instance) in (0..).map(InstanceId).zip(Arc::make_mut(&mut self.instances)) {
+            instance.retain_fragments(|number| is_used(id, number));
+        }
+    }
+
     /// Loads an application or library into memory, with the initial data from its files.
     ///
     /// # Errors
@@ -102,7 +109,7 @@ impl Space {
             path,
             libraries: vec![None; image.libraries.len()],
             imports: vec![None; image.imports.len()],
-            fragment: None,
+            fragments: Vec::new(),
             first_counter: self.counts.first_of(&image),
             loaded: true,
             image,

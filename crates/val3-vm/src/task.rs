@@ -8,6 +8,7 @@ use val3_lang::ports::{CodePlace, TaskNumber, Time};
 
 use crate::InstanceId;
 use crate::operands::on_frame;
+use crate::stacked_fragment::StackedFragment;
 
 /// A task.
 #[derive(Debug, Clone)]
@@ -55,6 +56,8 @@ pub struct Thread {
     pub is_at_end: bool,
     /// Whether the task has stopped before the return of a program with [watched](crate::DataWatch::frames) variables.
     pub is_at_return: bool,
+    /// Fragments on the stack, the innermost last: see [`Vm::execute`](crate::Vm::execute).
+    pub(crate) fragments: Vec<StackedFragment>,
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.

@@ -35,6 +35,8 @@ pub(crate) struct TurnContext<'v> {
     pub(crate) has_executed: bool,
     /// Line that the turn has begun last, while values are watched; at the beginning of the turn the next operation.
     pub(crate) begun: Option<BegunLine>,
+    /// Task whose name guards of stop marks compare: the running task, or the task of a fragment.
+    pub(crate) stops_as: TaskNumber,
 }
 
 impl TurnContext<'_> {

@@ -156,6 +156,7 @@ impl Vm {
             watch: None,
             has_executed: false,
             begun: None,
+            stops_as: task,
         }
     }
 
@@ -164,6 +165,11 @@ impl Vm {
         let Some(at) = self.roster.position(id) else { return };
         let Some(task) = self.roster.tasks.get_mut(at) else { return };
         match end {
+            // The error ends the fragment, and not the task.
+            TurnEnd::Failed(fault) if !thread.fragments.is_empty() => {
+                task.state = TaskState::Failed(fault);
+                thread.go_to_line(thread.line);
+            }
             TurnEnd::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
                 thread.go_to_line(thread.line);
@@ -336,9 +342,9 @@ impl Vm {
     }
 
     /// Returns the innermost program.
-    fn program(&self, thread: &Thread) -> Option<&Program> {
+    pub(crate) fn program(&self, thread: &Thread) -> Option<&Program> {
         let frame = thread.frames.last()?;
-        self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))
+        self.space.instance(frame.instance)?.program(frame.program)
     }
 
     /// Returns the mark of the next operation.

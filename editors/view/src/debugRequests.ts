@@ -52,6 +52,11 @@ export interface CodeLine {
 
 /** Arguments and bodies of the requests `val3/…`, by command. */
 export interface DebugRequests {
+  /** Request `val3/endCall`. */
+  "val3/endCall": {
+    arguments: ThreadArguments;
+    body: Empty;
+  };
   /** Request `val3/history`. */
   "val3/history": {
     arguments: HistoryArguments;

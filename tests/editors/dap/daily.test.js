@@ -128,7 +128,9 @@ end
     await session.setBreakpoints(own.file("work"), own.line("work", "delay"));
     await session.run("continue", "breakpoint");
     const shown = (name) => Promise.all(["clipboard", "watch", "hover"].map((context) => session.evaluate(name, context)));
-    assert.deepEqual(await shown("nThird"), ["0.3333333333333333", "0.3333333333333333", "0.33333333333333"]);
+    const [copied, watched, hovered] = await shown("nThird");
+    assert.deepEqual([copied, watched], ["0.3333333333333333", "0.3333333333333333"]);
+    assert.match(hovered, /^0\.33333333333333 · since /);
     assert.match(await session.evaluate("x_nOther"), /refers to nThird/);
     assert.equal(await session.evaluate("x_nOther", "clipboard"), "0.3333333333333333");
     assert.equal(await session.evaluate("diIn", "clipboard"), "false");
@@ -174,7 +176,7 @@ test("skipped programs are stepped over", async () => {
   });
 });
 
-test("a statement in the console notes the breakpoints that it passes", async () => {
+test("a statement without a stack frame notes the breakpoints that it passes", async () => {
   const contents = {
     data: { "num nA": "" },
     programs: "\nprogram start()\nbegin\n  nA=1\nend\nprogram work()\nbegin\n  nA=2\nend\n",
@@ -182,7 +184,7 @@ test("a statement in the console notes the breakpoints that it passes", async ()
   await debugging({ stopOnEntry: true }, contents, async (session, own) => {
     await session.stopped("entry");
     await session.setBreakpoints(own.file("work"), own.line("work", "nA=2"));
-    await session.evaluate("call work()", "repl");
+    await session.ask("evaluate", { expression: "call work()", context: "repl" });
     await session.eventWhere("output", ({ output }) => output.startsWith("note: the code has passed breakpoints 1 time"));
     assert.equal(await session.evaluate("nA"), "2");
   });

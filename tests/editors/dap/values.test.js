@@ -142,6 +142,7 @@ test("hovers and watches have no side effects, the console has", async () => {
     assert.deepEqual(session.arrived("invalidated"), []);
     assert.equal(await session.evaluate("nLong[0]=x_nCopy*10", "repl"), "");
     await session.event("invalidated");
+    await session.setBreakpoints(app.file("show"));
     await session.evaluate("call show(1,nLong[1])", "repl");
     assert.deepEqual([await session.evaluate("nLong[0]"), await session.evaluate("nLong[1]")], ["40", "255"]);
     assert.equal(await session.evaluate("x_nCopy", "watch", { frameId: (await session.frames())[0].id }), "4");

@@ -140,6 +140,7 @@ const STEPS = {
     const table = await opens(user, "jMany", ["Show as Table", "Table of", "table"]);
     assert.deepEqual(await table.locator("th").allInnerTexts(), ["Index", ...[1, 2, 3, 4, 5, 6].map((axis) => `j${axis} (°)`)]);
     assert.equal(await table.locator("tr", { hasText: "[1]" }).innerText(), "[1]\t120\t0\t30\t0\t0\t0");
+    assert.ok(await plotted(table, 1) > 20, "axis 1 is not drawn over the index");
     await user.closesTab("Table of counter:jMany");
   },
 

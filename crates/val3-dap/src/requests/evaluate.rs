@@ -2,6 +2,7 @@
 
 use val3_debug::{DebugValue, DisplayFormat, count, values};
 use val3_session::{Evaluation, Purpose};
+use val3_vm::FragmentContext;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -32,8 +33,15 @@ impl DebugRequest for Evaluate {
         let is_short = arguments.context == Some(EvaluateContext::Hover);
         let format = session.format(arguments.format.as_ref());
         let format = DisplayFormat { bare: is_copied, exact: !is_short, ..format };
-        let evaluation = session.evaluate_while(context, &arguments.expression, purpose, format, run)?;
-        let Evaluation { value, output, passed_stops, .. } = evaluation;
+        let evaluation = match context {
+            FragmentContext::Frame(task, depth)
+                if purpose == Purpose::Execute && session.check_task_stopped(task, run).is_ok() =>
+            {
+                session.execute(task, depth, &arguments.expression, format, run)?
+            }
+            _ => session.evaluate_while(context, &arguments.expression, purpose, format, run)?,
+        };
+        let Evaluation { value, output, passed_stops, stop, .. } = evaluation;
         if purpose == Purpose::Execute && passed_stops > 0 {
             session.note(&passed(passed_stops));
         }
@@ -42,8 +50,13 @@ impl DebugRequest for Evaluate {
             refers_to: value.refers_to.filter(|other| !is_copied && !names(&arguments.expression, other)),
             ..value
         });
-        let variable = value.map(|value| session.shown(value, run)).unwrap_or_default();
+        let mut variable = value.map(|value| session.shown(value, run)).unwrap_or_default();
+        if is_short && variable.variables_reference == 0 {
+            let earlier = session.earlier_values(&arguments.expression, arguments.frame_id, run);
+            variable.value.extend(earlier.map(|earlier| format!(" · {earlier}")));
+        }
         let mut lines = output;
+        lines.extend(stop.map(|_| STOPPED.to_owned()));
         lines.extend(Some(list.unwrap_or(variable.value)).filter(|value| !value.is_empty()));
         Ok(EvaluateResponse {
             result: lines.join("\n"),
@@ -56,12 +69,13 @@ impl DebugRequest for Evaluate {
     }
 }
 
-/// Formats the note that breakpoints have no effect in the debug console.
+/// Result of statements that have stopped in a called program.
+const STOPPED: &str = "stopped in the called program; the task returns here after the call";
+
+/// Formats the note that breakpoints have no effect without the stack of a stopped task.
 fn passed(stops: u32) -> String {
     let times = if stops == 1 { "time" } else { "times" };
-    format!(
-        "the code has passed breakpoints {stops} {times} in called programs, which do not stop in the debug console"
-    )
+    format!("the code has passed breakpoints {stops} {times} in called programs; they stop it in a stack frame only")
 }
 
 /// Whether an expression is the variable, or an element or a field of it.
@@ -86,18 +100,15 @@ mod tests {
     use crate::test_client::{CALLER, COUNTER, TestClient, source};
 
     #[test]
-    fn a_statement_passes_breakpoints_with_a_note() {
+    fn a_statement_without_a_stack_frame_passes_breakpoints_with_a_note() {
         let mut client = TestClient::stopped(CALLER);
         client.body("setBreakpoints", json!({ "source": source("work"), "breakpoints": [{ "line": 5 }] }));
-        let (_, frame) = client.thread_and_frame();
         let notes = |client: &mut TestClient, code: &str| {
-            let statement = json!({ "expression": code, "frameId": frame, "context": "repl" });
-            let events = client.events("evaluate", statement).into_iter();
+            let events = client.events("evaluate", json!({ "expression": code, "context": "repl" })).into_iter();
             let outputs = events.filter(|(event, _)| event == "output").map(|(_, body)| body["output"].clone());
             outputs.collect::<Vec<_>>()
         };
-        let passed =
-            "the code has passed breakpoints 1 time in called programs, which do not stop in the debug console";
+        let passed = "the code has passed breakpoints 1 time in called programs; they stop it in a stack frame only";
         assert_eq!(notes(&mut client, "call work()"), [format!("note: {passed}\n")]);
         assert_eq!(notes(&mut client, "delay(0)"), Vec::<String>::new());
     }
@@ -115,7 +126,7 @@ mod tests {
         };
         assert_eq!(shown("nThird", "clipboard"), "0.3333333333333333");
         assert_eq!(shown("nThird", "watch"), "0.3333333333333333");
-        assert_eq!(shown("nThird", "hover"), "0.33333333333333");
+        assert!(shown("nThird", "hover").as_str().unwrap().starts_with("0.33333333333333 · since "));
         assert_eq!(shown("nOne[0]", "watch"), "0");
         assert_eq!(shown("nThird*3", "watch"), "1");
     }

@@ -31,6 +31,22 @@ mod tests {
     use crate::test_client::{EMPTY, MAIN_THREAD, TestClient, WORKER};
 
     #[test]
+    fn a_page_that_is_opened_after_a_fault_shows_it() {
+        let mut client = TestClient::stopped("num nA\n\nprogram start()\nbegin\n  nA=1\n  nA=1/(nA-1)\nend\n");
+        client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        let errors = |client: &mut TestClient| {
+            let events = client.events("val3/subscribe", json!({ "view": true }));
+            let messages = events.iter().filter_map(|(_, body)| body["messages"].as_array()).flatten();
+            let events = messages.filter_map(|message| message["events"].as_array()).flatten();
+            events.filter(|event| event["kind"] == "error").count()
+        };
+        assert_eq!(errors(&mut client), 1);
+        client.stop_after("stepBack", json!({ "threadId": MAIN_THREAD }));
+        client.body("val3/subscribe", json!({ "view": false }));
+        assert_eq!(errors(&mut client), 0);
+    }
+
+    #[test]
     fn subscriptions_have_types() {
         let mut client = TestClient::stopped(EMPTY);
         for arguments in [json!({}), json!({ "motion": 0.1, "io": true }), json!({ "motion": false, "userPage": true })]

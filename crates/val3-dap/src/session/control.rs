@@ -64,6 +64,7 @@ impl DebugSession {
             run.debugger.controller.devices.state.io.show_inputs();
         }
         run.debugger.begin_new_future();
+        self.subscriptions.begin_new_future(&run.debugger.controller);
         self.is_at_failed_end = false;
         let events = run.debugger.controller.devices.take_events();
         self.notices.repeat(false);

@@ -1,7 +1,7 @@
 //! Evaluation in a stack frame, for several requests.
 
 use val3_debug::{DebugValue, DisplayFormat};
-use val3_session::{Evaluation, Purpose};
+use val3_session::{Evaluation, EvaluationError, Purpose};
 use val3_vm::FragmentContext;
 
 use super::DebugSession;
@@ -50,6 +50,16 @@ impl DebugSession {
             is_cancelled = client.has_cancelled(request, "");
             !is_cancelled
         });
+        self.evaluated(evaluated, is_cancelled, run)
+    }
+
+    /// Reports the change of the run by evaluated code, and converts its error.
+    pub(super) fn evaluated(
+        &mut self,
+        evaluated: Result<Evaluation, EvaluationError>,
+        is_cancelled: bool,
+        run: &mut DebuggedRun<'_>,
+    ) -> Result<Evaluation, RequestFailure> {
         let changes_run = match &evaluated {
             Ok(evaluation) => evaluation.changes_run,
             Err(error) => error.done().is_some_and(|done| done.changes_run),

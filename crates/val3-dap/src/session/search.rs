@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use val3_debug::{DataWrites, Goal, WatchedData};
+use val3_debug::{DataWrites, Goal, WatchedData, WriteLimits};
 
 use super::DebugSession;
 use crate::client::Client;
@@ -47,9 +47,25 @@ impl DebugSession {
         run.debugger.reach().ok_or(RequestFailure::NotRecorded)?;
         let mut search = ReverseSearch::new("Searching the history of the value", self);
         let client = &mut self.client;
-        let writes = run.debugger.writes(data, count, &mut |part| search.pass(part, client));
+        let writes = run.debugger.writes(data, WriteLimits::writes(count), &mut |part| search.pass(part, client));
         search.end(client);
         writes.ok_or(RequestFailure::Cancelled)
+    }
+
+    /// Searches the history for the last writes of data, without a report of progress. Returns `None` if the run is not
+    /// recorded, or if the client cancels the request.
+    pub(crate) fn quick_writes(
+        &mut self,
+        data: &WatchedData,
+        limits: WriteLimits,
+        run: &mut DebuggedRun<'_>,
+    ) -> Option<DataWrites> {
+        let (client, request, mut lines) = (&mut self.client, self.request, 0);
+        run.debugger.writes(data, limits, &mut |_| {
+            lines += 1;
+            let is_cancelled = u32::is_multiple_of(lines, LOOK) && client.has_cancelled(request, "");
+            if is_cancelled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
     }
 }
 

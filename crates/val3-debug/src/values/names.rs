@@ -16,7 +16,7 @@ const SEARCHED: usize = 10_000;
 /// Names by which a program accesses data and its task's variables.
 #[derive(Debug, Default)]
 pub(crate) struct AccessNames {
-    /// Applications and libraries, each with the prefix for names of its data.
+    /// Applications and libraries, each with the prefix for its data names.
     data: Vec<(String, Arc<Image>, Arc<[StoreId]>)>,
     /// Stack frames of the task, the innermost first.
     frames: Vec<(Frame, Arc<Image>)>,

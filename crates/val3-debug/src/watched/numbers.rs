@@ -11,7 +11,7 @@ use val3_machine::io;
 use super::{NestingStep, ValueLocation, WatchedData, WatchedRoot};
 use crate::values;
 
-/// Type of watched data, and the numbers that each of their values contains.
+/// Type of watched data, and the numbers in each value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataForm {
     /// Type, including array sizes: `point[4]`. Inputs and outputs of the cell are `dio` or `aio`.
@@ -22,7 +22,7 @@ pub struct DataForm {
     pub series: Vec<NumberSeries>,
 }
 
-/// A number of each value: the value itself, an axis of a joint, a coordinate of a position.
+/// A number in each value: the value itself, a joint axis, or a position's coordinate.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NumberSeries {
     /// Field name, for example `j1` or `rx`; empty for the value itself.
@@ -126,7 +126,7 @@ fn number_places(kind: &ValueType, unit: NumberUnit) -> Vec<NumberPlace> {
     }
 }
 
-/// Returns the numbers in the fields of a structured type, also in nested fields: those of `trsf` in a point.
+/// Returns the numbers in the fields of a structured type, also in nested fields: a point contains the numbers of `trsf`.
 fn fields(base: BaseType, arm: Option<Arm>, start: Lanes) -> Vec<NumberPlace> {
     let numbers = types::fields(base, arm).iter().flat_map(|field| {
         let Some(offset) = field_offset(base, arm, field.name).map(|offset| start + offset) else { return Vec::new() };

@@ -11,7 +11,7 @@ use crate::values;
 /// Elements of an array or collection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataTable {
-    /// Type of the array or collection, and the numbers of each element.
+    /// Type of the array or collection, and the numbers in each element.
     pub form: DataForm,
     /// Number of elements.
     pub count: usize,

@@ -58,9 +58,11 @@ pub(crate) fn run(debugger: &mut Debugger) -> Option<Stop> {
 
 pub(crate) fn task_of(stop: &Stop) -> Option<TaskNumber> {
     match stop {
-        Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. } | Stop::Exit { task } => {
-            Some(*task)
-        }
+        Stop::Breakpoints { task, .. }
+        | Stop::Step { task }
+        | Stop::Error { task, .. }
+        | Stop::Exit { task }
+        | Stop::CallEnded { task, .. } => Some(*task),
         Stop::Pause { task } => *task,
         Stop::Data(stop) => stop.task,
         Stop::Beginning | Stop::Motion(_) | Stop::PathFault(_) | Stop::Contacts(_) => None,
@@ -75,6 +77,7 @@ pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
             (format!("{:?}", ids.iter().map(|id| id.0).collect::<Vec<_>>()), task)
         }
         Some(Stop::Step { task }) => ("step".to_owned(), task),
+        Some(Stop::CallEnded { task, .. }) => ("call".to_owned(), task),
         Some(Stop::Exit { task }) => ("exit".to_owned(), task),
         Some(Stop::Pause { task: Some(task) }) => ("pause".to_owned(), task),
         Some(Stop::Pause { task: None }) => return "pause".to_owned(),

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use val3_debug::{DataAccess, Debugger, PastLimits, Stop, WatchedData};
+use val3_debug::{DataAccess, Debugger, PastLimits, Stop, WatchedData, WriteLimits};
 use val3_machine::script::Script;
 use val3_vm::FragmentContext;
 
@@ -63,7 +63,7 @@ fn back(debugger: &mut Debugger) -> Option<Stop> {
 
 /// Recorded writes, in chronological order.
 fn writes(debugger: &mut Debugger, data: &WatchedData) -> Vec<Change> {
-    let found = debugger.writes(data, 1000, &mut |_| ControlFlow::Continue(())).unwrap();
+    let found = debugger.writes(data, WriteLimits::writes(1000), &mut |_| ControlFlow::Continue(())).unwrap();
     let changes = found.writes.into_iter().map(|write| (write.time, write.line.map(|line| line.row), write.value));
     changes.rev().collect()
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use expect_test::expect;
-use val3_debug::{DataAccess, DataWrites, Debugger, PastLimits, StepKind, Stop, WatchedData};
+use val3_debug::{DataAccess, DataWrites, Debugger, PastLimits, StepKind, Stop, WatchedData, WriteLimits};
 use val3_vm::FragmentContext;
 
 use crate::data::{DATA, state, watch, with_signals};
@@ -16,7 +16,7 @@ fn data(debugger: &mut Debugger, path: &str) -> WatchedData {
 }
 
 fn writes(debugger: &mut Debugger, data: &WatchedData, count: usize) -> DataWrites {
-    debugger.writes(data, count, &mut |_| ControlFlow::Continue(())).unwrap()
+    debugger.writes(data, WriteLimits::writes(count), &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// Formats writes, the newest first, `task program:line value`, and the value before them.
@@ -98,7 +98,7 @@ fn a_search_of_writes_does_not_change_the_run() {
     debugger.step_back(task, StepKind::Over);
     assert_eq!(state(&debugger.controller), before);
     let mut calls = 0;
-    let cancelled = debugger.writes(&go, 100, &mut |_| {
+    let cancelled = debugger.writes(&go, WriteLimits::writes(100), &mut |_| {
         calls += 1;
         if calls > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
@@ -106,7 +106,7 @@ fn a_search_of_writes_does_not_change_the_run() {
     assert!(debugger.is_in_past(), "the recorded future remains");
 }
 
-/// A variable of an earlier call was in the same place.
+/// An earlier call's variable was in the same place.
 #[test]
 fn the_writes_of_a_local_are_those_of_its_call() {
     let mut debugger = debugger(
@@ -121,7 +121,7 @@ fn the_writes_of_a_local_are_those_of_its_call() {
     assert_eq!(shown(&debugger, &found), "main~ work:2 6\nmain~ work:1 3\n0\n");
 }
 
-/// A change by the debugger and a change of an input belong to no task.
+/// Changes by the debugger and of inputs belong to no task.
 #[test]
 fn changes_from_outside_are_writes() {
     let listing =
@@ -171,5 +171,5 @@ fn changes_from_outside_are_writes() {
 fn a_run_that_is_not_recorded_has_no_writes() {
     let mut debugger = debugger(DATA);
     let count = data(&mut debugger, "nCount");
-    assert_eq!(debugger.writes(&count, 10, &mut |_| ControlFlow::Continue(())), None);
+    assert_eq!(debugger.writes(&count, WriteLimits::writes(10), &mut |_| ControlFlow::Continue(())), None);
 }

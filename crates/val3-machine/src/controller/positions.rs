@@ -207,8 +207,7 @@ impl Controller {
 
     fn line_asks_for_arm(&self, task: &Task) -> Option<bool> {
         let frame = task.thread.frames.last()?;
-        let image = &self.vm.space.instance(frame.instance)?.image;
-        let program = image.programs.get(usize::from(frame.program))?;
+        let program = self.vm.space.instance(frame.instance)?.program(frame.program)?;
         let line = program.line_of(task.thread.next);
         let mut of_line = (0..).zip(&program.code).filter(|(number, _)| program.line_of(*number) == line);
         Some(of_line.any(|(_, step)| needs_arm(program, step.op)))
@@ -217,8 +216,7 @@ impl Controller {
     /// The name of the instruction that a task executes next.
     fn instruction_at(&self, task: &Task) -> Option<String> {
         let frame = task.thread.frames.last()?;
-        let image = &self.vm.space.instance(frame.instance)?.image;
-        let program = image.programs.get(usize::from(frame.program))?;
+        let program = self.vm.space.instance(frame.instance)?.program(frame.program)?;
         let Op::Instruction { site } = program.code.get(task.thread.next as usize)?.op else { return None };
         program.instructions.get(site as usize).map(|site| site.callee.name().to_owned())
     }

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt::{self, Display};
 
-use val3_debug::{DebugValue, end_message};
+use val3_debug::{DebugValue, Stop, TaskFrame, end_message};
 use val3_machine::event::{Event, EventKind};
 use val3_vm::FragmentEnd;
 
@@ -23,6 +23,8 @@ pub struct Evaluation {
     pub changes_run: bool,
     /// Number of breakpoints that the code has passed in called programs, where they have no effect.
     pub passed_stops: u32,
+    /// Stop in a called program. The rest of the code is on the stack of the task.
+    pub stop: Option<Stop>,
 }
 
 impl Evaluation {
@@ -33,7 +35,7 @@ impl Evaluation {
 
     /// An evaluation with these events.
     pub(super) fn new(events: Vec<Event>, changes_run: bool) -> Self {
-        Self { value: None, output: output(&events), events, changes_run, passed_stops: 0 }
+        Self { value: None, output: output(&events), events, changes_run, passed_stops: 0, stop: None }
     }
 }
 
@@ -54,6 +56,12 @@ pub enum EvaluationError {
 impl EvaluationError {
     pub(super) fn ended<T>(end: &FragmentEnd<T>, done: Evaluation) -> Self {
         Self::Ended { message: end_message(end), done: Box::new(done) }
+    }
+
+    /// The error in a line of a called program.
+    pub(super) fn ended_at<T>(end: &FragmentEnd<T>, line: Option<&TaskFrame>, done: Evaluation) -> Self {
+        let place = line.map(|line| format!(" ({}:{}(), line {})", line.application, line.program, line.row));
+        Self::Ended { message: end_message(end) + &place.unwrap_or_default(), done: Box::new(done) }
     }
 
     /// Result of the part that was executed before the error.

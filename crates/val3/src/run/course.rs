@@ -306,6 +306,9 @@ impl<'a> Course<'a> {
         }
         match progress {
             AdvanceResult::Stopped(stop) => {
+                if let Some(viewers) = &mut self.viewers {
+                    viewers.see_rest(&self.debugger.controller);
+                }
                 if let Some(session) = guide.session() {
                     session.stop(&stop, &mut self.target());
                 }

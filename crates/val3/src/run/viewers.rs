@@ -199,6 +199,10 @@ impl Viewers {
             self.feed.refresh(controller);
             self.publish();
         }
+        if self.feed.is_later_than(controller) {
+            // A debugger has gone back, and no cycle follows.
+            self.feed.rest(controller);
+        }
         self.beat(controller, tempo);
         self.publish();
     }

@@ -8,6 +8,7 @@ use expect_test::expect;
 use serde_json::{Value, json};
 
 use crate::dap_client::{Session, application, assert_ended, example};
+use crate::serve::{ServedRun, Viewer};
 
 /// A process that listens on a free port.
 struct Listener {
@@ -122,6 +123,29 @@ fn clients_attach_to_a_run_and_leave_it() {
     session.ask("disconnect", json!({ "terminateDebuggee": true }));
     let text = run.ending();
     assert!(text.contains("the debugger has ended the run"), "{text}");
+}
+
+/// The page shows a step back at once, without another cycle or command.
+#[test]
+fn a_page_follows_a_debugger_that_steps_back() {
+    let code = "num nA\nnA=1\nnA=2\nnA=3\ndelay(1)\n";
+    let mut run = ServedRun::of(code, &["--debug-port", "0", "--debug-wait"]);
+    let note = run.wait_for("waits for a debugger on");
+    let mut words = note.split_whitespace();
+    let address = words.find(|word| word.starts_with("127.0.0.1:")).unwrap().to_owned();
+    let mut viewer = Viewer::new(&run.operator);
+    let mut session = Session::connected(&address);
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    session.ask("attach", with_secret(&json!({ "stopOnEntry": true }), words.next_back().unwrap()));
+    session.event("initialized");
+    session.ask("configurationDone", json!({}));
+    let task = session.stopped("entry");
+    for command in ["next", "next", "stepBack"] {
+        session.ask(command, json!({ "threadId": task }));
+        session.stopped("step");
+    }
+    let rewind = viewer.next_of("rewind")["t"].as_f64().unwrap();
+    assert!(rewind > 0.0 && rewind < 1e-3, "{rewind}");
 }
 
 #[test]

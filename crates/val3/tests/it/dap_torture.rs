@@ -73,7 +73,8 @@ const COMMANDS: [&str; 44] = [
     "nonsense",
 ];
 
-const CUSTOM_COMMANDS: [&str; 14] = [
+const CUSTOM_COMMANDS: [&str; 15] = [
+    "val3/endCall",
     "val3/motionMode",
     "val3/motionStep",
     "val3/motionQueue",
@@ -210,7 +211,7 @@ fn complete(command: &str, chance: &mut Chance) -> Value {
     let mut arguments = arguments(chance, 2);
     let needed = match command {
         "continue" | "next" | "stepIn" | "stepOut" | "stepBack" | "reverseContinue" | "pause" | "stackTrace"
-        | "exceptionInfo" => json!({ "threadId": chance.below(7) }),
+        | "exceptionInfo" | "val3/endCall" => json!({ "threadId": chance.below(7) }),
         "setBreakpoints" | "breakpointLocations" | "gotoTargets" => {
             json!({ "source": { "path": format!("{}/{}", application(), chance.one(&["home.pgx", "sensors.pgx", "x"])) }, "line": chance.below(40) })
         }

@@ -47,10 +47,10 @@ impl ServedRun {
         kill_process(Pid::from_child(&self.process), signal).unwrap();
     }
 
-    /// Waits for a line of the error output that contains a text.
+    /// Waits for a line of the error output that contains a text, and returns it.
     #[track_caller]
-    pub(crate) fn wait_for(&mut self, text: &str) {
-        self.stderr.wait_for(text);
+    pub(crate) fn wait_for(&mut self, text: &str) -> String {
+        self.stderr.wait_for(text)
     }
 
     /// The exit code and the rest of the error output.

@@ -5,30 +5,28 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { paintCanvas } from "../panels/shared/canvas";
 import type { Range } from "../panels/tasks/range";
 import { draw, LABELS, type Plot, plotWidth } from "./drawPlot";
-import type { HistoryModel } from "./model";
-import { placeOf, type Step, stepAt, timeText } from "./steps";
+import type { PlotModel } from "./plotModel";
 import { themes } from "./theme";
-
-const HELP = "Arrow keys select a write, Enter opens its line. Plus and minus or Ctrl and the wheel zoom, drag to move.";
 
 interface Size {
   width: number;
   height: number;
 }
 
-export function PlotView({ model }: { model: HistoryModel }): JSX.Element {
+export function PlotView({ model }: { model: PlotModel }): JSX.Element {
   const box = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [size, setSize] = useState<Size>({ width: 400, height: 240 });
   const [pointer, setPointer] = useState<{ x: number; y: number } | undefined>(undefined);
   const drag = useRef<{ x: number; range: Range; isMoved: boolean } | undefined>(undefined);
-  const { history, steps, range, selected } = model;
+  const { steps, range, selected, help, axis } = model;
   const shownSteps = steps.value;
   const timeAt = (x: number): number => range.value[0] + ((x - LABELS) / plotWidth(size.width)) * (range.value[1] - range.value[0]);
-  const now = history.value?.now ?? 0;
-  const hovered = pointer === undefined || pointer.x < LABELS || timeAt(pointer.x) > now ? undefined : shownSteps[stepAt(shownSteps, timeAt(pointer.x))];
+  const now = model.present.value;
+  const end = now ?? Infinity;
+  const hovered = pointer === undefined || pointer.x < LABELS || timeAt(pointer.x) > end ? undefined : shownSteps[model.indexAt(timeAt(pointer.x))];
   const chosen = shownSteps[selected.value];
-  const plot: Plot = { ...size, lanes: model.lanes.value, series: history.value?.series ?? [], steps: shownSteps, range: range.value, now, selected: chosen, hovered };
+  const plot: Plot = { ...size, lanes: model.lanes.value, series: model.series.value, steps: shownSteps, range: range.value, axis, now, selected: chosen, hovered };
   // The colours of the canvas are those of the editor's theme.
   themes.valueOf();
   useSize(box, setSize);
@@ -45,7 +43,7 @@ export function PlotView({ model }: { model: HistoryModel }): JSX.Element {
   };
   const up = (event: TargetedPointerEvent<HTMLElement>): void => {
     if (drag.current?.isMoved === false) {
-      model.select(stepAt(shownSteps, Math.min(now, timeAt(event.offsetX))));
+      model.select(model.indexAt(Math.min(end, timeAt(event.offsetX))));
     }
     drag.current = undefined;
   };
@@ -55,12 +53,12 @@ export function PlotView({ model }: { model: HistoryModel }): JSX.Element {
       model.zoom(event.deltaY + event.deltaX > 0 ? 1.25 : 0.8, timeAt(event.offsetX));
     }
   };
-  const name = history.value?.name ?? "";
+  const name = model.name.value;
   return (
     <div
-      class="plot" ref={box} role="slider" tabIndex={0} aria-label={`Plot of ${name}`} title={pointer === undefined ? HELP : undefined}
+      class="plot" ref={box} role="slider" tabIndex={0} aria-label={`Plot of ${name}`} title={pointer === undefined ? help : undefined}
       aria-valuemin={0} aria-valuemax={Math.max(0, shownSteps.length - 1)} aria-valuenow={Math.max(0, selected.value)}
-      aria-valuetext={chosen === undefined ? "no value" : describe(chosen, name)}
+      aria-valuetext={chosen === undefined ? "no value" : model.describe(chosen, true)}
       onKeyDown={(event) => press(event, model)} onPointerMove={move} onPointerUp={up} onWheel={wheel}
       onPointerLeave={() => { drag.current = undefined; setPointer(undefined); }}
       onPointerDown={(event) => { drag.current = { x: event.clientX, range: range.value, isMoved: false }; }}
@@ -69,17 +67,11 @@ export function PlotView({ model }: { model: HistoryModel }): JSX.Element {
       {hovered === undefined || pointer === undefined ? null : (
         <div class="hint" aria-hidden="true" style={hintPlace(pointer, size)}>
           <strong>{hovered.value}</strong>
-          <span>{describe(hovered, name, false)}</span>
+          <span>{model.describe(hovered, false)}</span>
         </div>
       )}
     </div>
   );
-}
-
-/** Formats a step for the hint and for screen readers. */
-function describe(step: Step, name: string, hasValue = true): string {
-  const place = step.write === undefined ? "before these writes" : placeOf(step, name);
-  return [hasValue ? step.value : "", timeText(step.t), place].filter((part) => part !== "").join(", ");
 }
 
 /** Places the hint beside the pointer, on the side with more space. */
@@ -90,7 +82,7 @@ function hintPlace({ x, y }: { x: number; y: number }, { width, height }: Size):
   };
 }
 
-function press(event: TargetedKeyboardEvent<HTMLElement>, model: HistoryModel): void {
+function press(event: TargetedKeyboardEvent<HTMLElement>, model: PlotModel): void {
   const [index, last] = [model.selected.peek(), model.steps.peek().length - 1];
   const around = model.steps.peek()[index]?.t ?? 0;
   const actions: Record<string, () => void> = {
@@ -102,7 +94,7 @@ function press(event: TargetedKeyboardEvent<HTMLElement>, model: HistoryModel): 
     PageUp: () => model.select(Math.min(last, index + 10)),
     Home: () => model.select(0),
     End: () => model.select(last),
-    Enter: () => model.openLine(index, true),
+    Enter: () => model.open(index, true),
     "+": () => model.zoom(0.5, around),
     "-": () => model.zoom(2, around),
     "0": () => model.showAll(),

@@ -5,6 +5,7 @@ import { useEffect } from "preact/hooks";
 import { Spacer } from "../panels/shared/Spacer";
 import { useVisibleRows } from "../panels/shared/useVisibleRows";
 import type { HistoryModel } from "./model";
+import { revealRow } from "./revealRow";
 import { placeOf, timeText } from "./steps";
 
 /** Height of a row in px, as in history.css. */
@@ -20,7 +21,7 @@ export function WriteList({ model }: { model: HistoryModel }): JSX.Element {
   const rowOf = (index: number): number => steps.length - 1 - index;
   useEffect(() => {
     if (box.current !== null && selected >= 0) {
-      reveal(box.current, rowOf(selected));
+      revealRow(box.current, rowOf(selected), ROW);
     }
   }, [selected, steps, box]);
   const rows = steps.slice(Math.max(0, steps.length - end), steps.length - first).reverse();
@@ -41,7 +42,7 @@ export function WriteList({ model }: { model: HistoryModel }): JSX.Element {
               return (
                 <tr
                   key={index} id={`step-${index}`} role="row" aria-rowindex={first + at + 2} aria-selected={index === selected}
-                  class={step.write?.source == null ? undefined : "opens"} onClick={() => { model.select(index); model.openLine(index, false); }}
+                  class={step.write?.source == null ? undefined : "opens"} onClick={() => { model.select(index); model.open(index, false); }}
                 >
                   <td role="gridcell" class="time">{timeText(step.t)}</td>
                   <td role="gridcell" class="value" title={step.value}>{step.value}</td>
@@ -69,16 +70,6 @@ function press(event: TargetedKeyboardEvent<HTMLElement>, model: HistoryModel): 
     model.select(Math.max(0, Math.min(last, target)));
   } else if (event.key === "Enter") {
     event.preventDefault();
-    model.openLine(index, true);
-  }
-}
-
-/** Scrolls by the smallest distance until the row is visible below the heading. */
-function reveal(box: HTMLElement, row: number): void {
-  const top = row * ROW;
-  if (top < box.scrollTop) {
-    box.scrollTop = top;
-  } else if (top + 2 * ROW > box.scrollTop + box.clientHeight) {
-    box.scrollTop = top + 2 * ROW - box.clientHeight;
+    model.open(index, true);
   }
 }

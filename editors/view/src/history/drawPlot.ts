@@ -1,9 +1,10 @@
-// Draws the step lines, one lane for each unit.
+// Draws the lines, one lane for each unit.
 
 import type { Colour } from "../panels/shared/canvas";
 import type { Series } from "./messages";
-import { type Range, ticks } from "../panels/tasks/range";
+import type { Range } from "../panels/tasks/range";
 import { type Lane, type NumberRange, numberRange, numberTicks, unitSign } from "./lanes";
+import type { PlotAxis } from "./plotModel";
 import { columnsOf } from "./stepLine";
 import type { Step } from "./steps";
 
@@ -27,8 +28,9 @@ export interface Plot {
   series: readonly Series[];
   steps: readonly Step[];
   range: Range;
-  /** Present time. */
-  now: number;
+  axis: PlotAxis;
+  /** Present time, at which the lines end; `undefined` if the axis is no time. */
+  now: number | undefined;
   selected: Step | undefined;
   hovered: Step | undefined;
 }
@@ -45,7 +47,7 @@ export function draw(canvas: CanvasRenderingContext2D, plot: Plot, colour: Colou
   canvas.lineWidth = 1.5;
   const x = (t: number): number => LABELS + ((t - range[0]) / (range[1] - range[0])) * plotWidth(width);
   const bottom = height - AXIS;
-  drawTimes(canvas, plot, x, colour);
+  drawAxis(canvas, plot, x, colour);
   lanes.forEach((lane, index) => {
     const top = (bottom * index) / lanes.length + TITLE;
     drawLane(canvas, plot, lane, { top, bottom: (bottom * (index + 1)) / lanes.length - 6 }, colour);
@@ -61,28 +63,28 @@ export function draw(canvas: CanvasRenderingContext2D, plot: Plot, colour: Colou
 
 /** Writes a word at the line of the present. */
 function drawPresent(canvas: CanvasRenderingContext2D, { now, range }: Plot, x: (t: number) => number, colour: Colour): void {
-  if (now >= range[0] && now <= range[1]) {
+  if (now !== undefined && now >= range[0] && now <= range[1]) {
     canvas.fillStyle = colour("--plot-now");
     canvas.textAlign = x(now) > LABELS + 60 ? "right" : "left";
     canvas.fillText("present", x(now) + (canvas.textAlign === "right" ? -5 : 5), TITLE / 2);
   }
 }
 
-/** Draws the axis of the times, and the time after the present. */
-function drawTimes(canvas: CanvasRenderingContext2D, { width, height, range, now }: Plot, x: (t: number) => number, colour: Colour): void {
+/** Draws the horizontal axis, and the time after the present. */
+function drawAxis(canvas: CanvasRenderingContext2D, { width, height, range, axis, now }: Plot, x: (t: number) => number, colour: Colour): void {
   const bottom = height - AXIS;
   canvas.textBaseline = "middle";
-  if (now < range[1]) {
+  if (now !== undefined && now < range[1]) {
     const left = Math.max(LABELS, x(now));
     canvas.fillStyle = colour("--plot-later");
     canvas.fillRect(left, 0, width - RIGHT - left, bottom);
   }
-  for (const t of ticks(range, Math.max(2, Math.floor(plotWidth(width) / 90)))) {
+  for (const { at: t, text } of axis.ticks(range, Math.max(2, Math.floor(plotWidth(width) / 90)))) {
     canvas.fillStyle = colour("--plot-grid");
     canvas.fillRect(Math.round(x(t)), 0, 1, bottom + 4);
     canvas.fillStyle = colour("--plot-text");
     canvas.textAlign = x(t) > width - 30 ? "right" : "center";
-    canvas.fillText(`${t} s`, Math.min(x(t), width - 2), height - AXIS / 2 + 2);
+    canvas.fillText(text, Math.min(x(t), width - 2), height - AXIS / 2 + 2);
   }
 }
 
@@ -110,7 +112,7 @@ function drawLane(canvas: CanvasRenderingContext2D, plot: Plot, lane: Lane, { to
     drawLine(canvas, plot, index, y);
   }
   canvas.setLineDash([]);
-  for (const step of [plot.hovered, plot.selected]) {
+  for (const step of [...separatePoints(plot), plot.hovered, plot.selected]) {
     drawMarks(canvas, plot, lane, step, y, colour);
   }
 }
@@ -119,15 +121,21 @@ function scale([low, high]: NumberRange, top: number, bottom: number): (number: 
   return (number) => bottom - ((number - low) / (high - low)) * (bottom - top);
 }
 
-/** Draws a step line until the present or the right edge. */
-function drawLine(canvas: CanvasRenderingContext2D, { steps, range, width, now }: Plot, series: number, y: (number: number) => number): void {
+/** Returns the steps that are drawn as dots: values of an axis without steps, if they are far enough from each other. */
+function separatePoints({ steps, range, axis, width }: Plot): readonly Step[] {
+  const distance = plotWidth(width) / (range[1] - range[0]);
+  return axis.isStepped || distance < 8 ? [] : steps.filter(({ t }) => t >= range[0] && t <= range[1]);
+}
+
+/** Draws a line until the present or the right edge. */
+function drawLine(canvas: CanvasRenderingContext2D, { steps, range, axis, width, now = Infinity }: Plot, series: number, y: (number: number) => number): void {
   const inside = plotWidth(width);
   const end = Math.max(0, Math.min(inside, ((now - range[0]) / (range[1] - range[0])) * inside));
   canvas.beginPath();
   let last: number | undefined;
   for (const column of columnsOf(steps, series, [range[0], Math.min(range[1], now)], end)) {
     const x = LABELS + column.x;
-    if (last !== undefined) {
+    if (last !== undefined && axis.isStepped) {
       canvas.lineTo(x, y(last));
     }
     const { low = last, high = last } = column;
@@ -143,7 +151,7 @@ function drawLine(canvas: CanvasRenderingContext2D, { steps, range, width, now }
     }
     last = column.last;
   }
-  if (last !== undefined) {
+  if (last !== undefined && axis.isStepped) {
     canvas.lineTo(LABELS + end, y(last));
   }
   canvas.stroke();

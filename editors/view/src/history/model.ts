@@ -1,23 +1,22 @@
-// The shown history, its selected value, and the shown part of the plot.
+// The shown history and its selected value.
 
 import { computed, signal } from "@preact/signals";
-import { type Range, shifted, zoomed } from "../panels/tasks/range";
-import { firstShown, lanesOf } from "./lanes";
+import { type Range, ticks } from "../panels/tasks/range";
+import { firstShown } from "./lanes";
 import type { FromPage, History, ToPage } from "./messages";
-import { type Step, stepsOf } from "./steps";
+import { type PlotAxis, PlotModel } from "./plotModel";
+import { placeOf, type Step, stepsOf, timeText } from "./steps";
 
 /** Shortest shown time, in seconds: lines of a program follow within some microseconds. */
 const SHORTEST = 1e-6;
 
-export class HistoryModel {
+export class HistoryModel extends PlotModel {
   readonly history = signal<History | undefined>(undefined);
   readonly note = signal<string | null>(null);
   readonly steps = computed(() => (this.history.value === undefined ? [] : stepsOf(this.history.value)));
-  /** Index of the selected step. */
-  readonly selected = signal(-1);
-  /** Indexes of the shown series. */
-  readonly shown = signal<ReadonlySet<number>>(new Set());
-  readonly lanes = computed(() => lanesOf(this.history.value?.series ?? [], this.shown.value));
+  readonly series = computed(() => this.history.value?.series ?? []);
+  readonly name = computed(() => this.history.value?.name ?? "");
+  readonly present = computed(() => this.history.value?.now ?? 0);
   /** Latest present, also if the run has gone back since. */
   private readonly latest = signal(0);
   /** Time from the first step to the latest present. */
@@ -25,11 +24,15 @@ export class HistoryModel {
     const start = this.steps.value[0]?.t ?? 0;
     return [start, Math.max(this.latest.value, start + SHORTEST)];
   });
-  /** Part that the user has chosen; `undefined` for the whole time. */
-  private readonly part = signal<Range | undefined>(undefined);
-  readonly range = computed(() => this.part.value ?? this.whole.value);
+  readonly axis: PlotAxis = {
+    shortest: SHORTEST, isStepped: true,
+    ticks: (range, count) => ticks(range, count).map((at) => ({ at, text: `${at} s` })),
+  };
+  readonly help = "Arrow keys select a write, Enter opens its line. Plus and minus or Ctrl and the wheel zoom, drag to move.";
 
-  constructor(private readonly post: (message: FromPage) => void) {}
+  constructor(private readonly post: (message: FromPage) => void) {
+    super();
+  }
 
   take(message: ToPage): void {
     if (message.kind === "note") {
@@ -53,43 +56,13 @@ export class HistoryModel {
     this.selected.value = same >= 0 ? same : steps.length - 1;
   }
 
-  /** Selects a step. The plot moves to its time if that is outside the shown part. */
-  select(index: number): void {
-    const step = this.steps.peek()[index];
-    if (step === undefined) {
-      return;
-    }
-    this.selected.value = index;
-    const [start, end] = this.range.peek();
-    if (step.t < start || step.t > end) {
-      const half = (end - start) / 2;
-      this.part.value = shifted([step.t - half, step.t + half], 0, this.whole.peek(), SHORTEST);
-    }
+  describe(step: Step, hasValue: boolean): string {
+    const place = step.write === undefined ? "before these writes" : placeOf(step, this.name.peek());
+    return [hasValue ? step.value : "", timeText(step.t), place].filter((part) => part !== "").join(", ");
   }
 
-  /** Shows or hides a series. */
-  toggle(series: number): void {
-    const shown = new Set(this.shown.peek());
-    if (!shown.delete(series)) {
-      shown.add(series);
-    }
-    this.shown.value = shown;
-  }
-
-  zoom(factor: number, around: number): void {
-    this.showPart(zoomed(this.range.peek(), factor, around, this.whole.peek(), SHORTEST));
-  }
-
-  /** Moves the shown part by a fraction of its length. */
-  shift(part: number, from: Range = this.range.peek()): void {
-    this.showPart(shifted(from, part, this.whole.peek(), SHORTEST));
-  }
-
-  showAll(): void {
-    this.part.value = undefined;
-  }
-
-  openLine(index: number, isFinal: boolean): void {
+  /** Opens the line of a step. */
+  open(index: number, isFinal: boolean): void {
     const source = this.steps.peek()[index]?.write?.source ?? null;
     if (source !== null) {
       this.post({ command: "openLine", source, isFinal });
@@ -99,11 +72,6 @@ export class HistoryModel {
   /** Requests more writes. */
   showEarlier(): void {
     this.post({ command: "more" });
-  }
-
-  private showPart(part: Range): void {
-    const [start, end] = this.whole.peek();
-    this.part.value = part[0] <= start && part[1] >= end ? undefined : part;
   }
 }
 

@@ -70,7 +70,16 @@ for (const theme of ["light", "dark", "contrast"]) {
     // Only the visible rows are in the document.
     assert.ok(await page.locator("tbody tr").count() < 100);
     assert.match(await page.locator("header").innerText(), /the first 10000 of 10005 elements/);
+    await eventually(async () => assert.ok(await inked(page) > 1000, "nothing is plotted"));
+    assert.equal(await page.locator("section button[aria-pressed=true]").count(), 6);
     await check(page, `table-joints-${theme}`);
+    await page.click("button:text-is('j2')");
+    assert.equal(await page.locator("section button[aria-pressed=true]").count(), 5);
+    await page.locator("[role=slider]").focus();
+    await page.keyboard.press("Home");
+    await page.keyboard.press("ArrowRight");
+    await expectSpoken(page, /^\[1\], \{/);
+    await matches(page.locator("tr.selected"), /^\[1\]\t/);
     await page.locator("[role=region]").focus();
     await page.keyboard.press("End");
     await page.waitForSelector("td:text-is('[9999]')");

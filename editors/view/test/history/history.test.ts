@@ -101,8 +101,8 @@ test("lines are opened, series are hidden, and more writes are requested", () =>
   assert.deepEqual([...model.shown.value], [0, 2, 3, 4, 5]);
   model.take({ kind: "history", history: { ...joints(), now: 12 } });
   assert.equal(model.shown.value.has(1), false, "a hidden axis stays hidden");
-  model.openLine(0, true);
-  model.openLine(1, true);
+  model.open(0, true);
+  model.open(1, true);
   model.showEarlier();
   assert.deepEqual(sent, [{ command: "openLine", source: joints().writes.at(-1)?.source, isFinal: true }, { command: "more" }]);
   model.take({ kind: "history", history: texts() });
@@ -122,6 +122,22 @@ test("a table has a column for each number in the elements, or for the value", (
   assert.deepEqual(cells(lengths), [["Index", "Value (mm)"], ["[0]", "1e9"]]);
   const infinite = { ...jointTable(0), rows: [{ index: "[0]", value: "{inf}", numbers: [null] }] };
   assert.equal(cells(infinite)[1]?.[1], "not finite");
+});
+
+test("a table of numbers is plotted over the index", () => {
+  const model = new TableModel(() => undefined);
+  model.take({ kind: "table", table: jointTable(30) });
+  assert.deepEqual([...model.shown.value], [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual([model.whole.value, model.steps.value.length, model.present.value], [[0, 29], 30, undefined]);
+  assert.deepEqual(model.axis.ticks([0, 29], 3).map(({ at, text }) => [at, text]), [[0, "[0]"], [10, "[10]"], [20, "[20]"]]);
+  assert.deepEqual(model.axis.ticks([0, 1], 5).map(({ text }) => text), ["[0]", "[1]"], "between two elements there is no mark");
+  assert.deepEqual([0.4, 0.6, 29].map((position) => model.indexAt(position)), [0, 1, 29], "the nearest element");
+  model.select(3);
+  assert.match(model.describe(model.steps.value[3] ?? assert.fail(), true), /^\[3\], \{/);
+  model.take({ kind: "table", table: { ...jointTable(30), type: "point[30]", series: points().series } });
+  assert.deepEqual([...model.shown.value], [0, 1, 2], "the lengths of a position first");
+  model.take({ kind: "table", table: textTable() });
+  assert.deepEqual([model.shown.value.size, model.lanes.value.length], [0, 0]);
 });
 
 test("a table shows its newest elements, and requests more", () => {

@@ -5,7 +5,6 @@ import type { Client } from "../client";
 import type { CodeFiles } from "../codeView/files";
 import type { Walkthrough } from "../walkthrough";
 import { Adapter } from "./adapter";
-import { registerStepsBack } from "./backwards";
 import { Configurations, TYPE } from "./configurations";
 import { registerLenses } from "./lenses";
 import { OtherBreakpoints } from "./otherBreakpoints";
@@ -15,6 +14,7 @@ import { RobotTree } from "./robot/tree";
 import { UserPageView } from "./robot/userPage";
 import { DebuggedRun } from "./run";
 import { SourceTranslator } from "./sources";
+import { registerTaskCommands } from "./taskCommands";
 import { registerVariableFilter } from "./variables";
 import { registerVariableTabs } from "./variableTabs";
 import { RobotView } from "./view/panel";
@@ -48,7 +48,7 @@ export function registerDebugging(
     vscode.window.registerWebviewViewProvider("val3.userPage", page),
     ...registerSignals(run),
     ...registerMotion(run, views, icons, report),
-    ...registerStepsBack(run),
+    ...registerTaskCommands(run),
     registerVariableFilter(run),
     ...registerVariableTabs(run, vscode.Uri.joinPath(context.extensionUri, "dist/history.html"), report),
     ...registerLenses(),
