@@ -29,7 +29,7 @@ export function PlotView({ model }: { model: HistoryModel }): JSX.Element {
   const hovered = pointer === undefined || pointer.x < LABELS || timeAt(pointer.x) > now ? undefined : shownSteps[stepAt(shownSteps, timeAt(pointer.x))];
   const chosen = shownSteps[selected.value];
   const plot: Plot = { ...size, lanes: model.lanes.value, series: history.value?.series ?? [], steps: shownSteps, range: range.value, now, selected: chosen, hovered };
-  // The colours of the canvas are those of the editor's theme.
+  // The canvas has the colours of the editor's theme.
   themes.valueOf();
   useSize(box, setSize);
   useEffect(() => paintCanvas(canvas.current, size.width, size.height, (context, colour) => draw(context, plot, colour)));
@@ -82,7 +82,7 @@ function describe(step: Step, name: string, hasValue = true): string {
   return [hasValue ? step.value : "", timeText(step.t), place].filter((part) => part !== "").join(", ");
 }
 
-/** Places the hint beside the pointer, on the side with more space. */
+/** Places the hint next to the pointer, on the side with more space. */
 function hintPlace({ x, y }: { x: number; y: number }, { width, height }: Size): Record<string, string> {
   return {
     ...(x < width / 2 ? { left: `${x + 14}px` } : { right: `${width - x + 14}px` }),

@@ -80,7 +80,7 @@ export class HistoryModel {
     this.showPart(zoomed(this.range.peek(), factor, around, this.whole.peek(), SHORTEST));
   }
 
-  /** Moves the shown part by a fraction of its length. */
+  /** Moves the shown part by a fraction, in lengths of the part. */
   shift(part: number, from: Range = this.range.peek()): void {
     this.showPart(shifted(from, part, this.whole.peek(), SHORTEST));
   }

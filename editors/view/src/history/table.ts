@@ -1,4 +1,4 @@
-// The shown elements of an array or collection.
+// Shown array or collection elements.
 
 import { signal } from "@preact/signals";
 import { unitSign } from "./lanes";
