@@ -186,7 +186,8 @@ impl Feed {
     }
 
     fn see_programs(&mut self, controller: &Controller) {
-        let programs = self.programs.as_mut().map(|programs| programs.news(&controller.vm.space, &mut self.lines));
+        let t = seconds(controller.now());
+        let programs = self.programs.as_mut().map(|programs| programs.news(t, &controller.vm.space, &mut self.lines));
         for programs in programs.into_iter().flatten() {
             self.tell(&wire::Message::Programs(programs));
         }

@@ -1,4 +1,4 @@
-//! Code of the programs of applications and libraries in memory, for pages.
+//! Code of loaded programs, for pages.
 
 use std::sync::Arc;
 
@@ -17,8 +17,8 @@ pub(crate) struct Programs {
 
 impl Programs {
     /// Returns the programs of applications and libraries that were loaded since the last call. A library that is loaded
-    /// again from the same files has no message.
-    pub(crate) fn news(&mut self, space: &Space, lines: &mut Lines) -> Vec<ProgramsMessage> {
+    /// again from the same files has no message. `t` is the present time in seconds.
+    pub(crate) fn news(&mut self, t: f64, space: &Space, lines: &mut Lines) -> Vec<ProgramsMessage> {
         let is_known = |image: &Arc<Image>| self.known.iter().any(|known| Arc::ptr_eq(known, image));
         let images = || space.loaded().map(|(_, instance)| &instance.image);
         if images().all(is_known) {
@@ -26,12 +26,12 @@ impl Programs {
         }
         let new: Vec<Arc<Image>> = images().filter(|image| !is_known(image)).map(Arc::clone).collect();
         self.known = images().map(Arc::clone).collect();
-        new.iter().filter_map(|image| message(image, lines)).collect()
+        new.iter().filter_map(|image| message(t, image, lines)).collect()
     }
 }
 
-/// Returns the programs in the new and changed files of an image; `None` without such programs.
-fn message(image: &Image, lines: &mut Lines) -> Option<ProgramsMessage> {
+/// Returns the programs in new and changed files; `None` without such programs.
+fn message(t: f64, image: &Image, lines: &mut Lines) -> Option<ProgramsMessage> {
     let files = (0..).zip(&image.files).filter(|(_, file)| lines.reload(file)).collect::<Vec<(u32, &String)>>();
     let mut programs = Vec::new();
     for (number, file) in files {
@@ -40,7 +40,7 @@ fn message(image: &Image, lines: &mut Lines) -> Option<ProgramsMessage> {
             programs.extend(of_file(file, text, &own));
         }
     }
-    (!programs.is_empty()).then(|| ProgramsMessage { application: image.name.clone(), programs })
+    (!programs.is_empty()).then(|| ProgramsMessage { t, application: image.name.clone(), programs })
 }
 
 fn of_file(file: &str, text: &str, programs: &[&Program]) -> Vec<ProgramCode> {
@@ -86,16 +86,17 @@ mod tests {
         let space = &controller.vm.space;
         let mut lines = Lines::new(read);
         let mut programs = Programs::default();
-        let sent = programs.news(space, &mut lines);
+        let sent = programs.news(0.5, space, &mut lines);
         let names = |message: &ProgramsMessage| {
             message.programs.iter().map(|program| (program.name.clone(), program.line)).collect::<Vec<_>>()
         };
         assert_eq!(sent.iter().map(names).collect::<Vec<_>>(), [[("start".to_owned(), 2)]]);
-        assert_eq!(programs.news(space, &mut lines), []);
-        let load_again = |lines: &mut Lines| Programs::default().news(space, lines);
+        assert_eq!(sent[0].t, 0.5);
+        assert_eq!(programs.news(1.0, space, &mut lines), []);
+        let load_again = |lines: &mut Lines| Programs::default().news(1.5, space, lines);
         assert_eq!(load_again(&mut lines), []);
         CODE.set("delay(2)");
-        assert_eq!(load_again(&mut lines).len(), 1);
+        assert_eq!(load_again(&mut lines).iter().map(|message| message.t).collect::<Vec<_>>(), [1.5]);
         assert_eq!(lines.code(&sent[0].programs[0].file, 3).as_deref(), Some("delay(2)"));
     }
 
