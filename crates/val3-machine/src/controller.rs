@@ -32,7 +32,7 @@ pub use applications::{ApplicationState, PreparedProject};
 pub use handling::PartState;
 pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
 pub use operator::OperatorAction;
-pub use positions::{Activity, TaskPosition};
+pub use positions::{Activity, TaskPosition, WaitCause};
 pub use snapshot::Snapshot;
 
 use operator::Operations;

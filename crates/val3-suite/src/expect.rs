@@ -33,7 +33,9 @@
 //! observer type that receives each cycle and returns failures at the end.
 
 mod clearance;
+mod cycle_event;
 mod cycle_time;
+mod edge;
 mod errors;
 mod filled;
 mod fit;
@@ -55,6 +57,7 @@ use val3_machine::script::SentText;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
 use clearance::Clearance;
+pub use cycle_event::CycleEvent;
 use cycle_time::CycleTime;
 use errors::ExpectedError;
 pub(crate) use errors::failure as error_failure;

@@ -32,6 +32,7 @@ pub use case::{TestCase, TestKind, cases};
 pub use coverage::{counted, executed, project_name, tested_projects};
 pub use execute::{Supervision, TestSettings, execute};
 pub use exemption::Exemption;
+pub use expect::CycleEvent;
 pub use failure::{Failure, FailureLocation};
 pub use final_state::{Difference, FinalState};
 pub use golden_text::GoldenText;

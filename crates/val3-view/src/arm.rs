@@ -60,7 +60,7 @@ mod tests {
     use serde_json::json;
     use val3_geometry::{Rotation3, Trsf, Vector3};
 
-    /// Joint positions of the sample postures, as fractions of each axis' range.
+    /// Joint positions in sample postures, as fractions from 0 to 1 in the range for each axis.
     const SHARES: [[f64; 6]; 2] = [[0.3, 0.7, 0.6, 0.2, 0.65, 0.9], [0.85, 0.35, 0.25, 0.7, 0.2, 0.1]];
 
     /// Rounds a coordinate to 0.000001 mm.
@@ -68,7 +68,7 @@ mod tests {
         (value * 1e6).round() / 1e6 + 0.0
     }
 
-    /// Returns the ends of an arm's capsules in world, by link.
+    /// Returns both ends for each arm capsule in `world`, by link.
     fn capsule_ends(arm: &Arm, joints: &Joints) -> Vec<Vec<[[f64; 3]; 2]>> {
         let placed = |frame: &IsometryMatrix3<f64>, point: &Vector3<f64>| {
             let point = frame.rotation * point + frame.translation.vector;

@@ -78,7 +78,7 @@ mod tests {
 
     use super::*;
 
-    /// An application with the frame `fPallet`, and a mesh of one triangle.
+    /// An application with the frame `fPallet`, and a mesh with one triangle.
     struct Application;
 
     impl Surroundings for Application {

@@ -1,4 +1,4 @@
-//! Texts of program files, and the code of their lines in messages.
+//! Program files, and their lines of code for messages.
 
 use std::collections::BTreeMap;
 
@@ -85,7 +85,7 @@ impl Lines {
     }
 }
 
-/// Returns the code of a line of a text, from 1, without blanks around it; `None` without code.
+/// Returns the code in a line, from 1, without blanks around it; `None` without code.
 #[must_use]
 pub fn code_of_line(text: &str, line: u32) -> Option<String> {
     let code = text.lines().nth(usize::try_from(line).ok()?.checked_sub(1)?)?.trim();

@@ -81,7 +81,7 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
     tool.as_ref().map(GlobalValue::whole_name)
 }
 
-/// Computes names and poses of all values. The time per value does not depend on the length of its chain of fathers.
+/// Computes names and poses of all values. The time per value does not depend on the number of fathers up to `world`.
 pub(crate) struct PositionComputer<'a> {
     data: &'a [GlobalValue],
     memory: &'a Memory,
@@ -147,7 +147,7 @@ pub(crate) fn is_for_scara(memory: &Memory, place: Place) -> bool {
     arm_of(memory, place) == Some(Arm::Scara)
 }
 
-/// Kind of arm of a point or joint position; `None` if its type has none.
+/// Arm kind for which the type exists; `None` for a type without one.
 fn arm_of(memory: &Memory, place: Place) -> Option<Arm> {
     match memory.store(place.store).ok()?.kind.base {
         KindBase::Builtin(_, arm) => arm,

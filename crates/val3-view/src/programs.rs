@@ -1,10 +1,11 @@
-//! Code of the programs of applications and libraries in memory, for pages.
+//! Code of loaded programs, for pages.
 
 use std::sync::Arc;
 
 use val3_bytecode::{Image, Program};
 use val3_machine::controller::Controller;
 use val3_machine::devices::ReplacedLines;
+use val3_machine::event::seconds;
 
 use crate::code::{Code, codes};
 use crate::lines::Lines;
@@ -25,8 +26,9 @@ impl Programs {
         if loaded().all(|(_, image)| is_known(image)) {
             return Vec::new();
         }
+        let t = seconds(controller.now());
         let new = loaded().filter(|(_, image)| !is_known(image));
-        let messages = new.filter_map(|(id, image)| message(image, &controller.devices.replaced_lines(id), lines));
+        let messages = new.filter_map(|(id, image)| message(t, image, &controller.devices.replaced_lines(id), lines));
         let messages = messages.collect();
         self.known = loaded().map(|(_, image)| Arc::clone(image)).collect();
         messages
@@ -34,7 +36,7 @@ impl Programs {
 }
 
 /// Returns the programs in the new and changed files of an image; `None` without such programs.
-fn message(image: &Image, replaced: &ReplacedLines, lines: &mut Lines) -> Option<ProgramsMessage> {
+fn message(t: f64, image: &Image, replaced: &ReplacedLines, lines: &mut Lines) -> Option<ProgramsMessage> {
     let files = (0..).zip(&image.files).filter(|(_, file)| reload(file, replaced, lines));
     let files = files.collect::<Vec<(u32, &String)>>();
     let mut programs = Vec::new();
@@ -46,7 +48,7 @@ fn message(image: &Image, replaced: &ReplacedLines, lines: &mut Lines) -> Option
             programs.extend(of_file(file, &code, &own));
         }
     }
-    (!programs.is_empty()).then(|| ProgramsMessage { application: image.name.clone(), programs })
+    (!programs.is_empty()).then(|| ProgramsMessage { t, application: image.name.clone(), programs })
 }
 
 /// Reads a file and its replaced lines. Returns whether one of them differs from the previous version.
@@ -95,7 +97,7 @@ mod tests {
 
     #[test]
     fn programs_are_sent_again_after_a_change_of_their_file() {
-        let controller = Running::start("program start()\nbegin\n  delay(1)\nend\n").controller;
+        let mut controller = Running::start("program start()\nbegin\n  delay(1)\nend\n").controller;
         let mut lines = Lines::new(read);
         let mut programs = Programs::default();
         let sent = programs.news(&controller, &mut lines);
@@ -103,11 +105,16 @@ mod tests {
             message.programs.iter().map(|program| (program.name.clone(), program.line)).collect::<Vec<_>>()
         };
         assert_eq!(sent.iter().map(names).collect::<Vec<_>>(), [[("start".to_owned(), 2)]]);
+        assert_eq!(sent[0].t, 0.0);
         assert_eq!(programs.news(&controller, &mut lines), []);
+        while controller.now() == Default::default() {
+            controller.step();
+        }
         let load_again = |lines: &mut Lines| Programs::default().news(&controller, lines);
         assert_eq!(load_again(&mut lines), []);
         CODE.set("delay(2)");
-        assert_eq!(load_again(&mut lines).len(), 1);
+        let times: Vec<f64> = load_again(&mut lines).iter().map(|message| message.t).collect();
+        assert_eq!(times, [seconds(controller.now())]);
         assert_eq!(lines.code(&sent[0].programs[0].file, 3).as_deref(), Some("delay(2)"));
     }
 

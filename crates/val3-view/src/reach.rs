@@ -1,4 +1,4 @@
-//! Message `reach`: the points and joint positions out of reach of the last move's tool.
+//! Message `reach`: points and joint positions that the last move's tool cannot reach.
 
 use val3_machine::controller::Controller;
 

@@ -36,7 +36,7 @@ pub(crate) struct SampleOrigin {
     pub(crate) limit: u8,
 }
 
-/// Samples of an unfinished batch.
+/// Samples in the unfinished batch.
 #[derive(Debug)]
 pub(crate) struct Batch {
     /// Maximum time that the batch covers.

@@ -13,8 +13,8 @@ mod state;
 pub use cell::{CellObject, CellPart, ObjectCarrier, ObjectShape, PartPlace, PartsMessage};
 pub use commands::{
     Arguments, ArmSolution, Command, CommandError, Cycle, ElementKey, Fastest, FrameName, Operate, Pace, PaceSpeed,
-    PageChoice, PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solve, Solved, TaughtTool,
-    Teach, TeachFrame, TeachTool, ToolName, UnreachableValue, UserPage,
+    PageChoice, PointName, Reach, Reached, RecordScenario, Recorded, Save, Saved, SetPoint, Solve, Solved, StartAgain,
+    TaughtTool, Teach, TeachFrame, TeachTool, ToolName, UnreachableValue, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
@@ -37,7 +37,7 @@ use val3_machine::event::{EndReason, Event};
 pub enum Message {
     /// The constant content of a run; always the first message.
     Scene(Box<Scene>),
-    /// Programs of an application or library.
+    /// Code of loaded programs.
     Programs(ProgramsMessage),
     /// A line that requests moves.
     Source(Source),
@@ -59,7 +59,7 @@ pub enum Message {
     Parts(PartsMessage),
     /// Points, joint positions, frames and tools with other values.
     Data(DataMessage),
-    /// Points and joint positions out of reach of the last move's tool.
+    /// Points and joint positions that the last move's tool cannot reach.
     Reach(ReachMessage),
     /// Points, joint positions, frames and tools with unsaved changes.
     Unsaved(UnsavedMessage),
@@ -134,7 +134,7 @@ pub struct EventsMessage {
     pub events: Vec<PageEvent>,
 }
 
-/// Event with the code of its line.
+/// Event with its line of code.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct PageEvent {
@@ -146,7 +146,7 @@ pub struct PageEvent {
     pub line_code: Option<String>,
 }
 
-/// Event in the format of `val3 run --events`. The event of a fault also has `lineCode`, the code of its line.
+/// Event in the format of `val3 run --events`. A fault also has `lineCode`, its line of code.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct RunEvent {
     /// Time in s.
@@ -184,7 +184,7 @@ impl DataMessage {
     }
 }
 
-/// Points and joint positions out of reach of the last move's tool; of the flange before the first move.
+/// Points and joint positions that the last move's tool cannot reach; before the first move, the flange counts.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ReachMessage {
     /// Time in s.

@@ -24,6 +24,11 @@ impl UserError {
         Self { message: one_line(&message.into()).into_owned(), details: String::new(), help: String::new() }
     }
 
+    /// Problem and location, in one line.
+    pub(crate) fn message(&self) -> &str {
+        &self.message
+    }
+
     /// Text without the prefix `error: `, for a report with several errors.
     pub(crate) fn lines(&self) -> String {
         let text = self.to_string();

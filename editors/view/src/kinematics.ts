@@ -1,4 +1,4 @@
-// Computes link poses of an arm from its joints.
+// Computes link poses from joints.
 
 import { add, aroundAxis, composed, type Frame, frameOf, multiplied, turned, type Vector } from "./panels/pendant/pose";
 import type { Scene } from "./protocol";

@@ -94,7 +94,7 @@ function Panels({ store }: { store: Store }): JSX.Element {
   );
 }
 
-/** Panel of an application that does not run: its controls would do nothing. */
+/** Panel before a run: its controls would do nothing. */
 function NoRun({ name, cell }: { name: string; cell: Cell }): JSX.Element {
   return <section class="panel" aria-label={name}><p class="blocked">{cell.blocked.value}</p></section>;
 }

@@ -1,6 +1,6 @@
 // Choices of the user that survive a reload of the page.
 
-/** Returns a stored value; `undefined` if there is none, or if the page may store nothing. */
+/** Returns a stored value; `undefined` without a stored value, or if the page may store nothing. */
 export function remembered(key: string): string | undefined {
   try {
     return localStorage.getItem(`val3.${key}`) ?? undefined;

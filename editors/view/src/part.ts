@@ -7,7 +7,7 @@ import { RunLog } from "./runLog";
 /** First byte of a message with a part. */
 const KIND = 2;
 
-/** Kind, three bytes, the number of messages of the state, and the time of the beginning. */
+/** Kind, three bytes, the number of messages in the state, and the begin time. */
 const HEADER = 16;
 
 /** Whether a binary message contains a part. */

@@ -6,7 +6,7 @@ export type { Answer as AnswerMessage, LinkShape, Role, Source, Tool } from "./w
 
 export type Pose = readonly number[];
 
-/** Keys of an arm that runs of earlier versions do not have. */
+/** Arm keys that runs of earlier versions do not have. */
 type LaterKeys = "shapes" | "capsules" | "height";
 
 /** Runs of earlier versions have no length unit and no things around the arm. */

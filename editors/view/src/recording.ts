@@ -5,7 +5,7 @@ export type Frame = { text: string } | { samples: Uint8Array };
 
 const DECODER = new TextDecoder();
 
-/** Returns the frames of a recording. Samples are views of one buffer, so that they need no memory of their own. */
+/** Returns the frames of a recording. Samples are views into one buffer, so that they need no additional memory. */
 export async function framesOf(encoded: string): Promise<Generator<Frame>> {
   const stream = new Blob([decoded(encoded.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
   return framesIn(new Uint8Array(await new Response(stream).arrayBuffer()));

@@ -1,4 +1,4 @@
-// Messages and samples of a run, or of a part of it, in their order.
+// Messages and samples in their order: all of them, or a part.
 
 import { MOST_MESSAGES, MOST_SAMPLES, since, upTo } from "./bounds";
 import type { RunMessage } from "./protocol";
@@ -18,7 +18,7 @@ export class RunLog {
   /** `start` is the time of the beginning, in s. */
   constructor(public start = 0) {}
 
-  /** Adds a message, or a message of the state at the beginning. Returns the message as it is stored. */
+  /** Adds a message, or a message of the state at the beginning. Returns the stored message. */
   add(received: RunMessage, isState = false): RunMessage {
     const message: RunMessage = received.kind === "motion" ? { ...received, ...shared(received, this.lastMotion) } : received;
     if (message.kind === "motion") {
@@ -37,7 +37,7 @@ export class RunLog {
     this.start = 0;
   }
 
-  /** Discards what is later than a time. */
+  /** Discards messages and samples after a time. */
   cut(t: number): void {
     this.rewound = Math.min(this.rewound, t);
     this.messages = upTo(this.messages, t);
@@ -60,7 +60,7 @@ export class RunLog {
     return undefined;
   }
 
-  /** Replaces what is earlier than a time by the state at this time. */
+  /** Replaces messages and samples before a time by the state at this time. */
   dropBefore(t: number): void {
     this.samples.drop(t);
     this.messages = since([...this.state, ...this.messages], t);

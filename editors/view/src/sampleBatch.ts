@@ -12,7 +12,7 @@ const [TIME_UNITS, JOINT_UNITS, SPEED_UNITS] = [1e9, 1e6, 100];
 /** Order of differences: of columns that change steadily, and of the joint columns. */
 const [STEADY, ACCELERATED] = [2, 3];
 
-/** Smallest number of bytes of a sample without its joints: the differences of time and speed. */
+/** Smallest number of bytes for a sample without joints: the differences of time and speed. */
 const SMALLEST = 2;
 
 /** Decoded batch: a column for each property. */

@@ -179,7 +179,7 @@ export class Samples {
   }
 }
 
-/** Batch in the form of the connection, with the times of its first and its last sample. */
+/** Batch in the form of the connection, with the times of the first and the last sample. */
 class Batch {
   readonly start: number;
   end: number;

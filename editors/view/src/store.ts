@@ -21,7 +21,7 @@ export type Send = (command: object) => void;
 
 const INDEXED: readonly string[] = ["state", "motion", "io", "page", "events", "parts", "data", "reach"];
 
-/** Adds a message to an index, unless the panels need no history of its kind. */
+/** Adds a message to an index, unless the panels need no history of such messages. */
 function addIndexed(data: PanelData, message: RunMessage | undefined): void {
   if (message !== undefined && INDEXED.includes(message.kind)) {
     data.add(message as IndexedMessage);
@@ -126,7 +126,7 @@ export class Store {
       case "rewind": this.rewind(message.t); break;
       case "select": this.select(message.name); break;
       case "past": this.past.announce(message); break;
-      // These messages hold for all times, also for those that are read later.
+      // These messages hold for all times, also for messages that are read later.
       case "scene": case "programs": case "source": case "tool": this.apply(message); break;
       default:
         this.apply(this.log.add(message));
@@ -227,7 +227,7 @@ export class Store {
 
   /**
    * Inserts parts of the run before all messages, in many small steps. Returns false if there is no room for all of them.
-   * The panels show the previous messages until all messages are indexed. The first part is shown at once.
+   * The panels show the previous messages until all messages are indexed. The first part is shown immediately.
    */
   private *insert(parts: readonly RunLog[]): Generator<void, boolean> {
     const isFirst = this.log.messages.length + this.log.state.length === 0;

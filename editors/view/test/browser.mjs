@@ -1,5 +1,5 @@
 // A page in Chromium, for the tests of pages: it is opened as in an editor, checked by axe-core, and stored as a screenshot if
-// VAL3_OUTPUT names a folder. VAL3_CHROMIUM names another browser.
+// VAL3_OUTPUT names a folder.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -8,8 +8,8 @@ import { pathToFileURL } from "node:url";
 import { after, before } from "node:test";
 
 const require = createRequire(import.meta.url);
-// NODE_PATH, where playwright-core is, applies to `require` alone.
-const { chromium } = require("playwright-core");
+// NODE_PATH, where playwright-core is, applies only to `require`.
+const { launch, TIMEOUT } = require("./chromium.js");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 /** Folder of the bundles. */
@@ -18,9 +18,6 @@ export const DIST = join(import.meta.dirname, "../dist");
 /** Address of a bundle. */
 export const bundle = (name) => pathToFileURL(join(DIST, name)).href;
 
-/** Longest time of a step, in ms. A busy machine needs much of it. */
-const TIMEOUT = 180_000;
-
 const pictures = process.env.VAL3_OUTPUT && join(process.env.VAL3_OUTPUT, "view");
 let browser;
 
@@ -28,11 +25,7 @@ before(async () => {
   if (pictures) {
     mkdirSync(pictures, { recursive: true });
   }
-  browser = await chromium.launch({
-    executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium",
-    // Only the picture is drawn by an emulated graphics card, which would take longer for the whole page.
-    args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"],
-  });
+  browser = await launch();
 });
 after(() => browser.close());
 

@@ -70,7 +70,7 @@ function programs() {
   const program = (name, lines) => ({ name, file: `/cell/palletiser/${name}.pgx`, line: name === "start" ? 8 : 2, code: lines });
   const call = (name, number) => [["text", `  ${name}(pPick[`], ["number", String(number)], ["text", "],tGripper,mFast)"]];
   return {
-    kind: "programs", application: "palletiser", programs: [
+    kind: "programs", t: 0, application: "palletiser", programs: [
       program("start", [[["keyword", "begin"]], [["text", "  "], ["comment", "// <img src=x onerror=alert(1)>"]], ...Array.from({ length: 9 }, (_, index) => call("movel", index)), [["keyword", "end"]]]),
       program("io", [[["keyword", "begin"]], [["text", "  "], ["keyword", "if"], ["text", " sMode=="], ["string", '"fast"']], [["text", "  "], ["keyword", "endIf"]], [["keyword", "end"]]]),
       program("hmi", [[["keyword", "begin"]], ...Array.from({ length: 5000 }, (_, index) => call("movej", index)), [["keyword", "end"]]]),

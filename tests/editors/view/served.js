@@ -5,11 +5,7 @@ const { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } = require("no
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { after, before } = require("node:test");
-const { chromium } = require("playwright-core");
-
-// Only the picture is drawn by an emulated graphics card. If it drew the whole page, tests would take almost twice the time.
-const FLAGS = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"];
-const TIMEOUT = 180_000;
+const { launch, TIMEOUT } = require("../../../editors/view/test/chromium.js");
 
 /** Number of attempts to hold a button before the test fails. */
 const PRESSES = 6;
@@ -19,7 +15,7 @@ const DESKTOP = { viewport: { width: 1280, height: 800 } };
 
 let browser;
 before(async () => {
-  browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
+  browser = await launch();
 });
 after(() => browser.close());
 

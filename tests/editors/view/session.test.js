@@ -98,7 +98,13 @@ test("a fault is repaired, points are taught with two tools and saved, and the a
   await start(page);
   await page.waitForFunction(() => window.val3View.store.panels.cell.unsaved.value.size === 0);
   assert.deepEqual(await locals(page), taught);
+  await isAt(page, TAUGHT[2][2], 1e-3);
   await powerOn(page);
   await page.getByText("at home").first().waitFor();
   assert.equal(readFileSync(join(run.folder, POINTS), "latin1"), saved);
+
+  await stop(page);
+  await page.getByRole("button", { name: "Run from initial position" }).click();
+  await page.waitForFunction(() => window.val3View.store.end.value === undefined);
+  await isAt(page, [0, 0, 0, 0, 0, 0], 1e-6);
 }, (folder) => setProgram(folder, '\n  putln(toString("",1/0))')));

@@ -1,7 +1,7 @@
-// The time bar and the chart of tasks: zoom, jumps, keys, playing, and waits.
+// The time bar, the chart of tasks and the cycle times: zoom, jumps, keys, playing, waits, and cycles of a move.
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { served, setProgram } = require("./served.js");
+const { moveForever, served, setProgram, until } = require("./served.js");
 
 /** Three moves, the last of which rests at its leave point, and then an error. */
 const PROGRAM = `
@@ -111,3 +111,17 @@ test("the chart of tasks shows the waits of the arm and of tasks", () => served(
   const waits = page.getByRole("table").filter({ has: page.locator("caption", { hasText: /^Waits from/ }) });
   await waits.getByRole("row").filter({ hasText: "the arm" }).first().waitFor();
 }, (folder) => setProgram(folder, PROGRAM)));
+
+test("the cycles of a move have their times, and begin at a time that can be shown", () => served(["--power"], async (run) => {
+  const page = await run.open();
+  await until(page, 5);
+  await page.getByRole("tab", { name: "Tasks" }).click();
+  await page.getByRole("tab", { name: "Times" }).click();
+  const events = page.getByRole("combobox", { name: "Cycles from each" });
+  await events.locator("option", { hasText: /^Move in start:7 \((?:[3-9]|\d\d+) times\)$/ }).waitFor({ state: "attached" });
+  await events.selectOption("Move in start:7");
+  await page.getByText(/^\d+ cycles: first \d+\.\d{3} s, min \d+\.\d{3} s, mean \d+\.\d{3} s, max \d+\.\d{3} s$/).waitFor();
+  const begin = await page.evaluate(() => window.val3View.store.panels.cell.history.moves.all().find(({ line, started }) => line === 7 && started !== undefined).started);
+  await page.getByRole("button", { name: `${begin.toFixed(3)} s`, exact: true }).click();
+  await shows(page, begin);
+}, moveForever));

@@ -34,7 +34,15 @@ const STEPS = {
     await view.getByRole("status", { name: "Status" }).getByText("The application does not run.").waitFor();
     await view.getByRole("tab", { name: "Points" }).click();
     await view.getByRole("button", { name: "pSafe", exact: true }).waitFor();
+  },
+
+  async "an editor that is opened later appears next to the view"(user) {
+    await user.openFile("start.pgx");
+    await user.page.waitForFunction(() => document.querySelectorAll(".editor-group-container").length === 2);
+    assert.ok(await (await robot(user)).locator("canvas").first().isVisible());
     await user.closesTab("Robot");
+    await user.command("View: Close All Editors");
+    await user.page.waitForSelector(".tab", { state: "detached" });
   },
 
   async "the tables show the robot of their application, and the point of the selected row"(user) {

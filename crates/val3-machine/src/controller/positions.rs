@@ -50,7 +50,33 @@ pub enum Activity {
     Failed(u16),
 }
 
+/// Cause for which a task waits, in general.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WaitCause {
+    /// A condition, a signal, the operator, or a line to the outside.
+    Outside,
+    /// The arm or its power.
+    Arm,
+    /// A period of time.
+    Time,
+}
+
 impl Activity {
+    /// Cause for which the task waits; `None` if it does not wait, or only for a medium.
+    #[must_use]
+    pub fn wait_cause(&self) -> Option<WaitCause> {
+        match self {
+            Self::AwaitsCondition => Some(WaitCause::Outside),
+            Self::AwaitsArmCondition(_) | Self::AwaitsArm(..) => Some(WaitCause::Arm),
+            Self::Awaits(instruction) => Some(match instructions::find(instruction) {
+                Some(found) if motion::needs_arm(found) || found.family == Family::Controller => WaitCause::Arm,
+                Some(Instruction { family: Family::Tasks, .. }) => WaitCause::Time,
+                _ => WaitCause::Outside,
+            }),
+            Self::Running | Self::AwaitsMedium | Self::Suspended | Self::Failed(_) => None,
+        }
+    }
+
     /// Returns the word in the record.
     #[must_use]
     pub fn word(&self) -> &'static str {

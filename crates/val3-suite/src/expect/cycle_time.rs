@@ -9,6 +9,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_trace::Positive;
 
+use super::edge::Edge;
 use super::fit::{ExpectationFault, Fit};
 use super::occurrence::{CycleState, Occurrence};
 use crate::failure::Failure;
@@ -21,6 +22,10 @@ use crate::source::ExpectationSource;
 /// below = 12.5                     # seconds of the controller's clock, at most
 /// from = { move = "pick" }         # else from the start of the test
 /// to = { data = { nBoxes = 2 } }   # else to its end
+///
+/// [[expect.time]]
+/// below = 12.5
+/// cycle = { move = "pick:12" }     # from each start of the move to the next one
 /// ```
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -28,16 +33,25 @@ pub(super) struct CycleTime {
     below: Positive,
     from: Option<Occurrence>,
     to: Option<Occurrence>,
+    cycle: Option<Occurrence>,
 }
 
 impl CycleTime {
     /// Unknown names.
     pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<ExpectationFault> {
-        self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
+        let names = self.occurrences().flat_map(|event| event.faults(fit, span));
+        names.chain(self.surplus().map(|fault| (span.clone(), fault))).collect()
+    }
+
+    /// Fault if there is a beginning or an end in addition to the event of a cycle.
+    fn surplus(&self) -> Option<String> {
+        let has_other = self.from.is_some() || self.to.is_some();
+        (self.cycle.is_some() && has_other)
+            .then(|| "`cycle` is both `from` and `to`: delete them or `cycle`".to_owned())
     }
 
     pub(super) fn occurrences(&self) -> impl Iterator<Item = &Occurrence> {
-        self.from.iter().chain(&self.to)
+        self.from.iter().chain(&self.to).chain(&self.cycle)
     }
 }
 
@@ -52,29 +66,10 @@ pub(super) struct Stopwatch {
     longest: Option<[f64; 2]>,
 }
 
-/// Detects when an occurrence starts.
-struct Edge {
-    occurrence: Option<Occurrence>,
-    /// Whether the occurrence held in the previous cycle.
-    held: bool,
-}
-
-impl Edge {
-    fn new(occurrence: Option<Occurrence>) -> Self {
-        Self { occurrence, held: false }
-    }
-
-    /// Time at which the occurrence starts in a cycle, in seconds.
-    fn rises(&mut self, cycle: CycleState<'_>) -> Option<f64> {
-        let moment = self.occurrence.as_ref().and_then(|occurrence| occurrence.find(cycle, 0));
-        let held = std::mem::replace(&mut self.held, moment.is_some());
-        moment.filter(|_| !held).map(|moment| moment.time)
-    }
-}
-
 impl Stopwatch {
     pub(super) fn new(expected: &Spanned<CycleTime>) -> Self {
-        let CycleTime { from, to, .. } = expected.get_ref().clone();
+        let CycleTime { from, to, cycle, .. } = expected.get_ref().clone();
+        let (from, to) = (from.or_else(|| cycle.clone()), to.or(cycle));
         let begun = from.is_none().then_some(0.0);
         Self { expected: expected.clone(), from: Edge::new(from), to: Edge::new(to), begun, longest: None }
     }
@@ -102,11 +97,11 @@ impl Stopwatch {
 
     fn message(&self, controller: &Controller) -> Option<String> {
         let now = seconds(controller.now());
-        let [from, to] = match (self.longest, self.begun, &self.to.occurrence) {
+        let [from, to] = match (self.longest, self.begun, self.to.occurrence()) {
             (Some(longest), ..) => longest,
             (None, Some(begun), None) => [begun, now],
             (None, Some(begun), Some(to)) => return Some(format!("since {begun:.3} s {}", never(to, controller))),
-            (None, None, _) => return self.from.occurrence.as_ref().map(|from| never(from, controller)),
+            (None, None, _) => return self.from.occurrence().map(|from| never(from, controller)),
         };
         let (took, below) = (to - from, self.expected.get_ref().below.0);
         let is_slow = nanoseconds(took) > nanoseconds(below);

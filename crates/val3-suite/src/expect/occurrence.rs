@@ -53,10 +53,40 @@ pub(super) enum Occurrence {
     Popup(String),
     /// A text sent over a line.
     Sent(SentText),
-    /// Start of a move that the program has recorded.
-    Move(String),
+    /// Start of a move.
+    Move(MoveStart),
     /// A run-time error that stops a task.
     Error(u16),
+}
+
+/// Start of a move that a program has recorded, as the text `pick`, or `pick:12` for the move in a line of its file.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub(super) struct MoveStart {
+    program: String,
+    /// Line of the file, from 1; `None` for any move of the program.
+    line: Option<u32>,
+}
+
+impl TryFrom<String> for MoveStart {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let Some((program, line)) = text.rsplit_once(':') else { return Ok(Self { program: text, line: None }) };
+        let number = line.parse().ok().filter(|line| *line > 0);
+        let number = number.ok_or_else(|| format!("`{line}` is no line: write `PROGRAM` or `PROGRAM:LINE`"))?;
+        Ok(Self { program: program.to_owned(), line: Some(number) })
+    }
+}
+
+impl fmt::Display for MoveStart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { program, line } = self;
+        match line {
+            Some(line) => write!(f, "a move of `{program}` in line {line} starts"),
+            None => write!(f, "a move of `{program}` starts"),
+        }
+    }
 }
 
 fn signals<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D::Error> {
@@ -109,8 +139,8 @@ impl Occurrence {
             (Self::Log(text), _) => contains(OutputKind::Log, text),
             (Self::Popup(text), _) => contains(OutputKind::Popup, text),
             (Self::Sent(text), _) => text.is_sent_by(event),
-            (Self::Move(expected), EventKind::Move { phase, program, .. }) => {
-                *phase == "started" && program == expected
+            (Self::Move(expected), EventKind::Move { phase: "started", program, line, .. }) => {
+                *program == expected.program && expected.line.is_none_or(|expected| expected == *line)
             }
             (Self::Error(expected), EventKind::Error { code, .. }) => code == expected,
             _ => false,
@@ -124,7 +154,7 @@ impl Occurrence {
                 fit.condition(condition, span)
             }
             Self::Sent(text) => fit.line(text.link(), span).into_iter().collect(),
-            Self::Move(program) => fit.program(program, span).into_iter().collect(),
+            Self::Move(MoveStart { program, .. }) => fit.program(program, span).into_iter().collect(),
             Self::Error(code) => fit.error(*code, span).into_iter().collect(),
             Self::Screen(_) | Self::Print(_) | Self::Log(_) | Self::Popup(_) => Vec::new(),
         }
@@ -164,7 +194,7 @@ impl fmt::Display for Occurrence {
             Self::Log(text) => write!(f, "the event log says {text:?}"),
             Self::Popup(text) => write!(f, "the message {text:?} comes up"),
             Self::Sent(text) => text.fmt(f),
-            Self::Move(program) => write!(f, "a move of `{program}` starts"),
+            Self::Move(start) => start.fmt(f),
             Self::Error(code) => write!(f, "error {code} stops a task"),
         }
     }

@@ -373,6 +373,8 @@ fn names_that_the_application_does_not_have_are_faults() {
         "within = [{ seconds = 1, event = { data = { nStat = 1 } } }]",
         "within = [{ seconds = 1, event = { print = \"a\" }, after = { sent = { \"Socket\\\\hots\" = \"a\" } } }]",
         "time = [{ below = 1, from = { move = \"strat\" } }]",
+        "time = [{ below = 1, cycle = { move = \"strat:3\" } }]",
+        "time = [{ below = 1, cycle = { print = \"a\" }, to = { print = \"b\" } }]",
     ];
     let faults = faults.map(|expectation| {
         let scenario = Scenario::parse("", &format!("until = 3\n[expect]\n{expectation}\n")).unwrap();
@@ -393,6 +395,8 @@ fn names_that_the_application_does_not_have_are_faults() {
         line 3: there is no variable `nStat`; did you mean `nState`?
         line 3: there is no serial line or socket `Socket\hots`; did you mean `Socket\host`?
         line 3: there is no program `strat`; did you mean `start`?
+        line 3: there is no program `strat`; did you mean `start`?
+        line 3: `cycle` is both `from` and `to`: delete them or `cycle`
     "#]]
     .assert_eq(&faults.concat());
     let scenario = Scenario::parse("", "program = \"strat\"").unwrap();

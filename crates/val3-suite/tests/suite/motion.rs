@@ -189,3 +189,33 @@ fn limits_of_times_of_a_model_arm_are_noted() {
 fn starts_of_moves_are_occurrences() {
     check("[[expect.order]]\nevents = [{ move = \"start\" }, { move = \"start\" }]\n", expect!["ok, 1.688 s"]);
 }
+
+#[test]
+fn a_cycle_lasts_from_each_start_of_an_occurrence_to_the_next_one() {
+    let code = "program start()\nbegin\n  ? \"go\"\n  delay(1)\n  ? \"go\"\n  delay(2)\n  ? \"go\"\n  delay(9)\nend\n";
+    let mut bench = Bench::open(code, "main");
+    let mut outcome = |below: f64| {
+        let result = bench.scenario(&format!("[[expect.time]]\nbelow = {below}\ncycle = {{ print = \"go\" }}\n"));
+        bench.shown(&result)
+    };
+    expect!["ok, 12.004 s"].assert_eq(&outcome(2.1));
+    expect![[r#"
+        failed, 12.004 s
+        the cycle takes 2.000 s instead of at most 1.5 s, from 1.000 s to 3.000 s
+          at expect.time (cell.toml:1)"#]]
+    .assert_eq(&outcome(1.5));
+}
+
+#[test]
+fn a_move_is_found_by_its_line() {
+    let of_line = |line: u32| format!("[[expect.order]]\nevents = [{{ move = \"start:{line}\" }}]\n");
+    check(&of_line(17), expect!["ok, 1.688 s"]);
+    check(
+        &of_line(14),
+        expect![[r#"
+            failed, 1.688 s
+            not in this order until the end at 1.688 s:
+                missing  a move of `start` in line 14 starts
+              at expect.order (cell.toml:2)"#]],
+    );
+}

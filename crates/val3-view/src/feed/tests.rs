@@ -58,7 +58,7 @@ begin
 end
 "#;
 
-/// Returns the text of a file of a listing.
+/// Returns a listing's file.
 fn file_of(listing: &str, file: &str) -> Option<String> {
     let path = file.strip_prefix(ROOT)?.strip_prefix('/')?;
     let files = Fixture::parse(listing).files;

@@ -44,8 +44,8 @@ pub enum Command {
     Cycle(Cycle),
     /// Records a scenario of a served run.
     Record(RecordScenario),
-    /// Starts the application of an ended served run again.
-    Run,
+    /// Starts the application again after a served run has ended.
+    Run(StartAgain),
 }
 
 /// Arguments of `operate`.
@@ -157,7 +157,7 @@ pub struct SetPoint {
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum ElementKey {
-    /// Index in an array of one dimension.
+    /// Index in a one-dimensional array.
     Index(u64),
     /// Index, indexes or key as text: `1`, `1,2`, `left`.
     Text(String),
@@ -169,6 +169,15 @@ pub struct Save {
     /// Whether to overwrite files that were changed since they were loaded.
     #[serde(default)]
     pub overwrite: bool,
+}
+
+/// Arguments of `run`.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct StartAgain {
+    /// Whether the arm starts at the initial position of the settings. Otherwise it stays where it is.
+    #[serde(default)]
+    pub at_initial_position: bool,
 }
 
 /// Arguments of `userPage`.
@@ -369,6 +378,13 @@ impl Arguments for Reach {
 impl Arguments for Save {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
         Ok(Self { overwrite: arguments.get("overwrite") == Some(&Value::Bool(true)) })
+    }
+}
+
+impl Arguments for StartAgain {
+    fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
+        let reason = "`atInitialPosition` is true or false";
+        Ok(Self { at_initial_position: optional(arguments, "atInitialPosition", reason)?.unwrap_or_default() })
     }
 }
 

@@ -18,7 +18,7 @@ pub struct PageMessage {
     pub title: Option<String>,
     /// The 14 lines.
     pub lines: Vec<String>,
-    /// Text modes of each line.
+    /// Text modes by line.
     pub modes: Vec<Vec<ModeRun>>,
     /// Column and line of the cursor, from 0.
     pub cursor: Option<[usize; 2]>,
@@ -28,7 +28,7 @@ pub struct PageMessage {
     pub html: Option<HtmlPage>,
 }
 
-/// Bindings of an HTML page.
+/// Bindings on the HTML page.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct HtmlPage {
     /// Page name.
@@ -39,7 +39,7 @@ pub struct HtmlPage {
     pub clicks: Vec<HtmlClick>,
 }
 
-/// Value of an element.
+/// Element value.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct HtmlValue {
     /// Id of the element.

@@ -3,9 +3,12 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Code of the programs of an application or library. It is sent once, when the application or library is loaded.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+/// Code of loaded programs. It is sent once, when the application or library is loaded, and
+/// for changed files when a library is loaded again.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ProgramsMessage {
+    /// Seconds of the controller's clock at which the code was loaded.
+    pub t: f64,
     /// Name of the application or library.
     pub application: String,
     /// Programs whose files could be read.
@@ -25,7 +28,7 @@ pub struct ProgramCode {
     pub code: Vec<Vec<CodePart>>,
 }
 
-/// Class and text of a part of a line.
+/// Class and text of a code part.
 pub type CodePart = (CodeClass, String);
 
 /// Class of a part, for its colour.

@@ -21,11 +21,11 @@ pub enum Role {
     Recording,
     /// Operates a debugged run.
     Debugger,
-    /// Reads the scene of an application that does not run.
+    /// Returns the scene before a run.
     Preview,
 }
 
-/// Length unit of an application, in which its data are. All other lengths of the messages are in mm.
+/// Unit of lengths in the application's data. All other lengths in messages are in mm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LengthUnit {
@@ -87,7 +87,7 @@ pub struct Scene {
     pub signals: Vec<SignalInfo>,
     /// Serial lines and sockets.
     pub lines: Vec<LineInfo>,
-    /// Names of the phases of motion by their numbers in samples.
+    /// Motion phase names by their numbers in samples.
     pub phases: Vec<String>,
     /// Names of the speed limits by their numbers in samples.
     pub limits: Vec<String>,
@@ -99,7 +99,7 @@ pub struct Scene {
 pub struct ArmChain {
     /// Model name.
     pub name: String,
-    /// Whether neither a setting nor the cell names the arm, so that it is the default arm of its kind.
+    /// Whether the arm is a default, because neither a setting nor the cell names it.
     pub is_default: bool,
     /// Note about the accuracy of times.
     pub times_note: Option<String>,
@@ -110,7 +110,7 @@ pub struct ArmChain {
     /// Pose of the flange relative to the last frame.
     #[schemars(with = "Pose")]
     pub flange: Option<Pose>,
-    /// Height of the origin of `world` above the mounting face, in mm; 0 if unknown.
+    /// Height of the `world` origin above the mounting face, in mm; 0 if unknown.
     pub height: f64,
     /// Capsules around the base and around each link, with which distances are computed; empty if the arm's description
     /// has none.
@@ -133,7 +133,7 @@ pub struct Axis {
     pub speed: f64,
 }
 
-/// Frame of an axis.
+/// Axis frame.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Link {
     /// Pose relative to the previous frame.
@@ -144,7 +144,7 @@ pub struct Link {
 }
 
 /// The points within a radius of a line: a cylinder with rounded ends. Coordinates are in mm in the frame of the link
-/// after the movement of its joint, and in the arm's base for the base.
+/// after its joint's movement, and in the arm's base for the base.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Capsule {
     /// One end of the line.
@@ -213,7 +213,7 @@ pub struct SignalInfo {
     pub direction: String,
     /// Whether the signal has two states.
     pub is_digital: bool,
-    /// Unit of an analog signal.
+    /// Unit, if the signal is analog.
     pub unit: Option<String>,
     /// Free text.
     pub description: String,

@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct StateMessage {
     /// Time in s.
     pub t: f64,
-    /// Tasks in the order of their creation.
+    /// Tasks, the oldest first.
     pub tasks: Vec<TaskState>,
     /// Whether the arm has power.
     pub power: bool,
@@ -47,11 +47,11 @@ pub struct TaskState {
     pub file: String,
     /// Lines that have called the current program, the innermost call first; at most 16.
     pub callers: Vec<CallingLine>,
-    /// Priority of an asynchronous task.
+    /// Priority, if the task is asynchronous.
     pub priority: Option<u32>,
     /// Period of a synchronous task, in s.
     pub period: Option<f64>,
-    /// Number of overruns of a synchronous task.
+    /// Number of overruns, if the task is synchronous.
     pub overruns: u32,
     /// Awaited condition, and the reason why the arm does not move.
     pub waits: Option<String>,

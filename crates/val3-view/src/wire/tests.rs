@@ -67,6 +67,8 @@ fn commands_follow_the_schema() {
         json!({ "command": "pace", "isPaused": true, "speed": "max" }),
         json!({ "command": "cycle", "cycles": 2 }),
         json!({ "command": "record", "name": "first" }),
+        json!({ "command": "run" }),
+        json!({ "command": "run", "atInitialPosition": true }),
     ] {
         check(&validator, &command);
         assert!(Command::deserialize(&command).is_ok(), "{command}");

@@ -53,6 +53,13 @@ pub(crate) struct RunArgs {
     /// List the time by program line; with a file, as JSON
     #[arg(help_heading = "Output", long, value_name = "FILE.json", num_args = 0..=1, require_equals = true)]
     pub(crate) times: Option<Option<Utf8PathBuf>>,
+    /// Measure the cycles from each EVENT to the next one, such as "move = 'pick:12'" or "io = { valve1 = true }"; without
+    /// EVENT, list the moves and signals that repeat
+    #[arg(help_heading = "Output", long, value_name = "EVENT", num_args = 0..=1, require_equals = true)]
+    pub(crate) cycles: Option<Option<String>>,
+    /// Compare the cycles with those in a file of --times
+    #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "FILE.json")]
+    pub(crate) against: Option<Utf8PathBuf>,
     /// Print a summary of the run instead of its output: why it ended, errors, printed lines, screen, moves, waits, signals, and
     /// what to do next
     #[arg(help_heading = "Output", long, value_name = "FORMAT", num_args = 0..=1, require_equals = true, default_missing_value = "text", conflicts_with_all = ["interactive", "serve", "soap", "debug_port", "screen"])]

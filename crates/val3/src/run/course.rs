@@ -278,7 +278,7 @@ impl<'a> Course<'a> {
         let progress = self.debugger.advance();
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
-        self.motion.follow(&events);
+        self.motion.follow(start, &events, &self.debugger.controller);
         if let Some(result) = &mut self.result {
             result.follow(&events);
         }

@@ -1,6 +1,7 @@
 //! Motion reports of a run: a trace, a picture and a table of times.
 
 mod blends;
+mod cycles;
 mod picture;
 mod times;
 mod trace;
@@ -14,6 +15,7 @@ use val3_vm::CYCLE;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
+use cycles::Cycles;
 use picture::PictureFile;
 use times::RunTimes;
 pub(super) use times::{TimesReport, TimesRow};
@@ -24,6 +26,7 @@ pub(super) struct MotionObservers {
     trace: Option<TraceWriter>,
     picture: Option<PictureFile>,
     times: Option<RunTimes>,
+    cycles: Option<Cycles>,
     /// Note for readers of the trace and the times, printed if the arm has moved.
     note: Option<String>,
     has_moved: bool,
@@ -39,11 +42,13 @@ impl MotionObservers {
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
         let wants_times = args.times.is_some() || args.summary.is_some() || args.result.is_some();
         let picture = args.plot.as_deref().map(|path| PictureFile::open(path, args.plot_accelerations, controller));
+        let cycles = Cycles::open(args, controller)?;
         Ok(Self {
             trace: trace.map(|path| TraceWriter::open(path, axes, args.trace_all.is_some())).transpose()?,
             picture: picture.transpose()?,
             times: wants_times.then(|| RunTimes::open(args.times.as_ref(), arm.times_origin())).transpose()?,
-            note: arm.times_note().filter(|_| trace.is_some() || args.times.is_some()),
+            note: arm.times_note().filter(|_| trace.is_some() || args.times.is_some() || cycles.is_some()),
+            cycles,
             has_moved: false,
             last: None,
         })
@@ -51,7 +56,8 @@ impl MotionObservers {
 
     /// Observes the end of the cycle that began at `start`.
     pub(super) fn see(&mut self, start: Time, controller: &Controller) -> Result<(), UserError> {
-        let is_idle = self.trace.is_none() && self.picture.is_none() && self.times.is_none();
+        let has_reports = self.picture.is_some() || self.times.is_some() || self.cycles.is_some();
+        let is_idle = self.trace.is_none() && !has_reports;
         if is_idle || self.last.is_some_and(|(last, ..)| start < last + CYCLE) {
             return Ok(());
         }
@@ -70,14 +76,20 @@ impl MotionObservers {
         if let Some(times) = &mut self.times {
             times.see(start, controller);
         }
+        if let Some(cycles) = &mut self.cycles {
+            cycles.see(start, controller);
+        }
         self.last = Some((start, sample, limit));
         Ok(())
     }
 
-    /// Observes recorded events.
-    pub(super) fn follow(&mut self, events: &[Event]) {
+    /// Observes the recorded events of the cycle that began at `start`.
+    pub(super) fn follow(&mut self, start: Time, events: &[Event], controller: &Controller) {
         if let Some(times) = &mut self.times {
             times.follow(events);
+        }
+        if let Some(cycles) = &mut self.cycles {
+            cycles.follow(start, events, controller);
         }
     }
 
@@ -88,6 +100,9 @@ impl MotionObservers {
         }
         self.trace.map_or(Ok(()), TraceWriter::close)?;
         self.picture.map_or(Ok(()), PictureFile::close)?;
-        self.times.map(|times| times.close(end)).transpose()
+        let (cycles, table) = self.cycles.map(Cycles::close).unwrap_or_default();
+        let times = self.times.map(|times| times.close(end, cycles)).transpose()?;
+        to_stderr(|out| out.write_all(table.as_bytes()));
+        Ok(times)
     }
 }

@@ -41,8 +41,9 @@ impl ScenarioRecorder {
         Ok(Self { application, controller, events: Vec::new(), is_full: false, is_writing: Arc::default() })
     }
 
-    /// Discards the events, because the application starts again.
-    pub(super) fn restart(&mut self) {
+    /// Discards the events, because the application starts again on a controller with these properties.
+    pub(super) fn restart(&mut self, controller: ControllerArgs) {
+        self.controller = controller;
         self.events.clear();
         self.is_full = false;
     }

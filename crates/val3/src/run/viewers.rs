@@ -6,15 +6,15 @@ use std::time::{Duration, Instant};
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
-use val3_machine::event::{EndReason, Event, seconds};
-use val3_view::wire::{self, Arguments as _, Role};
+use val3_machine::event::{EndReason, Event, EventKind, seconds};
+use val3_view::wire::{self, Arguments as _, Role, StartAgain};
 use val3_view::{Feed, Operator};
 
 use super::missing::program_text;
 use super::recorder::ScenarioRecorder;
 use super::standby::{ENDED, Standby};
 use super::tempo::Tempo;
-use crate::args::RunArgs;
+use crate::args::{ControllerArgs, RunArgs};
 use crate::output::to_stderr;
 use crate::printable::one_line;
 use crate::serve::{PendingCommand, ServeAddress, Server, StoredMessage, browser};
@@ -114,11 +114,14 @@ impl Viewers {
         Ok(viewers)
     }
 
-    /// Begins another run of the application: viewers receive its scene and complete state.
-    pub(super) fn begin(&mut self, controller: &Controller) {
+    /// Begins another run of the application: viewers receive its scene, its complete state and the note in their event
+    /// logs.
+    pub(super) fn begin(&mut self, controller: &Controller, args: ControllerArgs, note: String) {
         self.feed = Feed::new(controller, Role::Operator, program_text);
         self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
-        self.recorder.restart();
+        let note = Event { t: 0.0, task: None, at: None, kind: EventKind::Notice { text: note } };
+        self.feed.see_events(&[note], controller);
+        self.recorder.restart(args);
         (self.sent, self.part, self.heartbeat, self.end) = (0, PART, Heartbeat { last: None }, None);
         self.server.begin_run();
         self.publish();
@@ -233,13 +236,17 @@ impl Viewers {
         self.arrived.extend(self.server.wait_for_command(time));
     }
 
-    /// Executes the pending commands after the end of the run. Returns the command that starts the application again.
-    pub(super) fn attend_end(&mut self, standby: &mut Standby) -> Option<PendingCommand> {
+    /// Executes the pending commands after the end of the run. Returns the command that starts the application again,
+    /// and its arguments.
+    pub(super) fn attend_end(&mut self, standby: &mut Standby) -> Option<(PendingCommand, StartAgain)> {
         let mut start = None;
         for command in self.take_commands() {
             match command.name.as_str() {
                 RECORD => self.recorder.record(command, standby.controller.now()),
-                RUN if start.is_none() => start = Some(command),
+                RUN if start.is_none() => match StartAgain::read(&command.message) {
+                    Ok(arguments) => start = Some((command, arguments)),
+                    Err(error) => command.answer(Err(error.to_string())),
+                },
                 RUN => command.answer(Err("the application is starting".to_owned())),
                 OPERATE => {
                     let prepared = standby.prepare(&command.message);

@@ -79,6 +79,7 @@ mod run;
 mod run_arms;
 mod run_cell;
 mod run_conveyors;
+mod run_cycles;
 mod run_default;
 mod run_manual;
 mod run_motion;

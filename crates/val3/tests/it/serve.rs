@@ -145,6 +145,20 @@ impl Viewer {
         self.next_of("answer")
     }
 
+    /// Returns the text of the next note.
+    #[track_caller]
+    fn next_notice(&mut self) -> String {
+        let mut wait = Wait::new("note");
+        loop {
+            let events = self.next_of("events");
+            let notice = events["events"].as_array().unwrap().iter().find(|event| event["kind"] == "notice");
+            if let Some(notice) = notice {
+                return notice["text"].as_str().unwrap().to_owned();
+            }
+            wait.saw(events.to_string());
+        }
+    }
+
     /// The next printed text and its time.
     #[track_caller]
     pub(crate) fn next_print(&mut self) -> (f64, String) {
@@ -242,6 +256,52 @@ fn an_operator_starts_the_application_again() {
     assert_eq!(viewer.command(start)["error"], "the application is running");
     run.signal(Signal::INT);
     assert_eq!(run.ending().0, 130);
+}
+
+/// As on a real controller, the arm stays where the last run ended or the operator has jogged it. The record of such a run
+/// contains the position, so that its replay is equal.
+#[test]
+fn the_arm_stays_where_it_is_when_the_application_starts_again() {
+    let code = "joint jA\nmdesc mA\ntool tA\njA=herej()\n? jA.j1\nmovej({60,0,90,0,0.1,0},tA,mA)\nwaitEndMove()\n";
+    let options = ["--arm", "TX2-60L", "--power", "--start", "10,0,90,0,30,0", "--events", "run.jsonl"];
+    let mut run = ServedRun::of(code, &options);
+    let mut viewer = Viewer::new(&run.operator);
+    assert_eq!(viewer.next_print().1, "10");
+    assert_eq!(viewer.next_of("end")["reason"], "finished");
+
+    let start = |id: i32| json!({ "id": id, "command": "run" });
+    assert_eq!(viewer.command(start(1))["error"], Value::Null);
+    run.wait_for("the arm stays at (60, 0, 90, 0, 0.1, 0)");
+    assert_eq!(viewer.next_notice(), "the application starts again; the arm stays at (60, 0, 90, 0, 0.1, 0)");
+    assert_eq!(viewer.next_print().1, "60");
+    viewer.next_of("end");
+    let replay = run.folder.val3(&["run", "--replay", "run.jsonl", "--events", "again.jsonl"]);
+    assert_eq!((replay.code, replay.stdout.as_str()), (0, "60\n"), "{}", replay.stderr);
+    assert_eq!(run.folder.read("again.jsonl"), run.folder.read("run.jsonl"));
+
+    let initial = json!({ "id": 2, "command": "run", "atInitialPosition": true });
+    assert_eq!(viewer.command(initial)["error"], Value::Null);
+    assert_eq!(viewer.next_notice(), "the application starts again; the arm is at its initial position");
+    assert_eq!(viewer.next_print().1, "10");
+}
+
+/// The settings of an ended run may name another arm, which cannot stand where the arm was.
+#[test]
+fn an_arm_that_cannot_stay_starts_at_its_initial_position() {
+    let code = "joint jA\nmdesc mA\ntool tA\njA=herej()\n? jA.j2\nmovej({0,-129,90,0,30,0},tA,mA)\nwaitEndMove()\n";
+    let mut run = ServedRun::of(code, &["--power"]);
+    let mut viewer = Viewer::new(&run.operator);
+    assert_eq!(viewer.next_print().1, "0");
+    assert_eq!(viewer.next_of("end")["reason"], "finished");
+    run.folder.write("val3.toml", "arm = \"TX2-60L\"\n");
+    let answer = viewer.command(json!({ "id": 1, "command": "run", "atInitialPosition": "yes" }));
+    assert_eq!(answer["error"], "`atInitialPosition` is true or false");
+    assert_eq!(viewer.command(json!({ "id": 2, "command": "run" }))["error"], Value::Null);
+    let note = viewer.next_notice();
+    let beginning = "the application starts again; the arm is at its initial position, because it cannot stay at (0, -129, 90, 0, 30, 0): ";
+    assert!(note.starts_with(beginning), "{note}");
+    run.wait_for("because it cannot stay");
+    assert_eq!(viewer.next_print().1, "0");
 }
 
 #[test]

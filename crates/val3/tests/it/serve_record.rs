@@ -82,3 +82,18 @@ fn a_quiet_run_is_recorded_up_to_now() {
     run.signal(Signal::INT);
     assert_eq!(run.ending().0, 130);
 }
+
+/// The arm stays where the first run has ended, so that the scenario of the second run begins there.
+#[test]
+fn a_run_that_has_started_again_becomes_a_scenario_from_its_own_position() {
+    let code = "joint jA\nmdesc mA\ntool tA\njA=herej()\n? jA.j1\nmovej({60,0,90,0,30,0},tA,mA)\nwaitEndMove()\n";
+    let run = ServedRun::of(code, &["--arm", "TX2-60L", "--power"]);
+    let mut viewer = Viewer::new(&run.operator);
+    viewer.next_of("end");
+    assert_eq!(viewer.command(json!({ "id": 1, "command": "run" }))["error"], Value::Null);
+    viewer.next_of("end");
+    let answer = viewer.command(record(2, "again"));
+    assert_eq!((&answer["error"], &answer["remarks"]), (&Value::Null, &json!([])), "{answer}");
+    let text = run.folder.read("usrapp/tests/again.toml");
+    assert!(text.contains("start = [60.0, 0.0, 90.0, 0.0, 30.0, 0.0]") && text.contains("\"60\""), "{text}");
+}

@@ -1,4 +1,4 @@
-// Table of one type: a tree of rows with keyboard navigation. Only the visible rows are in the document.
+// Table for one type: a tree of rows with keyboard navigation. Only the visible rows are in the document.
 
 import type { JSX, TargetedClipboardEvent, TargetedKeyboardEvent, TargetedMouseEvent } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";

@@ -112,7 +112,7 @@ export class DataModel {
     this.expanded.value = next;
   }
 
-  /** Shows a datum or one of its elements, regardless of filters. */
+  /** Shows a datum or an element, regardless of filters. */
   reveal(name: string, key?: string): void {
     const datum = this.tables.peek()?.data.find((datum) => datum.name === name);
     if (datum === undefined) {

@@ -22,7 +22,7 @@ export function elementOf(container: Place, key: string): Place {
   return last === undefined ? { name: container.name, key } : { ...container, within: [...within.slice(0, -1), { name: last.name, key }] };
 }
 
-/** Returns the container of an element's field. */
+/** Returns the container with an element's field. */
 export function fieldOf(element: Place, name: string): Place {
   return { ...element, within: [...(element.within ?? []), { name }] };
 }

@@ -20,7 +20,7 @@ export type Replacement<Item> = Omit<server.ReplacedDatum, "items"> & { items: r
 /** Difference between the tables and the previous ones. */
 export type DataChanges = Pick<server.DataChanges, "version" | "problem" | "values" | "findings"> & { data: Replacement<Datum> };
 
-/** Use of a datum: the text and location of its line. */
+/** Line that uses a datum: text and location. */
 export interface Use {
   name: string;
   file: string;

@@ -16,7 +16,7 @@ export interface Verdict {
 
 const FINE: Verdict = { isRefused: false, message: "" };
 
-/** Returns the problem with an edit. A string instead of an edit is itself the problem. */
+/** Returns the problem with an edit. A string in place of the edit is itself the problem. */
 export function useChecked(model: DataModel, edit: DataEdit | string | undefined): Verdict {
   const [verdict, setVerdict] = useState(FINE);
   const asked = JSON.stringify(edit);

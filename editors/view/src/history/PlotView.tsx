@@ -74,7 +74,7 @@ export function PlotView({ model }: { model: PlotModel }): JSX.Element {
   );
 }
 
-/** Places the hint beside the pointer, on the side with more space. */
+/** Places the hint next to the pointer, on the side with more space. */
 function hintPlace({ x, y }: { x: number; y: number }, { width, height }: Size): Record<string, string> {
   return {
     ...(x < width / 2 ? { left: `${x + 14}px` } : { right: `${width - x + 14}px` }),

@@ -1,4 +1,4 @@
-// Page with the elements of an array or collection. Only the visible rows are in the document.
+// Page with array or collection elements. Only the visible rows are in the document.
 
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";

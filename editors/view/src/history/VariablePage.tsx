@@ -1,4 +1,4 @@
-// Page with values of a variable: its history, or the elements of an array.
+// Page for a variable: its history, or array elements.
 
 import type { JSX } from "preact";
 import { HistoryPage } from "./HistoryPage";

@@ -18,7 +18,7 @@ export type NumberRange = readonly [low: number, high: number];
 
 const DIGITAL: NumberRange = [-0.25, 1.25];
 
-/** Returns the series that are shown first: all axes of a joint, otherwise those with the unit of the first series. */
+/** Returns the series that are shown first: all axes of a joint, otherwise all series with the first one's unit. */
 export function firstShown(type: string, series: readonly Series[]): ReadonlySet<number> {
   const isShown = ({ unit }: Series): boolean => type === "joint" || unit === series[0]?.unit;
   return new Set(series.flatMap((one, index) => (isShown(one) ? [index] : [])));
@@ -60,7 +60,7 @@ export function numberRange(lane: Lane, steps: readonly Step[], [start, end]: re
   return [low - margin, high + margin];
 }
 
-/** A mark of an axis. */
+/** Axis mark. */
 export interface Tick {
   at: number;
   text: string;
@@ -74,7 +74,7 @@ export function numberTicks(lane: Lane, range: NumberRange, count: number): Tick
   return ticks(range, count).map((at) => ({ at, text: tickText(at) }));
 }
 
-/** Formats a number of an axis briefly: `1.5e9` beyond 7 digits. */
+/** Formats a number for an axis briefly: `1.5e9` beyond 7 digits. */
 function tickText(number: number): string {
   const size = Math.abs(number);
   return size !== 0 && (size >= 1e7 || size < 1e-4) ? number.toExponential().replace("e+", "e") : String(number);

@@ -1,4 +1,4 @@
-// Entry of the page with the history of a variable, or with the elements of an array.
+// Entry of the page for a variable: its history, or array elements.
 
 import { render } from "preact";
 import "./history.css";

@@ -36,7 +36,7 @@ export function stepAt(steps: readonly Step[], t: number): number {
   return low - 1;
 }
 
-/** Formats the line of a write: `start:12`, with the application if it is another one than the variable's. */
+/** Formats the line of a write: `start:12`, with the application if it differs from the variable's. */
 export function placeOf({ write }: Step, name: string): string {
   if (write === undefined) {
     return "";

@@ -16,7 +16,7 @@ export class ArmGhost {
   readonly objects = [this.arm.object, this.tool.object];
   labels: Label[] = [];
 
-  /** Draws the arm at its goal; nothing without a goal. `size` is the length of the axes of the tool in mm. */
+  /** Draws the arm at its goal; nothing without a goal. `size` is the length of the tool's axes in mm. */
   place(cell: Pick<Scene, "arm" | "base">, goal: ArmGoal | undefined, tool: Pose, size: number, look: Look): void {
     this.arm.segments.clear();
     this.tool.segments.clear();
@@ -37,7 +37,7 @@ export class ArmGhost {
   }
 }
 
-/** Returns the lines of an arm at joints in world, its flange, and its tool centre point. */
+/** Returns the arm lines in `world` for joints, the flange, and the tool centre point. */
 export function ghostLines(cell: Pick<Scene, "arm" | "base">, joints: readonly number[], tool: Pose): { lines: ReturnType<typeof armLines>; flange: Frame; centre: Frame } {
   const base = frameOf(cell.base);
   const frames = armFrames(cell.arm, base, joints);

@@ -1,4 +1,4 @@
-// Lines through the parts of an arm, which names do not cover.
+// Lines through the arm, which names do not cover.
 
 import type { ArmFrames } from "../kinematics";
 import { add, type Frame, turned, type Vector } from "../panels/pendant/pose";

@@ -1,4 +1,4 @@
-// Shape of an arm: one part for the base and for each link. A part is drawn as its file, otherwise as the capsules with
+// Arm shape: a part for the base and for each link. A part is drawn as its file, otherwise as the capsules with
 // which distances are computed. An arm without capsules is drawn along its chain.
 
 import { type BufferGeometry, Group, Mesh, MeshStandardMaterial, Plane, Vector3 } from "three";

@@ -13,7 +13,7 @@ const UNITS = { stl: 1, glb: 1000 };
 /** Runs of earlier versions have neither a unit nor a pose. */
 type FileShape = Omit<LinkShape, "unit" | "pose"> & Partial<LinkShape>;
 
-/** Reads a shape in the frame of its link, in mm with z up. STL files contain no colours. */
+/** Reads a shape in the link's frame, in mm with z up. STL files contain no colours. */
 export async function readShape({ format, data, unit = UNITS[format], pose = [] }: FileShape, colour: number): Promise<Object3D> {
   const bytes = Uint8Array.from(atob(data), (character) => character.charCodeAt(0)).buffer;
   const content = format === "stl" ? stl(bytes, colour) : await glb(bytes);

@@ -11,7 +11,7 @@ const ARROWS = ["→", "↘", "↓", "↙", "←", "↖", "↑", "↗"];
 /** Shares of the way from the centre to the border, from the border on. */
 const SHARES = Array.from({ length: 15 }, (_, index) => 1 - index * 0.05);
 
-/** Returns the direction from the centre of the picture to a position, also to a position behind the camera. */
+/** Returns the direction from the centre of the picture to a position, which may be behind the camera. */
 export function directionTo([x = 0, y = 0, z = 0]: readonly number[], camera: Lens): Direction {
   const seen = new Vector3(x, y, z).applyMatrix4(camera.matrixWorldInverse);
   const length = Math.hypot(seen.x, seen.y);

@@ -9,11 +9,11 @@ import { matrixOf } from "./three";
 const STEPS = 25;
 const DIRECTIONS = 72;
 
-/** Steps of the fifth axis, which points the tool, and of the last axis, which turns a tool beside its axis. */
+/** Steps of the fifth axis, which points the tool, and of the last axis, which turns a tool that is not on its axis. */
 const POINTING_STEPS = 13;
 const TURNING_STEPS = 9;
 
-/** Distance from the last axis, in mm, above which a tool counts as beside it. */
+/** Smallest distance of an eccentric tool from the last axis, in mm. */
 const BESIDE = 0.1;
 
 /** Whether the first axis rotates around the vertical of the base. */
@@ -40,7 +40,7 @@ export function reachOutline(arm: Chain, tool: readonly number[]): [distance: nu
 
 /**
  * Returns joint positions over the limits of the second, third and fifth axis, and of the last axis if the tool is
- * beside it. The first axis does not change the distance; the fourth axis of six hardly does.
+ * eccentric. The first axis does not change the distance; the fourth axis of six hardly does.
  */
 function* postures({ axes }: Chain, [x = 0, y = 0, z = 0]: readonly number[]): Generator<number[]> {
   const values = (axis: number, steps: number): number[] => {

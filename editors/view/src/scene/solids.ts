@@ -13,10 +13,10 @@ export interface Capsule {
   radius: number;
 }
 
-/** Number of corners of a circle, and of the quarter circle from a sphere's equator to its pole. */
+/** Number of corners for a circle, and for the quarter circle from a sphere's equator to its pole. */
 const [AROUND, QUARTER] = [40, 12];
 
-/** Half width of the band around a capsule, as a fraction of its line, and its limit as a fraction of its radius. */
+/** Half width of the band around a capsule: fraction of the line, limited to a fraction of the radius. */
 const [LINE_SHARE, RADIUS_SHARE] = [0.15, 0.12];
 
 /**
@@ -42,7 +42,7 @@ export function capsule({ from, to, radius }: Capsule, colour: number, band = co
   return parts.map((part) => part.applyMatrix4(pose));
 }
 
-/** Returns the shape of a thing in the frame of its carrier. */
+/** Returns a thing's shape in the carrier's frame. */
 export function objectSolid(shape: ObjectShape): BufferGeometry {
   return solidOf(shape).applyMatrix4(matrixOf(frameOf(shape.pose)));
 }
@@ -59,7 +59,7 @@ function solidOf(shape: ObjectShape): BufferGeometry {
   }
 }
 
-/** Returns triangles from the coordinates of their corners. */
+/** Returns triangles from corner coordinates. */
 function triangles(corners: string): BufferGeometry {
   const bytes = Uint8Array.from(atob(corners), (character) => character.charCodeAt(0));
   const geometry = new BufferGeometry();

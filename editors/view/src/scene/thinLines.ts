@@ -1,4 +1,4 @@
-// Lines with a width of one pixel, of which hundreds of thousands are drawn quickly.
+// Lines that are one pixel wide, of which hundreds of thousands are drawn quickly.
 
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from "three";
 import { Segments, SIZE } from "./segments";

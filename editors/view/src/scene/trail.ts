@@ -209,7 +209,7 @@ export class Trail {
 function simplified(pieces: readonly Piece[], segments: Segments): { kept: Piece[]; isJoined: boolean[] } {
   const kept: Piece[] = [];
   const isJoined: boolean[] = [];
-  /** Start of the last kept piece, and the ends of its pieces. */
+  /** Start of the last kept piece, and its piece ends. */
   let [start, ends]: [Position, Position[]] = [[0, 0, 0], []];
   /** Largest distance of the path from the pieces in the last kept piece. */
   let off = 0;

@@ -1,4 +1,4 @@
-// Bar of a fault: its cause, the code of its line, and the remedy.
+// Fault bar: cause, line of code, and remedy.
 
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";

@@ -23,7 +23,7 @@ export interface StatusFacts {
   isSilent: boolean;
   /** Time that the user has chosen, if its messages are not there yet. */
   awaited: number | undefined;
-  /** Whether the page is part of an editor. */
+  /** Whether the page is in an editor. */
   isInEditor: boolean;
   state: CellState | undefined;
 }
@@ -47,7 +47,7 @@ export function statusOf({ lost, end, role, isPast, isPaused, isStopped, isSilen
     const missing = isInEditor ? "No application is shown. Open one of its files in the editor." : "The run has not begun.";
     return { kind: "stopped", text: role === undefined ? missing : "The application does not run.", word: "not running" };
   }
-  // A recording shows the state at each of its times.
+  // A recording shows the state at the shown time.
   const present: Status = state === undefined ? { kind: "running", text: "", word: "running" } : stateStatus(state, role);
   if (role === "recording") {
     return { ...present, word: "recording" };

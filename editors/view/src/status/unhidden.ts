@@ -1,4 +1,4 @@
-// Faults that the bar shows: the ones that the user has not hidden.
+// Faults that the bar shows, because the user has not hidden them.
 
 import type { Fault } from "../panels/tasks/faults";
 

@@ -1,19 +1,23 @@
-// What tasks wait for, in sentences: the most important wait first.
+// Waits of tasks in sentences, the most important first.
 
 import type { TaskState } from "../panels/tasks/chart";
 
 /** Tasks that are named in a sentence. */
 const NAMED = 2;
 
-/** Greatest number of characters of a condition in a sentence. */
+/** Greatest number of characters for a condition in a sentence. */
 const LONGEST = 80;
 
-/** Waits in the order of their importance: for something outside the program, for the arm, for time. */
-const [OUTSIDE, ARM, TIME] = [0, 1, 2];
+/** Waits by importance: for something outside the program, for the arm, for time. */
+export const [OUTSIDE, ARM, TIME] = [0, 1, 2] as const;
+
+/** Returns what a task waits for, in general. */
+export function importanceOf(thing: string): typeof OUTSIDE | typeof ARM | typeof TIME {
+  return /^(?:time\b|a file$)/.test(thing) ? TIME : /^the arm\b/.test(thing) ? ARM : OUTSIDE;
+}
 
 function importance({ waits, awaits }: TaskState): number {
-  const thing = awaits ?? waits ?? "";
-  return /^(?:time\b|a file$)/.test(thing) ? TIME : /^the arm\b/.test(thing) ? ARM : OUTSIDE;
+  return importanceOf(awaits ?? waits ?? "");
 }
 
 /** Whether the task waits for an arm that moves. */

@@ -15,7 +15,7 @@ import { Marks } from "./Marks";
 import { Player } from "./player";
 import { TimeZoom } from "./zoom";
 
-/** Distance of the ends of the slider from the track, in px. */
+/** Distance from the track to the slider ends, in px. */
 const THUMB = 7;
 
 const TARGET_NAMES: Record<Target, string> = { move: "a move", error: "an error", near: "things that are too near to each other" };

@@ -8,7 +8,7 @@ export type Target = "error" | "move" | "near";
 /** Times that differ by less than this are the same time for a jump, in s. */
 const APART = 0.002;
 
-/** Whether an event is an error, the start of a move, or the beginning of an encounter or contact. */
+/** Whether an event is an error, a move start, or the beginning of an encounter or contact. */
 function isTarget(event: RunEvent, target: Target): boolean {
   switch (target) {
     case "error": return groupOf(event) === "errors";
@@ -17,7 +17,7 @@ function isTarget(event: RunEvent, target: Target): boolean {
   }
 }
 
-/** Returns the time of the next target after a time, or of the previous one; `undefined` if there is none. */
+/** Returns the time of the next target after a time, or of the previous one; `undefined` without such a target. */
 export function jumpFrom(events: readonly RunEvent[], target: Target, t: number, isForward: boolean): number | undefined {
   return isForward
     ? events.find((event) => event.t > t + APART && isTarget(event, target))?.t

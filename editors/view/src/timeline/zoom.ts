@@ -21,7 +21,7 @@ export class TimeZoom {
     this.chosen.value = start <= whole[0] && end >= whole[1] ? undefined : [start, end];
   }
 
-  /** Moves the range by a fraction of its length. */
+  /** Moves the range by a fraction, in lengths of the range. */
   shift(part: number): void {
     if (this.chosen.peek() !== undefined) {
       this.chosen.value = shifted(this.range.peek(), part, this.whole.peek());

@@ -1,4 +1,4 @@
-// Complete lists after an edit of one row.
+// Complete lists after an edit in one row.
 
 import type { Local, LocalEdit, Parameter, ParameterEdit } from "./messages";
 

@@ -101,12 +101,14 @@ test("Run ends an application whose tasks have all failed, then starts it again"
   const task = { name: "start", state: "error", program: "start", line: 5, file: "start.pgx", priority: 10, period: null, overruns: 0, error: 20, waits: null };
   assert.deepEqual([hasFailed({ ...STATE, tasks: [task] }), hasFailed({ ...STATE, tasks: [task, { ...task, error: null }] }), hasFailed({ ...STATE, tasks: [] })], [true, false, false]);
   const hasEnded = signal(false);
-  const started = startAgain({ ...cell, hasEnded, isPaused: signal(true) }, new Notice());
+  const started = startAgain({ ...cell, hasEnded, isPaused: signal(true) }, new Notice(), "stays");
   await new Promise((resolve) => setTimeout(resolve));
   assert.deepEqual(sent, [{ keys: { stop: true } }, { isPaused: false }]);
   hasEnded.value = true;
   await started;
   assert.deepEqual(sent.slice(2), [{}]);
+  await startAgain({ ...cell, hasEnded }, new Notice(), "initial");
+  assert.deepEqual(sent.slice(3), [{ atInitialPosition: true }]);
 });
 
 test("a stop while the page shows the past acts on the present", async () => {

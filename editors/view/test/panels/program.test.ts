@@ -1,23 +1,25 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { signal } from "@preact/signals";
 import { lineState, marksOf, type MovingLine } from "../../src/panels/program/marks";
-import { groupsOf, keyOf, type Program, programOf, withPrograms } from "../../src/panels/program/programs";
+import { groupsOf, keyOf, type Program, programOf, programsOf } from "../../src/panels/program/programs";
 import { followedLine, ProgramView } from "../../src/panels/program/ProgramView";
 import type { TaskState } from "../../src/panels/tasks/chart";
 import type { ProgramsMessage } from "../../src/wire";
 
 const CELL: ProgramsMessage = {
+  t: 0,
   application: "cell",
   programs: ["stop", "start"].map((name) => ({ name, file: `/cell/${name}.pgx`, line: 7, code: [[["keyword", "begin"]], [["text", "  delay("], ["number", "1"], ["text", ")"]], [["keyword", "end"]]] })),
 };
-const LIBRARY: ProgramsMessage = { application: "part", programs: [{ name: "start", file: "/part/start.pgx", line: 3, code: [] }, { name: "grip", file: "/part/grip.pgx", line: 3, code: [] }] };
+const LIBRARY: ProgramsMessage = { t: 0, application: "part", programs: [{ name: "start", file: "/part/start.pgx", line: 3, code: [] }, { name: "grip", file: "/part/grip.pgx", line: 3, code: [] }] };
 
 function task(name: string, program: string, line: number, more: Partial<TaskState> = {}): TaskState {
   return { name, state: "running", program, line, file: `/cell/${program}.pgx`, priority: 10, period: null, overruns: 0, waits: null, error: null, ...more };
 }
 
 function view(): ProgramView {
-  const made = new ProgramView();
+  const made = new ProgramView(signal(1));
   made.add(LIBRARY);
   made.add(CELL);
   return made;
@@ -30,17 +32,28 @@ const start = (): Program => {
 };
 
 test("a program is found by its file, or by its name if it is unique", () => {
-  const list = withPrograms(withPrograms(new Map(), CELL), LIBRARY);
+  const list = programsOf([CELL, LIBRARY], 2);
   assert.equal(programOf(list, { program: "start", line: 1, file: "/part/start.pgx" })?.application, "part");
   assert.equal(programOf(list, { program: "grip", line: 1 })?.file, "/part/grip.pgx");
   assert.equal(programOf(list, { program: "start", line: 1 }), undefined);
   assert.equal(programOf(list, { program: "start", line: 1, file: "/other/start.pgx" }), undefined);
 });
 
-test("a program that is loaded again replaces its earlier code", () => {
-  const list = withPrograms(withPrograms(new Map(), CELL), { application: "cell", programs: [{ name: "stop", file: "/cell/stop.pgx", line: 9, code: [] }] });
-  assert.equal(list.get(keyOf({ program: "stop", file: "/cell/stop.pgx" }))?.line, 9);
-  assert.equal(list.size, 2);
+test("a program that is loaded again has its earlier code in the past", () => {
+  const time = signal(0);
+  const shown = new ProgramView(time);
+  shown.add(CELL);
+  shown.add({ t: 5, application: "cell", programs: [{ name: "stop", file: "/cell/stop.pgx", line: 9, code: [] }] });
+  shown.add({ ...LIBRARY, t: 6 });
+  const lineAt = (t: number): unknown => {
+    time.value = t;
+    return shown.programs.value.get(keyOf({ program: "stop", file: "/cell/stop.pgx" }))?.line;
+  };
+  assert.deepEqual([0, 4.9, 5, 7].map(lineAt), [7, 7, 9, 9]);
+  const list = shown.programs.value;
+  assert.equal((lineAt(8), shown.programs.value), list, "the list is the same while no program changes");
+  lineAt(1);
+  assert.equal(shown.programs.value.size, 4, "programs of libraries that are loaded later are listed too");
 });
 
 test("the programs of the application come first, sorted by name", () => {

@@ -17,6 +17,7 @@ use val3_motion::{MotionPhase, MoveStage, SpeedLimit};
 use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
+use super::cycles::CyclesReport;
 use crate::output::file;
 use crate::output::file_kind::OutputFileKind;
 use crate::output::to_stderr;
@@ -99,6 +100,9 @@ pub(crate) struct TimesReport {
     /// Smallest distances of all pairs of things that came within 500 mm, smallest first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     nearest: Vec<NearestRow>,
+    /// Cycles, if `--cycles` names their event.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cycles: Option<CyclesReport>,
 }
 
 /// Time of an activity at a program line.
@@ -216,10 +220,10 @@ impl RunTimes {
     }
 
     /// Writes the times up to the end of the run, and returns them.
-    pub(super) fn close(mut self, end: Time) -> Result<TimesReport, UserError> {
+    pub(super) fn close(mut self, end: Time, cycles: Option<CyclesReport>) -> Result<TimesReport, UserError> {
         self.rest(end);
         let output = std::mem::replace(&mut self.output, TimesOutput::None);
-        let report = self.into_report();
+        let report = TimesReport { cycles, ..self.into_report() };
         match output {
             TimesOutput::None => {}
             TimesOutput::Console => to_stderr(|out| out.write_all(report.table().as_bytes())),
@@ -250,6 +254,7 @@ impl RunTimes {
             advice: all.advice(),
             blends: self.blends.into_lines(),
             nearest: self.nearest.map(|nearest| nearest.of_pairs()).unwrap_or_default(),
+            cycles: None,
         }
     }
 }

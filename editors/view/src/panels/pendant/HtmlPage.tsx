@@ -1,4 +1,4 @@
-// Bindings of an HTML user page: element values, and a button for each element with a program.
+// Bindings on an HTML user page: element values, and a button for each element with a program.
 
 import type { JSX } from "preact";
 import { Button } from "../shared/Button";

@@ -30,7 +30,7 @@ export function PendantPanel({ cell }: { cell: Cell }): JSX.Element {
   );
 }
 
-/** Whether a program has written to the user page. VS Code shows its text in a view of its own. */
+/** Whether a program has written to the user page. VS Code shows its text in a separate view. */
 function isUsed({ page: { value: page }, openLine }: Cell): boolean {
   const hasText = page !== undefined && (page.title !== "" || page.lines.some((line) => line.trim() !== ""));
   return page?.html != null || page?.popUp != null || (hasText && openLine.value === undefined);

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { Button } from "../shared/Button";
 import type { Cell, Notice } from "../shared/cell";
 import { endReason, hasFailed, MODES, nextSpeed, powerReason, runReason, speedFrom } from "./robotState";
-import { startAgain } from "./startAgain";
+import { type ArmStart, startAgain } from "./startAgain";
 import { AT_ONCE, pressNow } from "./stopNow";
 
 interface Props {
@@ -20,7 +20,7 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
   const isOver = cell.hasEnded.value || hasFailed(state);
   const operate = (keys: object): void => void notice.operate(cell, keys);
   const refused = (reason: string): void => void (notice.text.value = reason);
-  const run = (): void => void startAgain(cell, notice);
+  const run = (arm: ArmStart): void => void startAgain(cell, notice, arm);
   const isPast = cell.isPastOnly.value;
   const stopNow = (keys: object, text: string): void => void pressNow(cell, notice, keys, text);
   const isPowered = state?.power ?? false;
@@ -29,7 +29,7 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
   return (
     <div class="robot-controls" role="group" aria-label="Robot">
       <div class="row">
-        <Button title="Read the files and start the application again" reason={blocked ?? runReason(cell.isPaused.value, isOver, cell.canRestart.value)} onPress={run} onRefused={refused}>Run</Button>
+        <Button title="Read the files and start the application again. The arm stays where it is." reason={blocked ?? runReason(cell.isPaused.value, isOver, cell.canRestart.value)} onPress={() => run("stays")} onRefused={refused}>Run</Button>
         <Button reason={blocked ?? ended} title="Stop the application" onPress={() => operate({ stop: true })} onRefused={refused}>Stop</Button>
         {isPast ? <Button reason={ended} title={`Hold the arm. ${AT_ONCE}`} onPress={() => stopNow({ move: false }, "Hold was pressed.")} onRefused={refused}>Hold now</Button> : (
           <Button reason={blocked ?? ended} title={isHeld ? "Let the programs move the arm" : "Hold the arm"} onPress={() => operate({ move: isHeld })} onRefused={refused}>
@@ -48,6 +48,8 @@ export function RobotControls({ cell, notice }: Props): JSX.Element {
       <div class="row">
         <ModeChoice cell={cell} notice={notice} />
         <SpeedField cell={cell} notice={notice} />
+        {/* The last button, because it appears at the end of a run and must not move other buttons of the robot. */}
+        {isOver && cell.canRestart.value ? <Button title="Start the application again with the arm at the initial position of the settings" reason={blocked} onPress={() => run("initial")} onRefused={refused}>Run from initial position</Button> : null}
       </div>
     </div>
   );

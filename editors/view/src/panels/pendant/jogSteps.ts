@@ -4,7 +4,7 @@ import type { LengthUnit } from "../shared/lengths";
 import { type ArmChain, flangeAt, jointsNear, type Refusal } from "./armModel";
 import { add, aroundAxis, composed, type Frame, inverse, multiplied, scaled, turned, type Vector } from "./pose";
 
-/** Size of a step: of a length in mm, and of an angle in degrees. */
+/** Step size in mm, or in degrees. */
 export interface JogStep {
   length: number;
   angle: number;
@@ -14,7 +14,7 @@ export interface JogStep {
 const ANGLES = [0.1, 1, 5, 10, 30] as const;
 const INCH_LENGTHS = [0.005, 0.05, 0.2, 0.5, 1] as const;
 
-/** Index of the step of a new page. */
+/** Index of a new page's step. */
 export const FIRST_STEP = 2;
 
 /** Returns the available steps in the length unit. */

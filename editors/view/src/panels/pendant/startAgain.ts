@@ -3,8 +3,11 @@
 import { effect } from "@preact/signals";
 import type { Cell, Notice } from "../shared/cell";
 
+/** Position of the arm at the start: the present one, or the initial one of the settings. */
+export type ArmStart = "stays" | "initial";
+
 /** Ends a run that has not ended, and starts the application again. */
-export async function startAgain(cell: Cell, notice: Notice): Promise<void> {
+export async function startAgain(cell: Cell, notice: Notice, arm: ArmStart): Promise<void> {
   if (!cell.hasEnded.peek()) {
     if (await notice.operate(cell, { stop: true }) === undefined) {
       return;
@@ -15,7 +18,7 @@ export async function startAgain(cell: Cell, notice: Notice): Promise<void> {
     }
     await ended(cell);
   }
-  await notice.send(cell, "run", {});
+  await notice.send(cell, "run", arm === "initial" ? { atInitialPosition: true } : {});
 }
 
 function ended(cell: Cell): Promise<void> {

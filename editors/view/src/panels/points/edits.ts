@@ -16,7 +16,7 @@ export function samePoint(left: PointName, right: PointName): boolean {
   return left.name === right.name && left.key === right.key;
 }
 
-/** Number of decimals of fields, as on controllers. */
+/** Number of decimals in fields, as on controllers. */
 const DIGITS = 3;
 
 /** Formats values of the application for fields: at most 3 decimals, of lengths in inches 4. */

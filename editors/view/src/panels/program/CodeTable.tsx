@@ -1,4 +1,4 @@
-// Code of a program with the marks of its lines. Only the visible lines are in the document.
+// Code of a program, with marks at lines. Only the visible lines are in the document.
 
 import type { JSX, TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { useEffect } from "preact/hooks";
@@ -12,6 +12,9 @@ import type { Program } from "./programs";
 const LINE_HEIGHT = 20;
 
 const COLUMNS = 4;
+
+/** Number of characters that fit next to the names of tasks in a narrow panel. */
+const SHORT_LINE = 24;
 
 /** Keys that scroll a box. */
 const SCROLL_KEYS: readonly string[] = ["ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End", " "];
@@ -117,7 +120,7 @@ function CodeRow({ line, row, parts, marks, isOpened }: CodeRowProps): JSX.Eleme
       </td>
       <th scope="row" class="line-number">{line}</th>
       <td class="code"><code>{parts.map(([kind, text], index) => (kind === "text" ? text : <span key={index} class={`code-${kind}`}>{text}</span>))}</code></td>
-      <td class="names">
+      <td class={parts.reduce((length, [, text]) => length + text.length, 0) > SHORT_LINE ? "names after-code" : "names"}>
         {tasks.map((task) => <span key={task.name} class={`name ${task.state}`} title={task.title}>{task.text}</span>)}
         {moving === undefined ? null : <span class="name arm" title={`${moving.instruction}: the arm ${moving.isWaiting ? "is at rest in this move" : "executes this move"}`}>{moving.isWaiting ? "arm waits" : "arm moves"}</span>}
       </td>

@@ -1,11 +1,11 @@
 // State of the tab Program: the programs, and the shown program and line.
 
-import { type ReadonlySignal, signal } from "@preact/signals";
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type * as wire from "../../wire";
 import type { TaskState } from "../tasks/chart";
-import { type CodeLine, type NamedLine, type Program, type ProgramList, programOf, withPrograms } from "./programs";
+import { type CodeLine, type NamedLine, type Program, type ProgramList, programOf, programsOf } from "./programs";
 
-/** What the tab follows: the arm, or a task by name. Without a name it follows the task with the highest priority. */
+/** Followed object: the arm, or a task by name. Without a name, the task with the highest priority is followed. */
 export type Followed = "arm" | { task: string | undefined };
 
 /** Program that the user has chosen. */
@@ -15,26 +15,34 @@ export interface ChosenLine extends CodeLine {
 }
 
 export class ProgramView {
-  private readonly list = signal<ProgramList>(new Map());
+  private readonly messages = signal<readonly wire.ProgramsMessage[]>([]);
   private readonly choice = signal<ChosenLine | undefined>(undefined);
   private readonly target = signal<Followed>({ task: undefined });
-  readonly programs: ReadonlySignal<ProgramList> = this.list;
+  /** Programs at the shown time. */
+  readonly programs: ReadonlySignal<ProgramList>;
   /** Chosen line; `undefined` while the tab follows the execution. */
   readonly chosen: ReadonlySignal<ChosenLine | undefined> = this.choice;
   readonly followed: ReadonlySignal<Followed> = this.target;
 
+  /** `time` is the shown time in s. */
+  constructor(time: ReadonlySignal<number>) {
+    const passed = computed(() => this.messages.value.filter(({ t }) => t <= time.value).length);
+    this.programs = computed(() => programsOf(this.messages.value, passed.value));
+  }
+
+  /** Adds code that was loaded after all previous code. */
   add(message: wire.ProgramsMessage): void {
-    this.list.value = withPrograms(this.list.peek(), message);
+    this.messages.value = [...this.messages.peek(), message];
   }
 
   /** Begins a new run. */
   clear(): void {
-    this.list.value = new Map();
+    this.messages.value = [];
     this.choice.value = undefined;
   }
 
   programOf(line: NamedLine): Program | undefined {
-    return programOf(this.list.value, line);
+    return programOf(this.programs.value, line);
   }
 
   /** Shows a line of a program. */
@@ -61,7 +69,7 @@ export class ProgramView {
   }
 }
 
-/** Returns the followed task. If the chosen task does not exist, this is the first one of those with the highest priority. */
+/** Returns the followed task. If the chosen task does not exist, this is the first task with the highest priority. */
 export function followedTask(followed: Followed, tasks: readonly TaskState[]): TaskState | undefined {
   if (followed === "arm") {
     return undefined;

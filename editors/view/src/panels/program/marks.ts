@@ -52,7 +52,7 @@ function markOf({ name, state, waits, error }: TaskState): TaskMark {
     : { name, state: "running", text: name, title: `${name} executes this line` };
 }
 
-/** Returns the state that colours a line: of several tasks, that of a failed one, otherwise of one that executes. */
+/** Returns the state that colours a line with several tasks: first a failed task counts, then an executing task. */
 export function lineState(tasks: readonly TaskMark[]): TaskMark["state"] | undefined {
   return (["error", "running", "waiting", "suspended"] as const).find((state) => tasks.some((task) => task.state === state));
 }

@@ -23,14 +23,25 @@ export function keyOf({ program, file }: Pick<CodeLine, "program" | "file">): st
   return `${file}\n${program}`;
 }
 
-/** Returns the list with the programs of a message. They replace programs with the same name and file. */
-export function withPrograms(list: ProgramList, { application, programs }: wire.ProgramsMessage): ProgramList {
-  const all = new Map(list);
-  programs.forEach((program) => all.set(keyOf({ program: program.name, file: program.file }), { ...program, application }));
+/**
+ * Returns the programs of messages in their order, of which the first `passed` ones are not later than the shown time. A
+ * library may be loaded again after its files have changed: the last passed version of a program counts, otherwise its
+ * first one.
+ */
+export function programsOf(messages: readonly wire.ProgramsMessage[], passed: number): ProgramList {
+  const all = new Map<string, Program>();
+  messages.forEach(({ application, programs }, index) => {
+    for (const program of programs) {
+      const key = keyOf({ program: program.name, file: program.file });
+      if (index < passed || !all.has(key)) {
+        all.set(key, { ...program, application });
+      }
+    }
+  });
   return all;
 }
 
-/** Returns the program of a line. Without a file, the name must be that of a single program. */
+/** Returns the program of a line. Without a file, only one program may have the name. */
 export function programOf(list: ProgramList, { program, file }: NamedLine): Program | undefined {
   if (file !== undefined && file !== "") {
     return list.get(keyOf({ program, file }));
@@ -39,13 +50,13 @@ export function programOf(list: ProgramList, { program, file }: NamedLine): Prog
   return named.length === 1 ? named[0] : undefined;
 }
 
-/** Programs of an application or library. */
+/** Programs by application or library. */
 export interface ProgramGroup {
   application: string;
   programs: readonly Program[];
 }
 
-/** Returns the programs by name, first those of the application. */
+/** Returns the programs by name, first the application's. */
 export function groupsOf(list: ProgramList, application: string | undefined): ProgramGroup[] {
   const groups = new Map<string, Program[]>(application === undefined ? [] : [[application, []]]);
   for (const program of list.values()) {

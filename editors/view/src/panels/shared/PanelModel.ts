@@ -55,7 +55,7 @@ const SLOW = 200;
 export class PanelModel {
   readonly cell: Cell;
   private data = new PanelData(undefined);
-  private readonly code = new ProgramView();
+  private readonly code: ProgramView;
   private readonly undo = signal<PointName | undefined>(undefined);
   private readonly scene = signal<CellScene | undefined>(undefined);
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
@@ -64,6 +64,7 @@ export class PanelModel {
   private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), parts: signal(0), reach: signal(0), io: signal(0), data: signal(0) };
 
   constructor(private readonly surroundings: Surroundings) {
+    this.code = new ProgramView(surroundings.time);
     this.cell = this.build(surroundings);
   }
 
@@ -88,7 +89,7 @@ export class PanelModel {
     return new PanelData(this.scene.peek());
   }
 
-  /** Shows the content of another index. */
+  /** Shows the messages in another index. */
   use(data: PanelData): void {
     this.data = data;
     Object.values(this.counts).forEach((count) => (count.value += 1));

@@ -63,7 +63,7 @@ export type CellPage = Pick<wire.PageMessage, "screen" | "title" | "lines"> & {
   [Key in "modes" | "popUp" | "html"]?: wire.PageMessage[Key] | undefined;
 };
 
-/** HTML user page: the values of its elements, and the programs that a click executes. */
+/** HTML user page: element values, and the programs that a click executes. */
 export type HtmlPage = wire.HtmlPage;
 
 export interface ArmSample {
@@ -140,7 +140,7 @@ export interface Cell {
   armGoal: Signal<ArmGoal | undefined>;
   /** Reach of the chosen tool; `undefined` without one. */
   chosenReach: Signal<ToolReach | undefined>;
-  /** Points and joint positions out of reach of the chosen tool, otherwise of the last move's tool. */
+  /** Points and joint positions that the chosen tool, otherwise the last move's tool, cannot reach. */
   unreachable: ReadonlySignal<ToolReach>;
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;

@@ -10,14 +10,14 @@ export interface LengthUnit {
   long: string;
   /** Number of mm. */
   mm: number;
-  /** Number of decimals of a length in addition to those of a length in mm. */
+  /** Number of decimals in addition to the decimals in mm. */
   decimals: number;
 }
 
 export const MILLIMETRES: LengthUnit = { short: "mm", long: "millimetres", mm: 1, decimals: 0 };
 export const INCHES: LengthUnit = { short: "in", long: "inches", mm: 25.4, decimals: 1 };
 
-/** Returns the length unit of an application. Runs of earlier versions have none. */
+/** Returns the application's length unit. Runs of earlier versions have none. */
 export function unitOf(scene: { lengthUnit?: wire.LengthUnit } | undefined): LengthUnit {
   return scene?.lengthUnit === "inch" ? INCHES : MILLIMETRES;
 }

@@ -1,4 +1,4 @@
-// Shown tabs by the names of their lists. The choice survives a reload.
+// Shown tab in each list of tabs, by name. The choice survives a reload.
 
 import { type Signal, signal } from "@preact/signals";
 import { remember, remembered } from "../../memory";

@@ -22,7 +22,7 @@ export function TaskChart({ cell }: { cell: Cell }): JSX.Element {
   const time = cell.slowTime.value;
   const range = cell.range.value;
   const { segments, moves } = cell.history;
-  // The colours of the canvas are those of the look in which it was painted.
+  // The canvas has the colours of the look in which it was painted.
   isDark.valueOf();
   const names = segments.names();
   const all = moves.all();

@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import type { Cell } from "../shared/cell";
 import { Place } from "../shared/Place";
+import { CycleTable } from "./CycleTable";
 import { ArmTimes, share, taskTimes, type TimeRow } from "./times";
 
 export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
@@ -22,6 +23,7 @@ export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
         Times {start > 0 ? `from ${start.toFixed(0)} s ` : ""}up to {until.toFixed(isExact ? 3 : 0)} s. Those of the arm are exact to a cycle of 4 ms, those of tasks to 0.1 s; val3 run --times has all to a cycle.{" "}
         <label><input type="checkbox" checked={isExact} onChange={({ currentTarget }) => setExact(currentTarget.checked)} /> Up to the shown time</label>
       </p>
+      <CycleTable cell={cell} until={until} />
       <TimesOf cell={cell} caption="Arm" rows={arm} total={until - start} hasTask={false} />
       <TimesOf cell={cell} caption="Tasks" rows={tasks} total={until - start} hasTask />
     </div>

@@ -29,7 +29,7 @@ export function groupOf(event: RunEvent): Group {
   return isFault ? "errors" : (GROUP_OF[event.kind] ?? "messages");
 }
 
-/** Returns the classes of an event's row: its group, and the level of a message in the controller's log. */
+/** Returns the classes of an event's row: its group, and for a line in the controller's log the level. */
 export function rowClass(event: RunEvent): string {
   const level = event.kind === "log" ? ` log ${text(event["level"])}` : "";
   return `${groupOf(event)}${level}`;
@@ -41,7 +41,7 @@ export function textOf(event: RunEvent): string {
   return say === undefined ? rest(event) : say((name) => text(event[name]));
 }
 
-/** Returns the program line of an event, if it has one. */
+/** Returns the event's program line, if it has one. */
 export function lineOf(event: RunEvent): NamedLine | undefined {
   const [program, line, file] = [event["program"], event["line"], event["file"]];
   return typeof program === "string" && program !== "" && typeof line === "number" ? { program, line, file: typeof file === "string" ? file : undefined } : undefined;

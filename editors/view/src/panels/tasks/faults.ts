@@ -21,7 +21,7 @@ const FAULTS: ReadonlySet<string> = new Set(["error", "fault", "lacking"]);
 /** Remedy for a path that the arm cannot follow. */
 const CORRECT_PATH = "The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.";
 
-/** Returns the fault of an event; `undefined` if the event is no fault. */
+/** Returns the fault that an event reports; `undefined` if it reports none. */
 export function faultOf(event: RunEvent): Fault | undefined {
   if (!FAULTS.has(event.kind)) {
     return undefined;

@@ -14,7 +14,7 @@ export function zoomed([start, end]: Range, factor: number, around: number, whol
   return inside([around - place * length, around + (1 - place) * length], whole, shortest);
 }
 
-/** Moves the range by a fraction of its length. */
+/** Moves the range by a fraction, in lengths of the range. */
 export function shifted([start, end]: Range, part: number, whole: Range, shortest = SHORTEST): Range {
   const way = (end - start) * part;
   return inside([start + way, end + way], whole, shortest);

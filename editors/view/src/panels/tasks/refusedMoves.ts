@@ -1,10 +1,10 @@
-// Moves that were refused at once, because the arm cannot execute them.
+// Moves that were refused immediately, because the arm cannot execute them.
 
 import type { MoveEvent } from "./moves";
 
 export type RefusedMove = Pick<MoveEvent, "type" | "program" | "line"> & { target: readonly number[] };
 
-/** A refused move and the time from which the program has gone on. */
+/** A refused move and the time at which the program has continued. */
 type Refusal = RefusedMove & { t: number; until: number };
 
 export class RefusedMoves {

@@ -82,7 +82,7 @@ export interface TimedPhases {
 }
 
 /**
- * Counts the times of the arm. A sample is taken at the end of its cycle; during a gap, the previous sample applies.
+ * Counts the times of the arm. A sample is taken at the cycle end; during a gap, the previous sample applies.
  * Only new samples are read, because a run of 40 minutes has 600,000 samples.
  */
 export class ArmTimes {

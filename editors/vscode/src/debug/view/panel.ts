@@ -63,6 +63,7 @@ export class RobotView implements vscode.Disposable {
       await this.showPreview();
       return;
     }
+    const isAlone = vscode.window.tabGroups.all.every(({ tabs }) => tabs.length === 0);
     const options = { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [] };
     const place = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
     const panel = vscode.window.createWebviewPanel(TYPE, "Robot", place, options);
@@ -75,6 +76,10 @@ export class RobotView implements vscode.Disposable {
     });
     panel.webview.onDidReceiveMessage((message: FromPage) => void this.take(message).catch(this.report));
     panel.webview.html = withPolicy(await readFile(this.page.fsPath, "utf8"));
+    if (isAlone) {
+      // Editors, such as the one that shows the first stopped line, open next to the view.
+      await vscode.commands.executeCommand("workbench.action.lockEditorGroup");
+    }
     await this.memory.update(IS_OPEN, true);
   }
 

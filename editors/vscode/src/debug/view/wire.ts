@@ -20,9 +20,9 @@ export interface ArmChain {
   capsules: readonly (readonly Capsule[])[];
   /** Pose of the flange relative to the last frame. */
   flange: readonly number[];
-  /** Height of the origin of `world` above the mounting face, in mm; 0 if unknown. */
+  /** Height of the `world` origin above the mounting face, in mm; 0 if unknown. */
   height: number;
-  /** Whether neither a setting nor the cell names the arm, so that it is the default arm of its kind. */
+  /** Whether the arm is a default, because neither a setting nor the cell names it. */
   isDefault: boolean;
   /** Frames of the axes. */
   links: readonly Link[];
@@ -92,7 +92,7 @@ export interface CallingLine {
 
 /**
  * The points within a radius of a line: a cylinder with rounded ends. Coordinates are in mm in the frame of the link
- * after the movement of its joint, and in the arm's base for the base.
+ * after its joint's movement, and in the arm's base for the base.
  */
 export interface Capsule {
   /** One end of the line. */
@@ -176,7 +176,7 @@ export type Command =
   | Pace & { command: "pace" }
   | Cycle & { command: "cycle" }
   | RecordScenario & { command: "record" }
-  | { command: "run" };
+  | StartAgain & { command: "run" };
 
 /** Arguments of `cycle`. */
 export interface Cycle {
@@ -238,7 +238,7 @@ export interface HtmlClick {
   program: string;
 }
 
-/** Bindings of an HTML page. */
+/** Bindings on the HTML page. */
 export interface HtmlPage {
   /** Programs that a click executes. */
   clicks: readonly HtmlClick[];
@@ -248,7 +248,7 @@ export interface HtmlPage {
   values: readonly HtmlValue[];
 }
 
-/** Value of an element. */
+/** Element value. */
 export interface HtmlValue {
   /** Attribute, for example `innerHTML`. */
   attribute: string;
@@ -276,7 +276,7 @@ export interface JointValue {
   values: readonly number[];
 }
 
-/** Length unit of an application, in which its data are. All other lengths of the messages are in mm. */
+/** Unit of lengths in the application's data. All other lengths in messages are in mm. */
 export type LengthUnit =
   | "mm"
   | "inch";
@@ -289,7 +289,7 @@ export interface LineInfo {
   type: string;
 }
 
-/** Frame of an axis. */
+/** Axis frame. */
 export interface Link {
   /** Direction about or along which the axis moves. */
   axis: readonly number[];
@@ -436,7 +436,7 @@ export interface PageMessage {
   html: HtmlPage | null;
   /** The 14 lines. */
   lines: readonly string[];
-  /** Text modes of each line. */
+  /** Text modes by line. */
   modes: readonly (readonly (readonly [number, number])[])[];
   /** Text of the pop-up. */
   popUp: string | null;
@@ -497,12 +497,17 @@ export interface ProgramCode {
   name: string;
 }
 
-/** Code of the programs of an application or library. It is sent once, when the application or library is loaded. */
+/**
+ * Code of loaded programs. It is sent once, when the application or library is loaded, and
+ * for changed files when a library is loaded again.
+ */
 export interface ProgramsMessage {
   /** Name of the application or library. */
   application: string;
   /** Programs whose files could be read. */
   programs: readonly ProgramCode[];
+  /** Seconds of the controller's clock at which the code was loaded. */
+  t: number;
 }
 
 /** Recorded move. */
@@ -537,7 +542,7 @@ export interface Reach {
   tool?: ToolName;
 }
 
-/** Points and joint positions out of reach of the last move's tool; of the flange before the first move. */
+/** Points and joint positions that the last move's tool cannot reach; before the first move, the flange counts. */
 export interface ReachMessage {
   /** Time in s. */
   t: number;
@@ -583,7 +588,7 @@ export type Role =
   | "debugger"
   | "preview";
 
-/** Event in the format of `val3 run --events`. The event of a fault also has `lineCode`, the code of its line. */
+/** Event in the format of `val3 run --events`. A fault also has `lineCode`, its line of code. */
 export interface RunEvent {
   /** Kind of the event. */
   kind: string;
@@ -633,7 +638,7 @@ export interface Scene {
   objects: readonly CellObject[];
   /** Parts, whose places are in `parts` messages. */
   parts: readonly CellPart[];
-  /** Names of the phases of motion by their numbers in samples. */
+  /** Motion phase names by their numbers in samples. */
   phases: readonly string[];
   /** Points with their initial values. */
   points: readonly CellPoint[];
@@ -677,7 +682,7 @@ export interface SignalInfo {
   link: string;
   /** Data linked to the signal. */
   names: readonly string[];
-  /** Unit of an analog signal. */
+  /** Unit, if the signal is analog. */
   unit: string | null;
 }
 
@@ -730,6 +735,12 @@ export interface Source {
   program: string;
 }
 
+/** Arguments of `run`. */
+export interface StartAgain {
+  /** Whether the arm starts at the initial position of the settings. Otherwise it stays where it is. */
+  atInitialPosition?: boolean;
+}
+
 /** State of tasks and robot. */
 export interface StateMessage {
   /** Why the arm that a task waits for does not move, as sentences for an operator. */
@@ -752,7 +763,7 @@ export interface StateMessage {
   power: boolean;
   /** Time in s. */
   t: number;
-  /** Tasks in the order of their creation. */
+  /** Tasks, the oldest first. */
   tasks: readonly TaskState[];
 }
 
@@ -772,11 +783,11 @@ export interface TaskState {
   lineCode: string | null;
   /** Task name. */
   name: string;
-  /** Number of overruns of a synchronous task. */
+  /** Number of overruns, if the task is synchronous. */
   overruns: number;
   /** Period of a synchronous task, in s. */
   period: number | null;
-  /** Priority of an asynchronous task. */
+  /** Priority, if the task is asynchronous. */
   priority: number | null;
   /** Current program. */
   program: string;

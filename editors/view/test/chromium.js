@@ -1,0 +1,15 @@
+// Chromium for the tests of pages. VAL3_CHROMIUM names another browser.
+const { chromium } = require("playwright-core");
+
+/** Longest time of a step, in ms. A busy machine needs much of it. */
+const TIMEOUT = 180_000;
+
+function launch() {
+  return chromium.launch({
+    executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium",
+    // Only the picture is drawn by an emulated graphics card. If it drew the whole page, tests would take almost twice the time.
+    args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"],
+  });
+}
+
+module.exports = { launch, TIMEOUT };
