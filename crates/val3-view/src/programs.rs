@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(sent.iter().map(names).collect::<Vec<_>>(), [[("start".to_owned(), 2)]]);
         assert_eq!(sent[0].t, 0.0);
         assert_eq!(programs.news(&controller, &mut lines), []);
-        while controller.now() == Default::default() {
+        while controller.now() == 0 {
             controller.step();
         }
         let load_again = |lines: &mut Lines| Programs::default().news(&controller, lines);
