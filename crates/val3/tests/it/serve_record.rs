@@ -95,5 +95,5 @@ fn a_run_that_has_started_again_becomes_a_scenario_from_its_own_position() {
     let answer = viewer.command(record(2, "again"));
     assert_eq!((&answer["error"], &answer["remarks"]), (&Value::Null, &json!([])), "{answer}");
     let text = run.folder.read("usrapp/tests/again.toml");
-    assert!(text.contains("start = [60.0, 0.0, 90.0, 0.0, 30.0, 0.0]") && text.contains("\"60\""), "{text}");
+    assert!(text.contains("start = [60, 0, 90, 0, 30, 0]") && text.contains("\"60\""), "{text}");
 }
