@@ -58,7 +58,8 @@ fn operator_text(hold: ArmHold, mode: WorkingMode) -> String {
 
 /// Returns the calling lines of a task, the innermost first.
 fn callers(task: &Task, controller: &Controller) -> Vec<CallingLine> {
-    let frames = val3_debug::frames(&controller.vm, task.id).into_iter().skip(1).take(CALLERS);
+    let frames = val3_debug::frames(&controller.vm, task.id).into_iter().skip(1);
+    let frames = frames.filter(|frame| !frame.is_console).take(CALLERS);
     frames.map(|TaskFrame { program, file, row, .. }| CallingLine { program, line: row, file }).collect()
 }
 

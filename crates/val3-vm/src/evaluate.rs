@@ -11,8 +11,7 @@ use val3_lang::ports::{TaskNumber, Time};
 use crate::calls::program_of;
 use crate::enter::{enter, leave, write};
 use crate::operands::{OperandContext, place_of, view_of};
-use crate::stacked_fragment::{Position, StackedFragment};
-use crate::task::{Base, Thread};
+use crate::task::{Base, Position, StackedFragment, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Frame, Grant, Host, InstanceId, TaskState, TurnEnd, Vm};
 

@@ -8,7 +8,6 @@ use val3_lang::ports::{CodePlace, TaskNumber, Time};
 
 use crate::InstanceId;
 use crate::operands::on_frame;
-use crate::stacked_fragment::StackedFragment;
 
 /// A task.
 #[derive(Debug, Clone)]
@@ -58,6 +57,48 @@ pub struct Thread {
     pub is_at_return: bool,
     /// Fragments on the stack, the innermost last: see [`Vm::execute`](crate::Vm::execute).
     pub(crate) fragments: Vec<StackedFragment>,
+}
+
+/// A fragment whose frame is on the stack of a task.
+#[derive(Debug, Clone)]
+pub(crate) struct StackedFragment {
+    /// Number of stack frames below the fragment.
+    pub(crate) depth: usize,
+    /// Clock of the fragment while no turn of the task executes it, in ns.
+    pub(crate) clock: Time,
+    /// Granted lines that were not executed.
+    pub(crate) left: u32,
+    /// Position of the task below the fragment.
+    pub(crate) position: Position,
+    /// State of the task before the fragment.
+    pub(crate) state: TaskState,
+}
+
+/// Position of a thread, without its frames.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Position {
+    pub(crate) next: u32,
+    pub(crate) line: u32,
+    waiting: Option<Waiting>,
+    watched: Option<Time>,
+    wait: Option<Wait>,
+    is_at_stop: bool,
+    is_at_end: bool,
+    is_at_return: bool,
+}
+
+impl Position {
+    pub(crate) fn of(thread: &Thread) -> Self {
+        let Thread { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return, .. } = *thread;
+        Self { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return }
+    }
+
+    pub(crate) fn apply(self, thread: &mut Thread) {
+        let Self { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return } = self;
+        (thread.next, thread.line) = (next, line);
+        (thread.waiting, thread.watched, thread.wait) = (waiting, watched, wait);
+        (thread.is_at_stop, thread.is_at_end, thread.is_at_return) = (is_at_stop, is_at_end, is_at_return);
+    }
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.

@@ -189,11 +189,16 @@ impl Vm {
 
     /// Removes the tasks that have ended or were killed, with their frames' data.
     pub(crate) fn sweep(&mut self) {
+        let mut had_fragments = false;
         for mut task in self.roster.take_over() {
+            had_fragments |= !task.thread.fragments.is_empty();
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
             leave(&mut self.space.memory, &Base::default());
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
             task.thread.give_back(&mut self.space.memory.stores.room);
+        }
+        if had_fragments {
+            self.release_fragments();
         }
     }
 

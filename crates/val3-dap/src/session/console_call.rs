@@ -377,6 +377,53 @@ end
     }
 
     #[test]
+    fn a_waiting_task_waits_again_after_the_call() {
+        let mut client = stopped();
+        client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        for _ in 0..3 {
+            client.debugger.advance();
+        }
+        client.stop_after("pause", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(stack(&mut client), ["main:start() 8"]);
+        set(&mut client, "work", json!([{ "line": 14 }]));
+        client.console("call work(1)");
+        assert_eq!(go_on(&mut client)["description"], AFTER);
+        assert_eq!(stack(&mut client), ["main:start() 8"]);
+        let thread = &client.body("threads", json!({}))["threads"][0];
+        assert!(thread["name"].as_str().unwrap().contains("waits for time"), "{thread}");
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        client.run();
+        let end = client.debugger.controller.now();
+        assert!((1_000_000_000..1_010_000_000).contains(&end), "{end}");
+    }
+
+    #[test]
+    fn a_call_before_the_end_of_the_run_returns_there() {
+        let mut client = TestClient::launched(LISTING, json!({ "stopOnExit": true }));
+        let stop = stop_of(client.run());
+        assert_eq!(stop["description"], "Paused before the end of the application");
+        set(&mut client, "work", json!([{ "line": 14 }]));
+        client.console("call work(1)");
+        assert_eq!(stack(&mut client).len(), 3);
+        assert_eq!(go_on(&mut client)["description"], AFTER);
+        assert_eq!((stack(&mut client).len(), client.value("nA")), (1, json!("10")));
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        let events = client.run();
+        assert!(!events.iter().any(|(event, _)| event == "stopped"), "{events:?}");
+    }
+
+    #[test]
+    fn a_task_that_is_ended_in_the_call_leaves_nothing() {
+        let mut client = stopped();
+        set(&mut client, "work", json!([{ "line": 14 }]));
+        client.console("call work(1)");
+        client.body("terminateThreads", json!({ "threadIds": [MAIN_THREAD] }));
+        assert!(client.debugger.controller.vm.tasks().is_empty());
+        assert_eq!(client.body("threads", json!({}))["threads"], json!([]));
+    }
+
+    #[test]
     fn a_detached_run_continues_where_it_was_before_the_call() {
         let mut client = stopped();
         set(&mut client, "work", json!([{ "line": 14 }]));

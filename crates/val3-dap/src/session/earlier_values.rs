@@ -10,7 +10,7 @@ use crate::debugged_run::DebuggedRun;
 /// Number of earlier values.
 const VALUES: usize = 4;
 
-/// Limits of the search: about 10 ms.
+/// Limits of the search: some 10 ms.
 const LIMITS: WriteLimits = WriteLimits { writes: VALUES + 1, lines: 20_000 };
 
 /// Largest number of characters of an earlier value.
