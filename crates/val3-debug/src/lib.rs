@@ -6,6 +6,7 @@
 mod arguments;
 mod backwards;
 mod breakpoints;
+mod causes;
 mod conditions;
 mod contacts;
 mod data_breakpoints;
@@ -39,6 +40,7 @@ pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
+pub use causes::causes;
 pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
 pub use contacts::Contact;
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
@@ -54,7 +56,6 @@ pub use skipped_code::{InvalidSkipPattern, SkipPattern};
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
-pub use unlinked::{UnlinkedData, unlinked};
 pub use values::{
     DebugValue, DisplayFormat, Inside, NamedFragment, Scope, ScopeKind, count, data, row_of_data, scopes,
     string_of_data, subscript, values,

@@ -55,6 +55,8 @@ pub struct Thread {
     pub is_at_end: bool,
     /// Whether the task has stopped before the return of a program with [watched](crate::DataWatch::frames) variables.
     pub is_at_return: bool,
+    /// Operation that has stopped the task with a run-time error.
+    pub(crate) failed: Option<u32>,
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.
@@ -147,6 +149,7 @@ impl Thread {
         (self.next, self.line) = (op, op);
         (self.waiting, self.watched, self.wait) = (None, None, None);
         (self.is_at_stop, self.is_at_end, self.is_at_return) = (false, false, false);
+        self.failed = None;
     }
 }
 
