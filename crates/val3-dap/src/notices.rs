@@ -16,7 +16,7 @@ use crate::protocol::{
     OutputEventCategory, Source, StandardEvent, ThreadEvent, ThreadEventReason,
 };
 use crate::screen_text::ScreenText;
-use crate::stop_event::unlinked_data;
+use crate::stop_event::cause;
 
 /// Tasks and libraries that were reported to the client.
 #[derive(Debug, Default)]
@@ -196,13 +196,13 @@ fn place(event: &MachineEvent, controller: &Controller) -> Option<(u32, String)>
     }
 }
 
-/// Formats a run-time error with its task, and with the unlinked data of the task's line.
+/// Formats a run-time error with its task, and with the data in the task's line that caused it.
 fn error_text(code: u16, name: Option<&str>, controller: &mut Controller) -> String {
     let short = runtime_errors::find(code).map_or("unknown run-time error", |error| error.short);
     let failed = controller.vm.tasks().iter().find(|task| Some(task.name.as_str()) == name).map(|task| task.id);
-    let data = failed.map(|task| unlinked_data(Fault(code), task, controller)).unwrap_or_default();
+    let cause = failed.map(|task| cause(Fault(code), task, controller)).unwrap_or_default();
     let task = name.map(|name| format!(" (task `{name}`)")).unwrap_or_default();
-    format!("error {code}: {short}{data}{task}")
+    format!("error {code}: {short}{cause}{task}")
 }
 
 fn module_event(reason: ModuleEventReason, name: &str, path: &str) -> StandardEvent {

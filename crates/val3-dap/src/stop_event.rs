@@ -1,6 +1,6 @@
 //! Event `stopped`, for each kind of stop.
 
-use val3_debug::{Contact, DataChange, DataStop, MotionStop, Stop, TaskFrame, frames, unlinked};
+use val3_debug::{Contact, DataChange, DataStop, MotionStop, Stop, TaskFrame, causes, frames};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
@@ -30,7 +30,7 @@ pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
             let meaning = runtime_errors::find(fault.0).map_or("unknown run-time error", |error| error.short);
             StoppedEvent {
                 description: Some("Paused on run-time error".to_owned()),
-                text: Some(format!("error {}: {meaning}{}", fault.0, unlinked_data(*fault, *task, controller))),
+                text: Some(format!("error {}: {meaning}{}", fault.0, cause(*fault, *task, controller))),
                 ..event(StoppedEventReason::Exception, Some(*task))
             }
         }
@@ -71,13 +71,10 @@ fn call_end(fault: Option<Fault>, line: Option<&TaskFrame>) -> String {
     format!("error {number} has ended the call from the debug console: {meaning}{}", place.unwrap_or_default())
 }
 
-/// Names the variables without a signal that have caused a run-time error: ``: `diPart` has no link``. Empty for other
-/// errors.
-pub(crate) fn unlinked_data(fault: Fault, task: TaskNumber, controller: &mut Controller) -> String {
-    if fault.0 != runtime_errors::UNLINKED {
-        return String::new();
-    }
-    let causes: Vec<String> = unlinked(controller, task).iter().map(ToString::to_string).collect();
+/// Names the data with which a run-time error has stopped a task: ``: `diPart` has no link``. Empty for errors without
+/// such data.
+pub(crate) fn cause(fault: Fault, task: TaskNumber, controller: &mut Controller) -> String {
+    let causes = causes(controller, task, fault);
     if causes.is_empty() { String::new() } else { format!(": {}", causes.join("; ")) }
 }
 

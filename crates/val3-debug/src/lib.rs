@@ -6,7 +6,11 @@
 mod arguments;
 mod backwards;
 mod breakpoints;
+<<<<<<< HEAD
 mod calls;
+=======
+mod causes;
+>>>>>>> tour
 mod conditions;
 mod contacts;
 mod data_breakpoints;
@@ -40,7 +44,11 @@ pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
+<<<<<<< HEAD
 pub use calls::{Execution, ExecutionEnd, ExecutionLimits};
+=======
+pub use causes::causes;
+>>>>>>> tour
 pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
 pub use contacts::Contact;
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
@@ -56,7 +64,6 @@ pub use skipped_code::{InvalidSkipPattern, SkipPattern};
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
-pub use unlinked::{UnlinkedData, unlinked};
 pub use values::{
     DebugValue, DisplayFormat, Inside, NamedFragment, Scope, ScopeKind, count, data, row_of_data, scopes,
     string_of_data, subscript, values,

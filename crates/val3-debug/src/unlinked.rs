@@ -15,18 +15,21 @@ use crate::watched::WatchedData;
 
 /// Variable that is linked to no signal of this controller.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnlinkedData {
+pub(crate) struct UnlinkedData {
     /// Data path, for example `diPart[2]`; the path of the array if several elements have no signal.
-    pub path: String,
-    /// Link for which there is no signal; `None` if the variable has no link.
-    pub link: Option<String>,
+    path: String,
+    /// Link for which there is no signal or line; `None` if the variable has no link.
+    link: Option<String>,
+    /// Whether the variable is a `sio`.
+    is_line: bool,
 }
 
 impl fmt::Display for UnlinkedData {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.link {
             Some(link) => {
-                write!(f, "`{}` has the link `{link}`, but this controller has no such signal", self.path)
+                let object = if self.is_line { "line" } else { "signal" };
+                write!(f, "`{}` has the link `{link}`, but this controller has no such {object}", self.path)
             }
             None => write!(f, "`{}` has no link", self.path),
         }
@@ -35,8 +38,7 @@ impl fmt::Display for UnlinkedData {
 
 /// Returns the variables without a signal in the line at which a run-time error has stopped the task: global data of the
 /// program's application, parameters and locals.
-#[must_use]
-pub fn unlinked(controller: &mut Controller, task: TaskNumber) -> Vec<UnlinkedData> {
+pub(crate) fn unlinked(controller: &mut Controller, task: TaskNumber) -> Vec<UnlinkedData> {
     let vm = &controller.vm;
     let Some(thread) = vm.tasks().iter().find(|known| known.id == task).map(|task| &task.thread) else {
         return Vec::new();
@@ -64,14 +66,16 @@ pub fn unlinked(controller: &mut Controller, task: TaskNumber) -> Vec<UnlinkedDa
 fn faulty(name: &str, ports: &[(BaseType, LinkPlace)], devices: &Devices) -> Option<UnlinkedData> {
     let mut elements = ports.iter().enumerate().filter(|(_, (base, link))| !has_signal(devices, *base, *link));
     let (at, (base, link)) = elements.next()?;
+    let is_line = *base == BaseType::Sio;
     if elements.next().is_some() {
-        return Some(UnlinkedData { path: name.to_owned(), link: None });
+        return Some(UnlinkedData { path: name.to_owned(), link: None, is_line });
     }
     let link = match link {
         LinkPlace::Port(port) => devices.port_name(*base, *port).filter(|text| !text.is_empty()).map(str::to_owned),
         LinkPlace::None | LinkPlace::Data(_) => None,
     };
-    Some(UnlinkedData { path: if ports.len() > 1 { format!("{name}[{at}]") } else { name.to_owned() }, link })
+    let path = if ports.len() > 1 { format!("{name}[{at}]") } else { name.to_owned() };
+    Some(UnlinkedData { path, link, is_line })
 }
 
 fn has_signal(devices: &Devices, base: BaseType, link: LinkPlace) -> bool {
@@ -79,6 +83,7 @@ fn has_signal(devices: &Devices, base: BaseType, link: LinkPlace) -> bool {
     let read = match base {
         BaseType::Dio => devices.digital(port).map(drop),
         BaseType::Aio => devices.analog(port).map(drop),
+        BaseType::Sio if !devices.has_line(port) => Err(Fault(UNLINKED)),
         _ => Ok(()),
     };
     read != Err(Fault(UNLINKED))

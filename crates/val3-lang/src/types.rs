@@ -7,7 +7,7 @@ mod fields;
 mod length_unit;
 mod names;
 
-pub use attributes::{AttributeValue, ValueAttribute, attribute, attributes};
+pub use attributes::{AttributeValue, ValueAttribute, attribute, attribute_named_elsewhere, attributes};
 pub use fields::{DefaultValue, Field, NumberUnit, field, fields};
 pub use length_unit::LengthUnit;
 

@@ -83,6 +83,13 @@ impl Version {
         self.language() >= 8
     }
 
+    /// Whether a synchronous task with a shorter period than 4 ms has a period of 4 ms, instead of raising error 70 (s8;
+    /// 5.10).
+    #[must_use]
+    pub fn lengthens_short_periods(self) -> bool {
+        self.language() >= 8
+    }
+
     /// Whether a project's `<Program file>` may name a sub-folder (s8.20 on).
     #[must_use]
     pub fn allows_sub_folders(self) -> bool {

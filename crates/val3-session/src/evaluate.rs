@@ -3,6 +3,7 @@
 mod answer;
 mod declaration;
 mod execution;
+mod page_text;
 mod sources;
 mod variable;
 
@@ -23,6 +24,7 @@ use val3_lang::types::{Arm, BaseType};
 
 pub use answer::{CodeFault, EvaluationOutput};
 pub use execution::Listener;
+pub(crate) use page_text::PageText;
 pub use sources::{has_open_block, next_text, texts};
 
 use crate::application::Application;

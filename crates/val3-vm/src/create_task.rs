@@ -9,6 +9,7 @@ use val3_lang::memory::{Memory, Place};
 use val3_lang::ports::{TaskChange, Time};
 use val3_lang::tasks::{period_steps, priority};
 use val3_lang::types::BaseType;
+use val3_lang::versions::Version;
 
 use crate::enter::{enter_with, write};
 use crate::operands::OperandContext;
@@ -33,7 +34,7 @@ impl TurnContext<'_> {
         let overrun = site.overrun.map(|operand| scope.place(memory, operand)).transpose()?;
         let arguments = site.call.arguments.iter().map(|site| scope.argument(memory, site));
         let arguments = arguments.collect::<Result<Vec<_>>>()?;
-        let rate = self.rate(rate, overrun)?;
+        let rate = self.rate(rate, overrun, image.version)?;
         let called = self.space.called(frame.instance, site.call.program).ok_or(Fault::LIBRARY_ITEM_MISSING)?;
         let thread = self.new_thread(called, &arguments)?;
         let id = self.roster.new_id();
@@ -43,7 +44,7 @@ impl TurnContext<'_> {
         Ok(())
     }
 
-    fn rate(&self, rate: f64, overrun: Option<Place>) -> Result<Rate> {
+    fn rate(&self, rate: f64, overrun: Option<Place>, version: Version) -> Result<Rate> {
         let Some(overrun) = overrun else {
             let lines = (rate + 0.5).floor();
             let suits = priority().is_some_and(|range| range.takes(lines));
@@ -53,7 +54,9 @@ impl TurnContext<'_> {
         if self.space.memory.is_local(overrun.store) {
             return Err(Fault::INVALID_PARAMETER);
         }
-        let steps = period_steps(rate).filter(|steps| *steps > 0).ok_or(Fault::INVALID_PARAMETER)?;
+        let least = u32::from(version.lengthens_short_periods());
+        let steps = period_steps(rate).map(|steps| steps.max(least)).filter(|steps| *steps > 0);
+        let steps = steps.ok_or(Fault::INVALID_PARAMETER)?;
         let period = Time::from(steps) * CYCLE;
         self.roster.check_period(period)?;
         let next = self.now().next_multiple_of(period);

@@ -55,6 +55,7 @@ pub struct Thread {
     pub is_at_end: bool,
     /// Whether the task has stopped before the return of a program with [watched](crate::DataWatch::frames) variables.
     pub is_at_return: bool,
+<<<<<<< HEAD
     /// Fragments on the stack, the innermost last: see [`Vm::execute`](crate::Vm::execute).
     pub(crate) fragments: Vec<StackedFragment>,
 }
@@ -99,6 +100,10 @@ impl Position {
         (thread.waiting, thread.watched, thread.wait) = (waiting, watched, wait);
         (thread.is_at_stop, thread.is_at_end, thread.is_at_return) = (is_at_stop, is_at_end, is_at_return);
     }
+=======
+    /// Operation that has stopped the task with a run-time error.
+    pub(crate) failed: Option<u32>,
+>>>>>>> tour
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.
@@ -191,6 +196,7 @@ impl Thread {
         (self.next, self.line) = (op, op);
         (self.waiting, self.watched, self.wait) = (None, None, None);
         (self.is_at_stop, self.is_at_end, self.is_at_return) = (false, false, false);
+        self.failed = None;
     }
 }
 

@@ -172,7 +172,9 @@ impl Vm {
             }
             TurnEnd::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
+                let failed = thread.next.checked_sub(1);
                 thread.go_to_line(thread.line);
+                thread.failed = failed;
                 host.task(id, &task.name, TaskChange::Failed(fault), None);
             }
             TurnEnd::Unsupported => task.state = TaskState::Failed(Fault::INTERPRETER),

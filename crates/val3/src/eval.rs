@@ -43,7 +43,7 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     if args.texts.is_empty() {
         progress.read_lines(&args.input)?;
     } else {
-        progress.evaluate_all(args.texts.iter().flat_map(|text| texts(text)))?;
+        progress.evaluate_all(texts(&args.texts.join("\n")))?;
     }
     Ok(if progress.sound { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

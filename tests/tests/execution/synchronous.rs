@@ -241,6 +241,29 @@ fn there_are_two_periods_at_most() {
 }
 
 #[test]
+fn a_period_below_4_ms_is_4_ms_from_s8_on() {
+    let program = |version: &str| {
+        format!(
+            "version {version}\nbool bLate\nnum nTimes\nprogram each()\nbegin\n  while true\n    nTimes=nTimes+1\n    \
+             delay(0)\n  endWhile\nend\nprogram start()\nbegin\n  taskCreateSync \"a\",0.002,bLate,each()\n  \
+             delay(0.799)\n  ? nTimes\n  taskKill(\"a\")\nend\n"
+        )
+    };
+    check(
+        &program("s7.11"),
+        expect![[r#"
+            error 70
+        "#]],
+    );
+    check(
+        &program("s8.15"),
+        expect![[r#"
+            199
+        "#]],
+    );
+}
+
+#[test]
 fn the_variable_of_overruns_is_a_global_one() {
     check(
         r#"

@@ -5,7 +5,7 @@ use smol_str::{SmolStr, format_smolstr};
 use val3_lang::enumerations;
 use val3_lang::files::{self, FileKind};
 use val3_lang::suggest::nearest;
-use val3_lang::types::{self, AttributeValue, BaseType, Container, attribute};
+use val3_lang::types::{self, AttributeValue, BaseType, Container, attribute, attribute_named_elsewhere};
 
 use super::{DataCheck, show_sizes};
 use crate::file_check::{VALUE, alternatives};
@@ -71,6 +71,8 @@ impl DataCheck<'_> {
         let arm = arm.or(self.items.arm);
         let names: Vec<&str> = types::attributes(ty, arm).iter().map(|attribute| attribute.name).collect();
         for (found, near) in self.found.unknown_attributes(value, value_attributes(), &names) {
+            let intended = attribute_named_elsewhere(ty, arm, found.name).map(|attribute| attribute.name);
+            let near = intended.filter(|name| value.attribute(name).is_none()).map(SmolStr::new_static).or(near);
             let (ty, attribute) = (ty.name().into(), found.name.into());
             self.report(found.name_range, ProblemKind::UnknownValueAttribute { ty, attribute, near });
         }

@@ -76,7 +76,7 @@ fn values_that_do_not_suit() {
         main/main.dtx:2 `elbow` UnknownValueAttribute { ty: "point", attribute: "elbow", near: None }
         main/main.dtx:2 `j7` UnknownValueAttribute { ty: "joint", attribute: "j7", near: Some("j1") }
         main/main.dtx:2 `j5` UnknownValueAttribute { ty: "joint", attribute: "j5", near: Some("j1") }
-        main/main.dtx:2 `tvel` UnknownValueAttribute { ty: "mdesc", attribute: "tvel", near: Some("vel") }
+        main/main.dtx:2 `tvel` UnknownValueAttribute { ty: "mdesc", attribute: "tvel", near: Some("tmax") }
     "#]].assert_eq(&found.concat());
 }
 

@@ -16,7 +16,8 @@ rule! {
     /// The controller rounds a period down to a multiple of 0.004 s (5.10): 0.01 s becomes 8 ms, and times that the
     /// task counts in periods are wrong by a quarter. The unit of a period is the second: 16 is a period of 16 s,
     /// usually meant as 16 ms. A period below 4 ms is rounded down to 0, which is run-time error 70: an error up to s7.
-    /// No public source states whether a CS9 (s8) accepts shorter periods; there it is information.
+    /// No public source states whether a CS9 (s8) accepts shorter periods; there it is information, and `val3 run` uses 4
+    /// ms.
     ///
     /// ## Bad
     /// ```val3
@@ -56,10 +57,11 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
             let title = format!("write `{instead}`, which is {period} ms");
             found.report(&RULE, range, seconds(period)).fix(title, false, [program.write(range, &instead)]);
         } else if period_steps(period) == Some(0) {
-            let level = if program.items.version.language() < 8 { Severity::Error } else { Severity::Info };
+            let is_accepted = program.items.version.lengthens_short_periods();
+            let level = if is_accepted { Severity::Info } else { Severity::Error };
             let title = format!("write `{PERIOD_STEP}`");
             let edit = program.write(range, &PERIOD_STEP.to_string());
-            found.report(&RULE, range, too_short(period)).level(level).fix(title, false, [edit]);
+            found.report(&RULE, range, too_short(period, is_accepted)).level(level).fix(title, false, [edit]);
         } else if !is_exact_period(period) {
             found.report(&RULE, range, rounded(period));
         }
@@ -74,11 +76,16 @@ fn seconds(period: f64) -> Wording {
     )
 }
 
-fn too_short(period: f64) -> Wording {
+fn too_short(period: f64, is_accepted: bool) -> Wording {
     let step = PERIOD_STEP * 1000.0;
+    let effect = if is_accepted {
+        format!("`val3 run` uses {step} ms; a controller may raise an error")
+    } else {
+        runtime_error(INVALID_PARAMETER)
+    };
     Wording::new(
         format!("the period {} ms is below {step} ms, the shortest one", milliseconds(period)),
-        runtime_error(INVALID_PARAMETER),
+        effect,
         format!("write {PERIOD_STEP}, or a multiple of it"),
     )
 }
@@ -152,5 +159,7 @@ mod tests {
         .assert_eq(&check(&RULE, &with_short_period("s7.11")));
         assert_eq!(levels(&RULE, &with_short_period("s7.11")), [Severity::Error]);
         assert_eq!(levels(&RULE, &with_short_period("s8.15")), [Severity::Info]);
+        let found = check(&RULE, &with_short_period("s8.15"));
+        assert!(found.contains("| `val3 run` uses 4 ms; a controller may raise an error\n"), "{found}");
     }
 }

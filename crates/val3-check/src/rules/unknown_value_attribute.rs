@@ -9,7 +9,7 @@ rule! {
     /// Each type has its own attributes: a `num` has `value`, a `frame` has `x` to `rz` and `fatherId`, an `mdesc` has
     /// `accel` to `reach`. An attribute with another name has no effect, and the intended one keeps its default value.
     /// Some attributes have another name in files than in code: `tmax` and `rmax` in a file are `tvel` and `rvel` in
-    /// code.
+    /// code, and `ioLink`, `ioOpen` and `ioClose` are `gripper`, `otime` and `ctime`. The fix writes the name of files.
     ///
     /// ## Bad
     /// ```val3

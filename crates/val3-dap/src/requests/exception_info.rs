@@ -36,7 +36,7 @@ impl DebugRequest for ExceptionInfo {
                     true => ExceptionBreakMode::Always,
                     false => ExceptionBreakMode::Unhandled,
                 };
-                let cause = stop_event::unlinked_data(fault, task, &mut run.debugger.controller);
+                let cause = stop_event::cause(fault, task, &mut run.debugger.controller);
                 Ok(ExceptionInfoResponse { break_mode, ..run_time_error(fault.0, &cause) })
             }
             _ => Err(RequestFailure::NoError),
@@ -95,6 +95,7 @@ mod tests {
 <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
   <Datas>
     <Data name="diIn" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\start" /></Data>
+    <Data name="siHost" access="private" xsi:type="array" type="sio" size="1"><Value key="0" link="Socket\host" /></Data>
     <Data name="diFree" access="private" xsi:type="array" type="dio" size="1"/>
     <Data name="doList" access="private" xsi:type="array" type="dio" size="2"><Value key="0" link="Io\start" /></Data>
   </Datas>
@@ -108,6 +109,7 @@ mod tests {
             ("wait(diFree)", "`diFree` has no link"),
             ("doList[1]=diIn", "`doList[1]` has no link"),
             ("call work(diFree)", "`x_diOther` has no link; `diFree` has no link"),
+            ("siHost=\"a\"", "`siHost` has the link `Socket\\host`, but this controller has no such line"),
             ("wait(diIn)", gone),
         ] {
             let work = "program work(dio& x_diOther)\nbegin\n  wait(x_diOther)\nend\n";
@@ -120,6 +122,26 @@ mod tests {
             let info = client.body("exceptionInfo", json!({ "threadId": MAIN_THREAD }));
             let description = info["description"].as_str().unwrap();
             assert!(description.starts_with(&format!("input or output not linked: {cause}\n")), "{description}");
+        }
+    }
+
+    #[test]
+    fn a_missing_element_is_named_with_its_container() {
+        for (code, cause) in [
+            ("nA[nI+5]=1", "the index is 7, and `nA` has the size 3"),
+            ("? nA[-nI]", "the index is -2, and `nA` has the size 3"),
+            ("nM[1,nI]=nM[1,nI+1]", "the indexes are 1,3, and `nM` has the size 2,3"),
+            ("pA[nI/4].trsf.x=1", "the index is 0.5, and `pA` has the size 1"),
+            ("? colA[\"b\"]", "`colA` has no key \"b\""),
+            ("call work(nA[nI])", "the index is 1, and `x_nList` has the size 1"),
+        ] {
+            let data = "num nA[3]\nnum nM[2,3]\npoint pA\nnum colA[\"\"]\nnum nI=2\n";
+            let work = "program work(num& x_nList[])\nbegin\n  ? x_nList[1]\nend\n";
+            let start = format!("program start()\nbegin\n  {code}\nend\n\n");
+            let mut client = TestClient::stopped(&format!("{data}\n{start}{work}"));
+            let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+            let text = stop["text"].as_str().unwrap();
+            assert!(text.starts_with("error 2") && text.ends_with(&format!(": {cause}")), "{code}: {text}");
         }
     }
 

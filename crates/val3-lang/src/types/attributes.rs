@@ -172,9 +172,15 @@ pub fn attribute(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static 
     attributes(ty, arm).iter().find(|attribute| attribute.name == name)
 }
 
+/// Finds an attribute of this type by the name that it has elsewhere: in code, or in files of s5 and s6.
+#[must_use]
+pub fn attribute_named_elsewhere(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static ValueAttribute> {
+    attributes(ty, arm).iter().find(|attribute| attribute.field == name || attribute.old_name() == name)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Arm, AttributeValue, BaseType, ValueAttribute, attribute, attributes};
+    use super::{Arm, AttributeValue, BaseType, ValueAttribute, attribute, attribute_named_elsewhere, attributes};
     use crate::types::field;
 
     fn type_of(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<BaseType> {
@@ -209,5 +215,10 @@ mod tests {
         assert_eq!(field(BaseType::Tool, "ioClose"), Some("ctime"));
         assert_eq!(field(BaseType::Point, "wrist"), Some("config.wrist"));
         assert_eq!(field(BaseType::Mdesc, "tvel"), None);
+        let name = |ty, elsewhere| attribute_named_elsewhere(ty, None, elsewhere).map(|found| found.name);
+        assert_eq!(name(BaseType::Mdesc, "tvel"), Some("tmax"));
+        assert_eq!(name(BaseType::Tool, "gripper"), Some("ioLink"));
+        assert_eq!(name(BaseType::Tool, "open"), Some("ioOpen"));
+        assert_eq!(name(BaseType::Tool, "trsf"), None);
     }
 }

@@ -40,6 +40,8 @@ pub enum Activity {
     AwaitsArmCondition(ArmHold),
     /// Waits in this instruction.
     Awaits(String),
+    /// Waits in this instruction for another task, without a timeout.
+    AwaitsTask(String),
     /// Waits in this instruction for the arm, which does not move for this reason.
     AwaitsArm(String, ArmHold),
     /// Waits for the duration of a file access.
@@ -85,6 +87,7 @@ impl Activity {
             Self::AwaitsCondition
             | Self::AwaitsArmCondition(_)
             | Self::Awaits(_)
+            | Self::AwaitsTask(_)
             | Self::AwaitsArm(..)
             | Self::AwaitsMedium => "waiting",
             Self::Suspended => "suspended",
@@ -101,6 +104,7 @@ impl Activity {
                 .is_some_and(|found| found.family == Family::Tasks || motion::needs_arm(found)),
             Self::AwaitsCondition
             | Self::AwaitsArmCondition(_)
+            | Self::AwaitsTask(_)
             | Self::AwaitsArm(..)
             | Self::Suspended
             | Self::Failed(_) => false,
@@ -121,6 +125,7 @@ impl Activity {
             Self::AwaitsCondition => Some("a condition".to_owned()),
             Self::AwaitsArmCondition(_) => Some("a condition of the arm".to_owned()),
             Self::Awaits(instruction) => Some(awaited_in(instruction)),
+            Self::AwaitsTask(instruction) => Some(format!("another task (`{instruction}`)")),
             Self::AwaitsArm(instruction, _) => Some(format!("the arm (`{instruction}`)")),
             Self::AwaitsMedium => Some("a file".to_owned()),
             Self::Running | Self::Suspended | Self::Failed(_) => None,
@@ -202,7 +207,9 @@ impl Controller {
                 Some(Wait { sleeps: true, .. }) => Activity::AwaitsMedium,
                 _ => self.wait_for_condition(task),
             },
-            _ => self.instruction_at(task).map_or(Activity::AwaitsCondition, |instruction| self.wait_in(instruction)),
+            _ => self
+                .instruction_at(task)
+                .map_or(Activity::AwaitsCondition, |instruction| self.wait_in(task, instruction)),
         }
     }
 
@@ -215,10 +222,13 @@ impl Controller {
             .map_or(Activity::AwaitsCondition, Activity::AwaitsArmCondition)
     }
 
-    fn wait_in(&self, instruction: String) -> Activity {
-        let is_for_arm = instructions::find(&instruction).is_some_and(motion::needs_arm);
+    fn wait_in(&self, task: &Task, instruction: String) -> Activity {
+        let called = instructions::find(&instruction);
+        let is_for_arm = called.is_some_and(motion::needs_arm);
+        let is_for_task = called.is_some_and(|called| called.family == Family::Tasks) && !ends_at_a_time(task);
         match self.devices.state.arm_hold().filter(|_| is_for_arm) {
             Some(hold) => Activity::AwaitsArm(instruction, hold),
+            None if is_for_task => Activity::AwaitsTask(instruction),
             None => Activity::Awaits(instruction),
         }
     }
@@ -226,7 +236,7 @@ impl Controller {
     /// Whether a task waits, without a timeout, in a line that requires the arm.
     #[must_use]
     pub fn awaits_arm(&self, id: TaskNumber) -> bool {
-        let waits = |task: &&Task| task.id == id && task.thread.wait.is_some_and(|wait| wait.wake.is_none());
+        let waits = |task: &&Task| task.id == id && task.thread.wait.is_some() && !ends_at_a_time(task);
         let task = self.vm.tasks().iter().map(Box::as_ref).find(waits);
         task.is_some_and(|task| self.line_asks_for_arm(task).unwrap_or(false))
     }
@@ -246,6 +256,11 @@ impl Controller {
         let Op::Instruction { site } = program.code.get(task.thread.next as usize)?.op else { return None };
         program.instructions.get(site as usize).map(|site| site.callee.name().to_owned())
     }
+}
+
+/// Whether the wait of a task ends at a known time.
+fn ends_at_a_time(task: &Task) -> bool {
+    task.thread.wait.is_some_and(|wait| wait.wake.is_some())
 }
 
 /// Whether an operation is an instruction that needs the arm.

@@ -68,6 +68,12 @@ impl Devices {
         }
     }
 
+    /// Whether the line of a `sio` variable is configured, by the cell or an argument.
+    #[must_use]
+    pub fn has_line(&self, port: u32) -> bool {
+        self.lines.is_configured(port)
+    }
+
     /// State of a `sio` variable's line, shown to users.
     #[must_use]
     pub fn line_state(&self, port: u32) -> &'static str {

@@ -264,6 +264,11 @@ impl ChannelTable {
         }
     }
 
+    /// Whether the line with this number is configured.
+    pub(super) fn is_configured(&self, number: u32) -> bool {
+        self.lines.get(number as usize).is_some_and(|line| line.channel.is_some())
+    }
+
     /// Channel with this number.
     pub(super) fn channel(&mut self, number: Option<u32>) -> Option<&mut Channel> {
         let known = number.and_then(|number| self.lines.get_mut(number as usize));

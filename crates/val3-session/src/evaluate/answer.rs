@@ -11,6 +11,7 @@ use val3_machine::event::{Event, EventKind};
 use val3_machine::missing_instruction;
 use val3_syntax::{TextSize, TextSlice};
 
+use super::page_text::PageText;
 use super::sources::offset_in_code;
 
 /// One item of the output.
@@ -76,8 +77,18 @@ fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
 }
 
 impl EvaluationOutput {
-    /// Output that an event produces. The value of a string expression is in quotes.
-    pub(crate) fn of(event: &Event, is_string: bool) -> Option<Self> {
+    /// Output that an event produces, after the lines on user pages that it completes.
+    pub(crate) fn all_of(event: &Event, is_string: bool, page: &mut PageText) -> Vec<Self> {
+        let mut lines = page.lines_of(event);
+        let output = Self::of(event, is_string);
+        if output.is_some() {
+            lines.extend(page.take());
+        }
+        lines.into_iter().map(Self::Line).chain(output).collect()
+    }
+
+    /// Output that an event produces itself. The value of a string expression is in quotes.
+    fn of(event: &Event, is_string: bool) -> Option<Self> {
         match &event.kind {
             EventKind::Print { text } if is_string => Some(Self::Line(printed::string(text))),
             EventKind::Print { text } => Some(Self::Line(text.clone())),

@@ -11,6 +11,7 @@ use val3_machine::controller::{Controller, RunStatus};
 use val3_vm::TaskState;
 
 use super::answer::EvaluationOutput;
+use super::page_text::PageText;
 use super::sources::NAME;
 use crate::pace::{Delay, Pace};
 
@@ -64,11 +65,13 @@ impl Execution {
 
     /// Runs until the task has ended. Returns the reason if it did not reach its end.
     fn run_task(&mut self, task: TaskNumber, is_string: bool, listener: &mut dyn Listener) -> Option<String> {
+        let mut page = PageText::default();
         let end = loop {
             let status = self.controller.step_tasks();
             let events = self.controller.devices.take_events();
-            let mut answers = events.iter().filter_map(|event| EvaluationOutput::of(event, is_string));
+            let mut answers = events.iter().flat_map(|event| EvaluationOutput::all_of(event, is_string, &mut page));
             if answers.try_for_each(|answer| listener.answer(&answer)).is_break() {
+                page.take();
                 break None;
             }
             match self.next(task, status) {
@@ -78,7 +81,8 @@ impl Execution {
         };
         self.controller.kill(task);
         self.controller.devices.take_events();
-        end
+        let rest = page.take().map(EvaluationOutput::Line);
+        if rest.is_some_and(|line| listener.answer(&line).is_break()) { None } else { end }
     }
 
     /// Advances the time to the next possible event. `Break` if the evaluation has ended, with the reason if it did not

@@ -3,11 +3,16 @@
 use std::error::Error;
 use std::fmt::{self, Display};
 
+<<<<<<< HEAD
 use val3_debug::{DebugValue, Stop, TaskFrame, end_message};
 use val3_machine::event::{Event, EventKind};
+=======
+use val3_debug::{DebugValue, end_message};
+use val3_machine::event::Event;
+>>>>>>> tour
 use val3_vm::FragmentEnd;
 
-use crate::evaluate::{CodeFault, EvaluationOutput};
+use crate::evaluate::{CodeFault, EvaluationOutput, PageText};
 
 /// Evaluation result.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -99,12 +104,9 @@ impl Error for EvaluationError {}
 
 /// Lines that an evaluation has printed. Text on a user page counts as printed.
 fn output(events: &[Event]) -> Vec<String> {
-    events.iter().filter_map(printed_line).collect()
-}
-
-fn printed_line(event: &Event) -> Option<String> {
-    match &event.kind {
-        EventKind::Put { text, .. } => Some(text.clone()),
-        _ => EvaluationOutput::of(event, false).filter(EvaluationOutput::is_sound).map(|line| line.to_string()),
-    }
+    let mut page = PageText::default();
+    let mut outputs: Vec<EvaluationOutput> =
+        events.iter().flat_map(|event| EvaluationOutput::all_of(event, false, &mut page)).collect();
+    outputs.extend(page.take().map(EvaluationOutput::Line));
+    outputs.iter().filter(|output| output.is_sound()).map(ToString::to_string).collect()
 }

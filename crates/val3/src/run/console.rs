@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal as _};
 
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
+use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind};
 use val3_machine::missing_instruction;
 use val3_machine::screen::{COLUMNS, PageContent, Pendant, display_columns, fitting};
@@ -122,6 +123,11 @@ impl Console {
         self.failures.follow(event);
         self.missing.follow(event);
         self.encounters.follow(event);
+    }
+
+    /// Adds the causes to errors of tasks that still exist.
+    pub(super) fn find_causes(&mut self, controller: &mut Controller) {
+        self.failures.find_causes(controller);
     }
 
     /// Shows the unhandled errors: the errors that are due at a time of the run, or all errors at its end.

@@ -283,6 +283,7 @@ impl<'a> Course<'a> {
             result.follow(&events);
         }
         self.observers.notify(&events)?;
+        self.observers.find_causes(&events, &mut self.debugger.controller);
         if events.iter().any(|event| is_shown(&event.kind)) {
             self.silence.see_output(Instant::now());
         }

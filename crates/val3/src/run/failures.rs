@@ -1,6 +1,9 @@
 //! Tracks unhandled run-time errors, and paths that the arm cannot follow.
 
+use val3_debug::causes;
+use val3_lang::fault::Fault;
 use val3_lang::runtime_errors::MOTION_FAULT;
+use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind};
 
 /// Time in seconds on the controller's clock after which an error counts as unhandled while the run continues.
@@ -13,7 +16,7 @@ pub(super) struct Failure {
     pub(super) code: u16,
     pub(super) file: String,
     pub(super) line: u32,
-    /// Reason why a move was rejected.
+    /// Reason why a move was rejected, or the data that caused the error.
     pub(super) reason: Option<String>,
     /// Whether the error concerns a serial line or socket that the cell does not configure.
     pub(super) is_line_missing: bool,
@@ -63,6 +66,15 @@ impl Failures {
                 handled.map(|at| self.unhandled.remove(at));
             }
             _ => {}
+        }
+    }
+
+    /// Adds the causes to errors of tasks that still exist.
+    pub(super) fn find_causes(&mut self, controller: &mut Controller) {
+        for failure in self.unhandled.iter_mut().filter(|failure| failure.reason.is_none()) {
+            let task = controller.vm.tasks().iter().find(|task| task.name == failure.task).map(|task| task.id);
+            let causes = task.map_or_else(Vec::new, |task| causes(controller, task, Fault(failure.code)));
+            failure.reason = (!causes.is_empty()).then(|| causes.join("; "));
         }
     }
 

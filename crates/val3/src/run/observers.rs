@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, RunStatus};
-use val3_machine::event::{Event, seconds};
+use val3_machine::event::{Event, EventKind, seconds};
 
 use super::console::Console;
 use super::end::End;
@@ -69,6 +69,13 @@ impl Observers {
             live.record_event(event);
             Ok(())
         })
+    }
+
+    /// Adds the causes to the run-time errors in events.
+    pub(super) fn find_causes(&mut self, events: &[Event], controller: &mut Controller) {
+        if events.iter().any(|event| matches!(event.kind, EventKind::Error { .. })) {
+            self.console.find_causes(controller);
+        }
     }
 
     /// Sends the last events of a run. If the run ends at its limit or is aborted, a longer recording is not compared

@@ -62,6 +62,22 @@ fn pasted_lines_are_separate_texts() {
 }
 
 #[test]
+fn a_block_continues_in_the_next_arguments() {
+    assert_eq!(answers(&["num nI", "for nI=1 to 2", "  ? nI", "endFor", "nI"]), "1\n2\n3\n0");
+    let shown = answers(&["if true", "? 1"]);
+    assert!(shown.contains("`if` has no `endIf`") && shown.ends_with('1'), "{shown}");
+}
+
+#[test]
+fn text_on_the_user_page_is_output() {
+    assert_eq!(answers(&["put(\"n=\")", "put(\"n=\")\nputln(12)", "cls()", "putln(\"\")"]), "n=\nn=\n12\n\n0");
+    assert_eq!(
+        answers(&["if true", "put(\"n=\")", "putln(1/4)", "put(1/0)", "endIf"]),
+        "n=0.25\nerror 10: division by zero\n1"
+    );
+}
+
+#[test]
 fn braces_can_be_multiplied() {
     assert_eq!(answers(&["{1,2,3,0,0,0}*{0,0,10,0,0,0}"]), "{1,2,13,0,0,0}\n0");
     assert_eq!(answers(&["{0,0,0,0,0,90}*{1,0,0}*{0,0,4}"]), "{0,1,4,0,0,90}\n0");

@@ -558,6 +558,14 @@ fn a_line_without_link_can_be_connected() {
     let run = Folder::with("sio siHost\nsiHost=\"hello\"\n").val3(&["run"]);
     ends(&run, 1, "");
     assert!(run.stderr.contains("error[123]") && run.stderr.contains("--line"), "{run:?}");
+    assert!(run.stderr.contains("^ `siHost` has no link\n"), "{run:?}");
+}
+
+#[test]
+fn an_error_of_an_index_names_the_index_and_the_size() {
+    let run = Folder::with("num nA[3]\nnum nI=3\nwhile nI>=0\nnA[nI]=nI\nendWhile\n").val3(&["run"]);
+    ends(&run, 1, "");
+    assert!(run.stderr.contains("^ the index is 3, and `nA` has the size 3\n"), "{run:?}");
 }
 
 #[test]

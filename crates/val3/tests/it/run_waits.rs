@@ -59,6 +59,7 @@ fn a_silent_run_names_the_waits_of_its_tasks() {
             "jTo.j1=10\n  movej(jTo,flange,mSlow)\n  waitEndMove()",
             "task `work` waits for the arm (`waitEndMove`), which has no power",
         ),
+        ("bGo=true\n  setMutex(bGo)", "task `work` waits for another task (`setMutex`) at"),
         ("taskSuspend(\"work\")", "task `work` is suspended at"),
         ("while true\n    delay(0)\n  endWhile", "task `work` waits for time (`delay`) at"),
     ] {

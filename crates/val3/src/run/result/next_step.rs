@@ -42,11 +42,11 @@ fn correct(error: &ErrorEntry) -> String {
     }
 }
 
-/// Rank of a wait, of which the lowest is named: for the arm, a condition, the operator, anything else.
+/// Rank of a wait, of which the lowest is named: for the arm, a condition or another task, the operator, anything else.
 fn rank(activity: &Activity) -> u8 {
     match activity {
         Activity::AwaitsArm(..) | Activity::AwaitsArmCondition(_) => 0,
-        Activity::AwaitsCondition => 1,
+        Activity::AwaitsCondition | Activity::AwaitsTask(_) => 1,
         Activity::Suspended => 2,
         _ => 3,
     }
@@ -69,7 +69,7 @@ fn remedy(activity: &Activity, code: &str, controller: &Controller) -> Option<St
         // The activity's text already contains the remedy.
         Activity::AwaitsArm(..) | Activity::AwaitsArmCondition(_) => None,
         Activity::Suspended => Some("resume it from another task with taskResume".to_owned()),
-        Activity::AwaitsCondition => set(code, controller),
+        Activity::AwaitsCondition | Activity::AwaitsTask(_) => set(code, controller),
         Activity::Awaits(instruction) => match instructions::find(instruction).map(|found| found.family) {
             Some(Family::Screen) => {
                 Some("type keys with --keys, or in the script: [[at]] t = 1, keys = \"1{Return}\"".into())
