@@ -6,11 +6,8 @@
 mod arguments;
 mod backwards;
 mod breakpoints;
-<<<<<<< HEAD
 mod calls;
-=======
 mod causes;
->>>>>>> tour
 mod conditions;
 mod contacts;
 mod data_breakpoints;
@@ -44,11 +41,8 @@ pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
-<<<<<<< HEAD
 pub use calls::{Execution, ExecutionEnd, ExecutionLimits};
-=======
 pub use causes::causes;
->>>>>>> tour
 pub use conditions::{CompiledExpression, LogMessage, LogPart, application_context};
 pub use contacts::Contact;
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};

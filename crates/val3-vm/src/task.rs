@@ -55,9 +55,10 @@ pub struct Thread {
     pub is_at_end: bool,
     /// Whether the task has stopped before the return of a program with [watched](crate::DataWatch::frames) variables.
     pub is_at_return: bool,
-<<<<<<< HEAD
     /// Fragments on the stack, the innermost last: see [`Vm::execute`](crate::Vm::execute).
     pub(crate) fragments: Vec<StackedFragment>,
+    /// Operation that has stopped the task with a run-time error.
+    pub(crate) failed: Option<u32>,
 }
 
 /// A fragment whose frame is on the stack of a task.
@@ -86,24 +87,22 @@ pub(crate) struct Position {
     is_at_stop: bool,
     is_at_end: bool,
     is_at_return: bool,
+    failed: Option<u32>,
 }
 
 impl Position {
     pub(crate) fn of(thread: &Thread) -> Self {
-        let Thread { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return, .. } = *thread;
-        Self { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return }
+        let Thread { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return, failed, .. } = *thread;
+        Self { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return, failed }
     }
 
     pub(crate) fn apply(self, thread: &mut Thread) {
-        let Self { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return } = self;
+        let Self { next, line, waiting, watched, wait, is_at_stop, is_at_end, is_at_return, failed } = self;
         (thread.next, thread.line) = (next, line);
         (thread.waiting, thread.watched, thread.wait) = (waiting, watched, wait);
         (thread.is_at_stop, thread.is_at_end, thread.is_at_return) = (is_at_stop, is_at_end, is_at_return);
+        thread.failed = failed;
     }
-=======
-    /// Operation that has stopped the task with a run-time error.
-    pub(crate) failed: Option<u32>,
->>>>>>> tour
 }
 
 /// A thread that has not run yet, and its largest stack size in bytes.

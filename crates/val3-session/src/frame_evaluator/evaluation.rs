@@ -3,13 +3,8 @@
 use std::error::Error;
 use std::fmt::{self, Display};
 
-<<<<<<< HEAD
 use val3_debug::{DebugValue, Stop, TaskFrame, end_message};
 use val3_machine::event::{Event, EventKind};
-=======
-use val3_debug::{DebugValue, end_message};
-use val3_machine::event::Event;
->>>>>>> tour
 use val3_vm::FragmentEnd;
 
 use crate::evaluate::{CodeFault, EvaluationOutput, PageText};
