@@ -94,12 +94,13 @@ pub(crate) fn connect(
     Ok(())
 }
 
-/// Checks that the cell or a variable of a project names the line of each connection.
+/// Checks that the cell, `val3.toml` (`configured`) or a variable of a project names the line of each connection.
 ///
 /// # Errors
 /// The first connection with another name, or a file of the cell cannot be read.
 pub(crate) fn check_names(
     connections: &[Connection],
+    configured: &[String],
     db: &Database,
     disk: &Utf8Path,
     controller: &Controller,
@@ -108,7 +109,8 @@ pub(crate) fn check_names(
         return Ok(());
     }
     let of_cell = of_cell(disk)?.into_iter().map(|config| config.link);
-    let known: BTreeSet<String> = of_cell.chain(in_files(db)).chain(in_memory(controller)).collect();
+    let known: BTreeSet<String> =
+        of_cell.chain(configured.iter().cloned()).chain(in_files(db)).chain(in_memory(controller)).collect();
     let is_known = |connection: &&Connection| known.iter().any(|link| connection.is_for(link));
     match connections.iter().find(|connection| !is_known(connection)) {
         Some(Connection { link, .. }) => {

@@ -57,7 +57,7 @@ pub(crate) fn open(
     connection::connect(&mut devices.lines, &disk, tape, &merged)?;
     let controller = Controller::new(devices, image, application, merged.line_cost);
     let mut controller = controller.map_err(|_| SessionError::Memory)?;
-    connection::check_names(&settings.connections, db, &disk, &controller)?;
+    connection::check_names(&settings.connections, &merged.configured_lines, db, &disk, &controller)?;
     surroundings::place(&mut controller, settings.cell.as_ref(), file, folder(db, project))?;
     Ok(controller)
 }

@@ -74,6 +74,8 @@ pub fn line_cost(microseconds: f64) -> Option<Time> {
 pub(crate) struct MergedSettings {
     /// Folders of roots other than `Disk`.
     pub(crate) roots: Vec<PathRoot>,
+    /// Names of the lines in `val3.toml`.
+    pub(crate) configured_lines: Vec<String>,
     /// Connections of lines; the caller's connections are last.
     pub(crate) connections: Vec<Connection>,
     /// Connections that the user has authorised: from the caller, and from a trusted file.
@@ -115,6 +117,7 @@ impl MergedSettings {
         Ok(Self {
             roots: roots(file).chain(settings.roots.iter().cloned()).collect(),
             named: of_user.collect(),
+            configured_lines: lines.iter().map(|line| line.link().to_owned()).collect(),
             connections: lines.into_iter().chain(of_caller).collect(),
             guard: settings.guard.clone().filter(|_| !network),
             network,
