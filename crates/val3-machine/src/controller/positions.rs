@@ -55,7 +55,7 @@ pub enum Activity {
 /// Cause for which a task waits, in general.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WaitCause {
-    /// A condition, a signal, the operator, or a line to the outside.
+    /// A condition, a signal, another task, the operator, or a line to the outside.
     Outside,
     /// The arm or its power.
     Arm,
@@ -68,7 +68,7 @@ impl Activity {
     #[must_use]
     pub fn wait_cause(&self) -> Option<WaitCause> {
         match self {
-            Self::AwaitsCondition => Some(WaitCause::Outside),
+            Self::AwaitsCondition | Self::AwaitsTask(_) => Some(WaitCause::Outside),
             Self::AwaitsArmCondition(_) | Self::AwaitsArm(..) => Some(WaitCause::Arm),
             Self::Awaits(instruction) => Some(match instructions::find(instruction) {
                 Some(found) if motion::needs_arm(found) || found.family == Family::Controller => WaitCause::Arm,

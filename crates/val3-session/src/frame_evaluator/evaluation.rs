@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt::{self, Display};
 
 use val3_debug::{DebugValue, Stop, TaskFrame, end_message};
-use val3_machine::event::{Event, EventKind};
+use val3_machine::event::Event;
 use val3_vm::FragmentEnd;
 
 use crate::evaluate::{CodeFault, EvaluationOutput, PageText};
