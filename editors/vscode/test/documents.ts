@@ -58,6 +58,8 @@ const saved = new Emitter<TextDocument>();
 const open = new Map<string, TextDocument>();
 /** Resolves when documents may be read again. */
 let disk = Promise.resolve();
+/** Number of reloads, after changes on the disk, that are before those in another encoding. */
+let reloads = 0;
 
 export class TextDocument {
   readonly languageId = "val3";
@@ -90,12 +92,18 @@ export class TextDocument {
   }
 
   /**
-   * As in VS Code, the new encoding is set immediately, and the text is kept if it was edited while the file was read.
+   * As in VS Code, the new encoding is set immediately, and the text is kept if it was edited while the file was read. A
+   * reload that began before restores the previous encoding, and cancels this one.
    */
   async readAgain(encoding: string): Promise<void> {
+    const before = this.encoding;
     this.encoding = encoding;
     await disk;
-    if (!this.isDirty) {
+    if (reloads > 0) {
+      reloads -= 1;
+      this.encoding = before;
+      await this.read();
+    } else if (!this.isDirty) {
       await this.read();
     }
   }
@@ -189,6 +197,11 @@ export function holdDisk(): () => void {
   let release = (): void => undefined;
   disk = new Promise((resolve) => (release = resolve));
   return release;
+}
+
+/** Lets VS Code reload documents, after changes on the disk, before it reads them in another encoding. */
+export function reloadFirst(count: number): void {
+  reloads = count;
 }
 
 function decodeAs(bytes: Uint8Array, encoding: string): string {

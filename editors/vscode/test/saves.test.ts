@@ -11,7 +11,7 @@ import { openDocument, registerEncodings } from "../src/encoding/documents";
 import type * as documents from "./documents";
 
 // The stand-in for these tests, see vscode.ts.
-const { holdDisk, takeMessages } = vscode as unknown as typeof documents;
+const { holdDisk, reloadFirst, takeMessages } = vscode as unknown as typeof documents;
 
 const HEAD = '<?xml version="1.0" encoding="iso-8859-1" ?>\r\n';
 const ESCAPED = `${HEAD}<code>begin\r\n  // total, arrêt\r\n  sDrink=&quot;café&quot;\r\nend</code>\r\n`;
@@ -147,4 +147,18 @@ test("a file that was edited before it could be read again has its characters wh
   await until(() => document?.encoding === "iso88591");
   assert.equal(document?.encoding, "iso88591");
   assert.deepEqual(takeMessages(), []);
+});
+
+test("a file that becomes UTF-8 is read as UTF-8, also if VS Code reloads it meanwhile", async () => {
+  writeFileSync(path, SECTION, "latin1");
+  const document = await openDocument(vscode.Uri.parse(`file://${path}`));
+  const [edited] = standIns([document]);
+  edited?.replace("arrêt", "arrêt 中");
+  reloadFirst(2);
+  await edited?.save();
+  const now = SECTION.replace("iso-8859-1", "utf-8").replace("arrêt", "arrêt 中");
+  await until(() => document.encoding === "utf8" && document.getText() === now);
+  assert.deepEqual([document.encoding, document.getText(), document.isDirty], ["utf8", now, false]);
+  assert.equal(readFileSync(path, "utf8"), now);
+  assert.equal(takeMessages().length, 1);
 });

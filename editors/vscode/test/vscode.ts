@@ -1,7 +1,7 @@
 // Stand-in for the part of `vscode` that the tests use. `Uri` behaves as in Theia: neither `Uri.from` nor the arguments
 // of commands are instances of it.
 
-export { holdDisk, Position, Range, takeMessages, TextEdit, trusted, window, workspace, WorkspaceEdit } from "./documents";
+export { holdDisk, Position, Range, reloadFirst, takeMessages, TextEdit, trusted, window, workspace, WorkspaceEdit } from "./documents";
 
 interface Parts {
   scheme: string;

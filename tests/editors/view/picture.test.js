@@ -30,7 +30,11 @@ const rests = (page) => page.waitForFunction(() => {
 
 /** Returns the names of the parts over the picture that cover the arm, and of the sides at which the arm leaves the picture. */
 function hidden() {
-  const { left, top, width, height } = document.querySelector(".picture canvas").getBoundingClientRect();
+  const canvas = document.querySelector(".picture canvas");
+  if (canvas === null) {
+    return ["no picture"]; // The layout of another width is being built.
+  }
+  const { left, top, width, height } = canvas.getBoundingClientRect();
   const bars = [...document.querySelectorAll(".picture-tools > *, .picture .legend, .picture .position")].map((bar) => [bar.className, bar.getBoundingClientRect()]);
   const faults = new Set();
   for (const [x, y] of window.val3View.outline().map(window.val3View.locationOf)) {
@@ -46,8 +50,8 @@ function hidden() {
 async function showsArm(page, when) {
   await page.waitForFunction(() => window.val3View.outline().length > 0);
   // The picture follows a change of the window some frames later.
-  const isShown = await page.waitForFunction(`(${hidden})().length === 0`).then(() => true, () => false);
-  assert.ok(isShown, `${when}: ${await page.evaluate(hidden)}`);
+  const fault = await page.waitForFunction(`(${hidden})().length === 0`).then(() => undefined, (error) => error);
+  assert.equal(fault, undefined, `${when}: ${fault?.message} ${await page.evaluate(hidden)}`);
 }
 
 /** Returns a value as soon as two frames in a row have it. */

@@ -13,6 +13,9 @@ import { asReferences, asUtf8, LOST, restore } from "./rescue";
 
 const LANGUAGES = new Set(["val3", "val3-data", "val3-project"]);
 
+/** Highest number of attempts to read a file in its encoding. Each reload by VS Code can undo one. */
+const MOST_READS = 10;
+
 /**
  * Documents that VS Code reads again, or that were edited meanwhile and not saved since. Edited documents have the new
  * encoding, but still contain the text that was read as UTF-8.
@@ -35,7 +38,7 @@ export async function openDocument(uri: vscode.Uri): Promise<vscode.TextDocument
 async function readAgain(document: vscode.TextDocument, encoding: string): Promise<vscode.TextDocument> {
   let isEdited = false;
   try {
-    const read = await vscode.workspace.openTextDocument(document.uri, { encoding });
+    const read = await readIn(document.uri, encoding);
     isEdited = document.isDirty;
     return read;
   } finally {
@@ -43,6 +46,18 @@ async function readAgain(document: vscode.TextDocument, encoding: string): Promi
       rereads.delete(document);
     }
   }
+}
+
+/**
+ * Reads a file again in an encoding. If VS Code is already reloading the file in its previous encoding, because the file has
+ * changed on the disk, and ends first, it discards the new text and encoding: then the file is read once more.
+ */
+async function readIn(uri: vscode.Uri, encoding: string): Promise<vscode.TextDocument> {
+  let document = await vscode.workspace.openTextDocument(uri, { encoding });
+  for (let reads = 1; reads < MOST_READS && !document.isDirty && !isSameEncoding(encoding, document.encoding); reads += 1) {
+    document = await vscode.workspace.openTextDocument(uri, { encoding });
+  }
+  return document;
 }
 
 /** `report` receives the errors of background work. */
@@ -119,7 +134,7 @@ class Saves {
       await replace(document, edits);
     } else if (!isSameEncoding(wanted, document.encoding)) {
       await writeFile(document.uri.fsPath, await encode(document.getText(), wanted));
-      await vscode.workspace.openTextDocument(document.uri, { encoding: wanted });
+      await readIn(document.uri, wanted);
     }
   }
 
