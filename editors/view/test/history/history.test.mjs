@@ -92,6 +92,17 @@ for (const theme of ["light", "dark", "contrast"]) {
   });
 }
 
+/** Counts the drawn pixels of the plot as soon as its drawing stays the same for some frames. */
+async function settledInk(page) {
+  let [before, equal] = [await inked(page), 0];
+  while (equal < 3) {
+    await page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+    const now = await inked(page);
+    [before, equal] = [now, now === before ? equal + 1 : 0];
+  }
+  return before;
+}
+
 test("list and plot follow the keyboard and the mouse", async (context) => {
   const page = await openHistory(context, joints());
   await expectSent(page, [{ command: "ready" }]);
@@ -115,7 +126,7 @@ test("list and plot follow the keyboard and the mouse", async (context) => {
   const area = await page.locator("[role=slider]").boundingBox();
   await page.mouse.click(area.x + 72 + (area.width - 82) / 2, area.y + 40);
   await matches(selected(page), /^4\.600 s/);
-  const whole = await inked(page);
+  const whole = await settledInk(page);
   await page.keyboard.press("+");
   await eventually(async () => assert.notEqual(await inked(page), whole));
   await page.keyboard.press("0");
