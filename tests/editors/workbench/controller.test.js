@@ -196,9 +196,10 @@ const STEPS = {
   },
 
   async "a connection without an answer is cancelled"(user) {
+    const progress = user.page.locator(".notification-toast", { hasText: "Comparing with ftp://me@127.0.0.1" });
+    await progress.waitFor({ state: "detached" });
     isSilent = true;
     await title(user, "Compare with Controller");
-    const progress = user.page.locator(".notification-toast", { hasText: "Comparing with ftp://me@127.0.0.1" });
     await progress.hover();
     await progress.locator(".monaco-button", { hasText: "Cancel" }).click();
     await user.told("The command was cancelled.");

@@ -200,12 +200,14 @@ const STEPS = {
   },
 
   async "a datum is renamed in all files"(user) {
+    const pick = read("palletiser/pick.pgx");
     await tables.type("num");
     await tables.set("nAbove", "Name", "nOver");
     await tables.row("nOver").waitFor();
     await user.command("File: Save All Files");
     await becomes(DATA, after(ORIGINAL, ['name="nAbove"', 'name="nOver"']));
-    assert.ok(read("palletiser/pick.pgx").includes("nOver") && !read("palletiser/pick.pgx").includes("nAbove"));
+    assert.ok(pick.includes("nAbove"));
+    await becomes("palletiser/pick.pgx", pick.replaceAll("nAbove", "nOver"));
     await tables.focus();
     await tables.set("nOver", "Name", "nAbove");
     await tables.row("nAbove").waitFor();

@@ -76,11 +76,13 @@ class User {
    */
   async starts(title, choice) {
     const row = this.page.locator(".quick-input-list .monaco-list-row.focused", { hasText: title });
-    const input = this.page.locator(".quick-input-widget .quick-input-box input");
+    const input = this.page.locator(".quick-input-widget .quick-input-box input:focus");
     for (let attempt = 0; attempt < 5 && !(await row.isVisible()); attempt += 1) {
       await this.keys(...(attempt === 0 ? ["F1"] : ["Escape", "F1"]));
       // The palette closes if an editor takes the focus meanwhile. Keys would change the file then.
-      await input.fill(`>${title}`, { timeout: 5000 }).catch(() => undefined);
+      if (await input.waitFor({ timeout: 5000 }).then(() => true, () => false)) {
+        await this.type(title);
+      }
       await row.waitFor({ timeout: 5000 }).catch(() => undefined);
     }
     await row.waitFor();
