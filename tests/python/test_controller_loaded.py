@@ -7,7 +7,7 @@ import val3
 
 import controller_cases
 from controller_cases import contents, environment, replace
-from controller_servers import wait_for
+from controller_servers import PyftpdlibServer, wait_for
 from test_soap import Client
 
 
@@ -77,6 +77,13 @@ class LoadedTest(controller_cases.ControllerCase):
         self.assertEqual(refused.returncode, 2, refused.stderr)
         self.assertIn("does not answer `login`", refused.stderr)
         self.assertEqual(contents(self.root), before)
+
+    def test_the_interface_of_another_host_stops_a_push(self) -> None:
+        server = PyftpdlibServer(self.root)
+        self.addCleanup(server.close)
+        self.run_val3("pull", server.address())
+        output = self.run_val3("push", "--soap", self.address.replace("127.0.0.1", "localhost"), code=2)
+        self.assertIn("`--soap` names the host localhost, but the project is on 127.0.0.1", output)
 
 
 if __name__ == "__main__":

@@ -32,6 +32,9 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// The controller cannot be reached, is another one, or a file cannot be read or written.
 pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> {
     let (project, target) = open_project(".".into())?;
+    if let Some(soap) = &args.soap {
+        loaded::check_host(soap, &target.address)?;
+    }
     let selection = selection(&args.selection)?;
     let folders = folders(&project.state.as_ref().map(|state| state.folders.clone()).unwrap_or_default(), &selection)?;
     let mut session = ControllerSession::open(project, target, args.new_controller)?;

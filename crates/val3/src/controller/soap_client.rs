@@ -39,6 +39,11 @@ impl FromStr for SoapTarget {
 }
 
 impl SoapTarget {
+    /// Name or number of the host.
+    pub(crate) fn host(&self) -> &str {
+        &self.0.host
+    }
+
     /// Host and port, for messages.
     pub(crate) fn place(&self) -> String {
         self.0.place()

@@ -1,7 +1,7 @@
 //! Loaded applications: a controller may reject files of an application that it has loaded, or run old and new files.
 
 use val3_backup::log::{ApplicationState, UnknownCause};
-use val3_controller::{ControllerFiles, PushPlan, TransferObserver};
+use val3_controller::{ControllerAddress, ControllerFiles, PushPlan, TransferObserver};
 use val3_soap::v1::GetApplications;
 
 use super::logs::application_state;
@@ -23,6 +23,20 @@ pub(super) enum LoadEvidence<'t> {
     Interface(&'t SoapTarget),
     /// The logs of the controller, which contain starts and stops.
     Log,
+}
+
+/// Checks that the SOAP interface and the FTP server have the same host. A folder has none.
+///
+/// # Errors
+/// The hosts differ: the interface would name the applications of another controller.
+pub(super) fn check_host(soap: &SoapTarget, address: &ControllerAddress) -> Result<(), UserError> {
+    match address {
+        ControllerAddress::Ftp(ftp) if !soap.host().eq_ignore_ascii_case(&ftp.server.host) => {
+            let message = format!("`--soap` names the host {}, but the project is on {}", soap.host(), ftp.server.host);
+            Err(UserError::new(message).with_help("write the host as in the address of the controller"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Reason why the push is refused; `None` if no application is loaded.
