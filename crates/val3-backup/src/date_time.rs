@@ -2,14 +2,17 @@
 
 use std::fmt;
 
-use time::{Date, Duration, Month, PrimitiveDateTime, Time};
+use chrono::{DateTime as UnixTime, Datelike as _, NaiveDate, NaiveDateTime, TimeDelta};
 
 /// Abbreviations of months in logs of a CS8.
 const MONTHS: [&str; 12] = ["JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC"];
 
+/// Last year that four digits can show.
+const LAST_YEAR: u16 = 9999;
+
 /// Date and time, to the second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct DateTime(PrimitiveDateTime);
+pub struct DateTime(NaiveDateTime);
 
 impl DateTime {
     /// Reads `2021-01-05T08:00:00`. A blank may replace the `T`; the seconds, and the entire time, may be missing.
@@ -36,22 +39,22 @@ impl DateTime {
     /// Creates a time from seconds since 1970-01-01 00:00:00; `None` outside of the years 0 to 9999.
     #[must_use]
     pub fn from_unix(seconds: i64) -> Option<Self> {
-        let epoch = Self::new(1970, 1, "1", "00:00")?;
-        epoch.0.checked_add(Duration::seconds(seconds)).filter(|time| time.year() >= 0).map(Self)
+        let time = UnixTime::from_timestamp(seconds, 0)?.naive_utc();
+        (0..=LAST_YEAR.into()).contains(&time.year()).then_some(Self(time))
     }
 
     /// Returns the time this number of seconds earlier, limited to the first date that exists.
     #[must_use]
     pub fn minus_seconds(self, seconds: u32) -> Self {
-        Self(self.0.saturating_sub(Duration::seconds(seconds.into())))
+        Self(self.0.checked_sub_signed(TimeDelta::seconds(seconds.into())).unwrap_or(NaiveDateTime::MIN))
     }
 
     fn new(year: u16, month: u8, day: &str, time: &str) -> Option<Self> {
-        let date = Date::from_calendar_date(year.into(), Month::try_from(month).ok()?, day.parse().ok()?).ok()?;
+        let date = NaiveDate::from_ymd_opt(year.into(), month.into(), day.parse().ok()?).filter(|_| year <= LAST_YEAR)?;
         let mut parts = time.split(':').map(|part| part.parse().ok());
         let (hour, minute, second) = (parts.next()??, parts.next()??, parts.next().unwrap_or(Some(0))?);
-        let time = Time::from_hms(hour, minute, second).ok().filter(|_| parts.next().is_none())?;
-        Some(Self(PrimitiveDateTime::new(date, time)))
+        let time = date.and_hms_opt(hour, minute, second)?;
+        parts.next().is_none().then_some(Self(time))
     }
 }
 
@@ -63,10 +66,7 @@ fn parts(text: &str, separator: char) -> Option<[&str; 3]> {
 
 impl fmt::Display for DateTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (date, time) = (self.0.date(), self.0.time());
-        let (year, month, day) = date.to_calendar_date();
-        let (hour, minute, second) = time.as_hms();
-        write!(f, "{year:04}-{:02}-{day:02} {hour:02}:{minute:02}:{second:02}", u8::from(month))
+        write!(f, "{:04}-{}", self.0.year(), self.0.format("%m-%d %H:%M:%S"))
     }
 }
 

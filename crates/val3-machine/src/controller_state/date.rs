@@ -1,58 +1,66 @@
 //! Date of the controller (`getDate`, 4.3).
 
-use time::{Date, Duration, Month, PrimitiveDateTime, Time};
+use chrono::{DateTime as UnixTime, Datelike as _, NaiveDate, NaiveDateTime, NaiveTime, TimeDelta, Timelike as _};
 use val3_lang::values::date::DateTime;
 
 /// Calendar of the controller: virtual time counted from a date.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Calendar {
-    start: PrimitiveDateTime,
+    start: NaiveDateTime,
 }
 
 impl Default for Calendar {
     /// Start on the first of January 2024 at midnight, so that all runs are alike.
     fn default() -> Self {
-        Self { start: new_year(2024) }
+        Self::starting_at_unix(NEW_YEAR_2024)
     }
 }
 
-/// Start of a year.
-fn new_year(year: i32) -> PrimitiveDateTime {
-    let day = Date::from_calendar_date(year, Month::January, 1).unwrap_or(Date::MIN);
-    PrimitiveDateTime::new(day, Time::MIDNIGHT)
-}
+/// Seconds from 1970 to 2024 (UTC).
+const NEW_YEAR_2024: u64 = 1_704_067_200;
+
+/// Last date whose year has four digits.
+const LAST_DATE: NaiveDateTime = match NaiveDate::from_ymd_opt(9999, 12, 31) {
+    Some(day) => day.and_time(NaiveTime::MIN),
+    None => NaiveDateTime::MAX,
+};
 
 impl Calendar {
     /// Calendar with this start date; `None` if the date does not exist.
     #[must_use]
     pub fn starting_at(date: DateTime) -> Option<Self> {
         let DateTime { year, month, day, hour, minute, second } = date;
-        let day = Date::from_calendar_date(year.into(), month.try_into().ok()?, day).ok()?;
-        let time = Time::from_hms(hour, minute, second).ok()?;
-        Some(Self { start: PrimitiveDateTime::new(day, time) })
+        let day = NaiveDate::from_ymd_opt(year.into(), month.into(), day.into())?;
+        let start = day.and_hms_opt(hour.into(), minute.into(), second.into())?;
+        (start <= LAST_DATE).then_some(Self { start })
     }
 
-    /// Calendar that starts this number of seconds after 1970 (UTC).
+    /// Calendar that starts this number of seconds after 1970 (UTC), limited to the last date that exists.
     #[must_use]
     pub fn starting_at_unix(seconds: u64) -> Self {
-        let seconds = Duration::seconds(i64::try_from(seconds).unwrap_or(i64::MAX));
-        Self { start: new_year(1970).saturating_add(seconds) }
+        let date = i64::try_from(seconds).ok().and_then(|seconds| UnixTime::from_timestamp(seconds, 0));
+        Self { start: date.map_or(LAST_DATE, |date| date.naive_utc().min(LAST_DATE)) }
     }
 
     /// Returns the date `elapsed` nanoseconds after the start, limited to the last date that exists.
     #[must_use]
     pub fn after(&self, elapsed: u64) -> DateTime {
-        let elapsed = Duration::nanoseconds(i64::try_from(elapsed).unwrap_or(i64::MAX));
-        let date = self.start.saturating_add(elapsed);
+        let elapsed = TimeDelta::nanoseconds(i64::try_from(elapsed).unwrap_or(i64::MAX));
+        let date = self.start.checked_add_signed(elapsed).unwrap_or(LAST_DATE).min(LAST_DATE);
         DateTime {
             year: u16::try_from(date.year()).unwrap_or_default(),
-            month: date.month().into(),
-            day: date.day(),
-            hour: date.hour(),
-            minute: date.minute(),
-            second: date.second(),
+            month: two_digits(date.month()),
+            day: two_digits(date.day()),
+            hour: two_digits(date.hour()),
+            minute: two_digits(date.minute()),
+            second: two_digits(date.second()),
         }
     }
+}
+
+/// A number of at most two digits.
+fn two_digits(number: u32) -> u8 {
+    u8::try_from(number).unwrap_or_default()
 }
 
 #[cfg(test)]
