@@ -5,6 +5,7 @@ use std::io;
 use camino::Utf8Path;
 
 use super::{DiskState, EntryKind, Volume, relative};
+use crate::files::FileFault;
 use crate::files::overlay::{FileContent, FileId, OverlayItem};
 
 impl Volume {
@@ -179,7 +180,10 @@ impl Volume {
     }
 
     fn kind_of(&self, path: &Utf8Path) -> io::Result<EntryKind> {
-        self.kind(path).map_err(|_| io::ErrorKind::PermissionDenied.into())
+        self.kind(path).map_err(|fault| match fault {
+            FileFault::BadPath => io::ErrorKind::NotADirectory.into(),
+            _ => io::ErrorKind::Other.into(),
+        })
     }
 
     fn existing(&self, path: &Utf8Path) -> io::Result<EntryKind> {
