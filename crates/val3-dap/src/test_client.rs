@@ -133,7 +133,7 @@ impl TestClient {
         this
     }
 
-    /// Starts the program `start` of a listing with `stopOnExit`, at a time at which the run ends.
+    /// Starts the program `start` of a listing with `stopOnExit`, and stops it as at the end of its time.
     pub(crate) fn stopped_at_time(listing: &str, end: TimeEnd) -> Self {
         let mut this = Self::launched(listing, json!({ "stopOnExit": true }));
         let mut run = DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator, files: text };
@@ -206,7 +206,7 @@ impl TestClient {
         self
     }
 
-    /// Sends a request with this number, which the session does not handle before the next one.
+    /// Sends a request with the number `seq`. The session handles it together with the next request.
     pub(crate) fn send(&self, seq: i64, command: &str, arguments: Value) {
         let content = MessageContent::Request { command: command.to_owned(), arguments: Some(arguments) };
         self.inbox.send(Incoming::Message(ProtocolMessage { seq, content })).unwrap();

@@ -43,9 +43,9 @@ pub struct AttributePage {
 pub enum Presence {
     /// Required, because it identifies the declared item.
     Required,
-    /// Written by every known writer. Without it, this value is assumed.
+    /// Written by every known tool. A missing attribute is reported, and has this value.
     Expected(&'static str),
-    /// Optional. Without it, this value applies.
+    /// May be missing, and then has this value.
     Optional(&'static str),
 }
 

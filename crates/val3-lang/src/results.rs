@@ -1,4 +1,4 @@
-//! Results of instructions that a program should not ignore, and rounded results.
+//! Results of instructions: those that a program should not ignore, the possible numbers, and rounded results.
 
 use crate::library_errors::LIBRARY_ERRORS;
 

@@ -19,7 +19,7 @@ pub(crate) struct Unfinished {
     pub(crate) has_time: bool,
 }
 
-/// Returns the conditions for which a task waits.
+/// Function that returns the conditions for which a task waits.
 pub(crate) type Conditions<'c> = &'c mut dyn FnMut(&mut Controller, TaskNumber) -> Vec<LineCondition>;
 
 impl Unfinished {

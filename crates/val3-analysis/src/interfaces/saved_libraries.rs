@@ -7,8 +7,8 @@ use crate::db::{Db, Project};
 use crate::items::project::{folder, items, program_files};
 use crate::paths::{self, ResolvedPath, path_key};
 
-/// Whether the application or one of its libraries may save a library as the project file `target`. A path that begins
-/// with a variable counts as another path, because otherwise it would hide every misspelt path of the application.
+/// Whether the application or one of its libraries may save a library as the project file `target`. A `libSave` whose
+/// path begins with a variable is ignored, because it would otherwise hide every misspelt path of the application.
 pub(super) fn is_saved(db: &dyn Db, project: Project, target: &Utf8Path) -> bool {
     let libraries = items(db, project).libraries.values().filter_map(|library| library.interface);
     std::iter::once(project).chain(libraries).any(|project| saves(db, project, target))

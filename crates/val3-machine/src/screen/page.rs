@@ -53,7 +53,7 @@ impl PageContent {
         self.rows.iter().map(ScreenRow::text)
     }
 
-    /// The 14 lines as cells. A line ends after the last written cell; the rest is [`ScreenCell::BLANK`].
+    /// The 14 lines as cells, one for each column. A line without a write has no cells, and is blank.
     pub fn cells(&self) -> impl Iterator<Item = &[ScreenCell]> {
         self.rows.iter().map(ScreenRow::cells)
     }

@@ -38,7 +38,7 @@ pub(super) struct ScreenRow {
 }
 
 impl ScreenRow {
-    /// Cells up to the last cell that was ever written; the following cells are blank.
+    /// One cell for each column; none before the first write.
     pub(super) fn cells(&self) -> &[ScreenCell] {
         &self.cells
     }

@@ -24,7 +24,7 @@ pub(super) struct Located<'p> {
 pub(super) enum Lost<'p> {
     /// The variable at the beginning does not exist.
     Variable(&'p str),
-    /// The value has no such field; with the existing fields.
+    /// The value has no field with this name. Contains the names of the existing fields.
     Field(&'p str, Vec<String>),
     /// The container with this path has no value with this index or key.
     Index(&'p str, Option<&'p str>),
@@ -110,7 +110,7 @@ fn split_index(name: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// Returns the beginning of a path up to the end of `part`.
+/// Returns the beginning of a path up to the end of `part`, which must be a slice of the path.
 fn up_to<'p>(path: &'p str, part: &'p str) -> &'p str {
     let end = part.as_ptr().addr() - path.as_ptr().addr() + part.len();
     path.get(..end).unwrap_or(path)

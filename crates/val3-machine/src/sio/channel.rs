@@ -111,8 +111,8 @@ impl Channel {
         self.line.kind()
     }
 
-    /// Whether a peer is connected, whose bytes arrive in wall-clock time, or a called server may still accept. The
-    /// peer of a serial line is its device; a UDP socket has a peer from the first datagram.
+    /// Whether a peer is connected, or a called server may still accept the connection. Its bytes arrive in wall-clock
+    /// time. The peer of a serial line is its device; a UDP socket has a peer from the first datagram.
     #[must_use]
     pub fn has_peer(&self) -> bool {
         self.state.has_peer
@@ -184,8 +184,8 @@ impl Channel {
         }
     }
 
-    /// `sioGet`: reads at most `most` available bytes, at least one from a socket; `None`, for which the instruction
-    /// returns -1, after the timeout.
+    /// `sioGet`: reads at most `most` available bytes, and from a socket at least one. `None` after the timeout: the
+    /// instruction then returns -1.
     ///
     /// A serial line does not wait, because 3.7.3 describes the wait only for sockets. With a negative timeout a socket
     /// does not wait either: it returns no bytes while it is connected, and -1 means that it is not connected.

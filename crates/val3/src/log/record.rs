@@ -62,7 +62,7 @@ pub(super) struct SourceRecord {
     pub(super) line: usize,
     /// Code of the line.
     pub(super) text: String,
-    /// Whether the line does not contain the token in the message, because the program was changed since.
+    /// Whether the program was changed after the message: the line does not contain the token in the message.
     pub(super) changed: bool,
 }
 

@@ -86,7 +86,7 @@ impl Volume {
         }
     }
 
-    /// Moves a file, which replaces an existing file, or a folder.
+    /// Moves a folder, or a file, which replaces an existing file.
     ///
     /// # Errors
     /// [`CrossesDevices`](io::ErrorKind::CrossesDevices) if the disk cannot move to the other volume.
