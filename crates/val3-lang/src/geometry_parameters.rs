@@ -18,8 +18,8 @@ pub(crate) fn write(call: &mut Call<'_>, dh: &Dh, arrays: [Arr<f64>; 5]) -> Resu
             return Err(Fault(INVALID_PARAMETER));
         }
     }
-    let of_d = d.len(call)?.min(axes + 1);
-    d.set_all(call, dh.d.into_iter().take(of_d))?;
+    let count = d.len(call)?.min(axes + 1);
+    d.set_all(call, dh.d.into_iter().take(count))?;
     for (array, values) in [(&theta, dh.theta), (&a, dh.a), (&alpha, dh.alpha), (&beta, dh.beta)] {
         array.set_all(call, values.into_iter().take(axes))?;
     }

@@ -5,7 +5,7 @@ use crate::library_errors::LIBRARY_ERRORS;
 /// Meaning of a result that a program should not ignore, in a few words; `None` if the result can be ignored.
 #[must_use]
 pub fn result_meaning(instruction: &str) -> Option<&'static str> {
-    TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, result_meaning)| *result_meaning)
+    MEANINGS.iter().find(|(name, _)| *name == instruction).map(|(_, result_meaning)| *result_meaning)
 }
 
 /// Numbers that an instruction can return, ascending; empty if the numbers are not listed. `taskStatus` also returns
@@ -44,7 +44,7 @@ pub fn is_rounded(instruction: &str) -> bool {
 
 /// Instructions whose result is the only sign of a failure (6.6, 6.7, 8.1, 9.2.3, 9.4.4, 9.6.3). `libSave` is not
 /// included, because programs use it as a statement: the application can do little about a full disk.
-static TELLING: [(&str, &str); 5] = [
+static MEANINGS: [(&str, &str); 5] = [
     ("libLoad", "0, or why the library is not loaded"),
     ("libDelete", "0, or why the library is not deleted"),
     ("setFrame", "0, or which point makes no frame"),
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn they_are_instructions_with_a_result() {
         let codes = CODES.iter().map(|(name, ..)| name).chain(&LIBRARY_CODES);
-        for name in TELLING.iter().map(|(name, _)| name).chain(&ROUNDED).chain(codes) {
+        for name in MEANINGS.iter().map(|(name, _)| name).chain(&ROUNDED).chain(codes) {
             let instruction = instructions::find(name).unwrap();
             assert!(instruction.overloads.iter().all(|form| form.result.is_some()), "{name}");
         }

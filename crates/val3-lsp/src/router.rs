@@ -36,7 +36,7 @@ enum SessionPhase {
 /// and no handler blocks the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
 pub(crate) struct Router<S: LanguageServer> {
     lifecycle: LspService<S>,
-    life: SessionPhase,
+    phase: SessionPhase,
     routes: Routes,
     waiting: Waiting,
     inbox: Inbox,
@@ -56,21 +56,21 @@ impl<S: LanguageServer> Router<S> {
         pump: Pump,
         exit: UnboundedSender<bool>,
     ) -> Self {
-        Self { lifecycle, life: SessionPhase::Fresh, routes, waiting: Waiting::default(), inbox, pump, exit }
+        Self { lifecycle, phase: SessionPhase::Fresh, routes, waiting: Waiting::default(), inbox, pump, exit }
     }
 
     fn dispatch(&mut self, request: Request) -> ResponseFuture {
-        match (request.method(), self.life) {
-            ("exit", life) => {
+        match (request.method(), self.phase) {
+            ("exit", phase) => {
                 // The receiver no longer exists if the process is already ending.
-                let _ = self.exit.send(life == SessionPhase::Down);
+                let _ = self.exit.send(phase == SessionPhase::Down);
                 nothing()
             }
             ("$/cancelRequest", _) => {
                 request.params().and_then(|params| params.get("id")).into_iter().for_each(|id| self.cancel(id));
                 nothing()
             }
-            ("initialize", SessionPhase::Fresh) | ("shutdown", SessionPhase::Running) => self.turn(request),
+            ("initialize", SessionPhase::Fresh) | ("shutdown", SessionPhase::Running) => self.pass_on(request),
             (_, SessionPhase::Fresh) => refuse(&request, not_initialized()),
             (_, SessionPhase::Down) | ("initialize", _) => refuse(&request, Error::invalid_request()),
             _ => self.route(request),
@@ -79,16 +79,17 @@ impl<S: LanguageServer> Router<S> {
 
     /// Passes `initialize` or `shutdown` to tower-lsp. The first poll happens here, so the handler's code before its
     /// first wait is executed in message order.
-    fn turn(&mut self, request: Request) -> ResponseFuture {
+    fn pass_on(&mut self, request: Request) -> ResponseFuture {
         let begins = request.method() == "initialize";
         let readable = !begins || request.params().is_none_or(Value::is_object);
         if request.id().is_some() && readable {
-            self.life = if begins { SessionPhase::Running } else { SessionPhase::Down };
+            self.phase = if begins { SessionPhase::Running } else { SessionPhase::Down };
         }
         let id = request.id().cloned();
         let mut answer =
             AssertUnwindSafe(self.lifecycle.call(readable_by_types(request))).catch_unwind().map(move |result| {
                 Ok(match result {
+                    // The service fails only after `exit`, which it does not receive.
                     Ok(response) => response.ok().flatten(),
                     Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
                 })
@@ -96,7 +97,7 @@ impl<S: LanguageServer> Router<S> {
         match (&mut answer).now_or_never() {
             Some(result) if begins => {
                 if matches!(&result, Ok(Some(response)) if response.is_error()) {
-                    self.life = SessionPhase::Fresh;
+                    self.phase = SessionPhase::Fresh;
                 }
                 ready(result.map(|response| response.map(complete))).boxed()
             }

@@ -23,7 +23,7 @@ pub struct Summary {
     pub sound: bool,
     /// Called programs.
     pub calls: FxHashSet<Callee>,
-    /// Called programs of the same project that every execution calls, unless it returns early.
+    /// Programs of the same project that every execution without an early `return` calls.
     pub certain_calls: FxHashSet<SmolStr>,
     /// Created tasks in source order.
     pub tasks: Vec<TaskStart>,

@@ -23,7 +23,7 @@ pub struct TaskStart {
     pub period: Option<u32>,
     /// Whether the statement is in a loop, so that it may create several tasks.
     pub repeated: bool,
-    /// Whether every execution of the program creates the task, unless it returns early.
+    /// Whether every execution of the program without an early `return` creates the task.
     pub certain: bool,
 }
 

@@ -5,7 +5,7 @@ use smol_str::SmolStr;
 use super::page::COLUMNS;
 use super::text_mode::TextMode;
 
-/// Size of a character with combining marks, in bytes, from which on no mark is added.
+/// Size in bytes of a character with its combining marks, from which on further marks are dropped.
 const LONGEST_CELL: usize = 16;
 
 /// Content of a column.

@@ -124,7 +124,7 @@ impl Channel {
         self.state.timeout
     }
 
-    /// Services the line without reading: accepts and rejects callers, and buffers received bytes.
+    /// Services the line between instructions: accepts and rejects callers, and buffers received bytes.
     pub fn attend(&mut self) -> Connection {
         if self.state.ended && self.state.input.is_empty() {
             self.state.ended = false;

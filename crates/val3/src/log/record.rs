@@ -127,7 +127,7 @@ impl<'a> Recorder<'a> {
     }
 }
 
-/// Whether a running application has caused the message. The compiler rejects applications that do not run.
+/// Whether a running application has caused the message. A message of the compiler is about one that does not run.
 fn is_of_program(entry: &LogEntry, error: Option<u16>) -> bool {
     let code = entry.known_code().unwrap_or("");
     error.is_some() || code.starts_with(OF_PROGRAMS) && !code.eq_ignore_ascii_case(COMPILE_ERROR)

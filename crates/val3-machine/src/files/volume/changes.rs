@@ -133,7 +133,7 @@ impl Volume {
         if self.is_covered() { Ok(()) } else { self.dir.open(relative(folder))?.sync_all() }
     }
 
-    /// Does nothing, because the file system does it.
+    /// Does nothing: other systems cannot sync a folder, and their file systems write its entries themselves.
     #[cfg(not(unix))]
     pub(in crate::files) fn sync(&self, _folder: &Utf8Path) -> io::Result<()> {
         Ok(())
