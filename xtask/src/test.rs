@@ -4,6 +4,7 @@ mod failures;
 mod tools;
 
 use std::io::{BufRead as _, BufReader};
+use std::num::NonZero;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -161,7 +162,7 @@ fn run_step(step: &Step, tools: &mut Tools, failures: &mut Failures) -> anyhow::
             script
         }
     };
-    command.env("RUSTDOCFLAGS", "--deny warnings");
+    command.env("RUSTDOCFLAGS", "--deny warnings").env("RUST_TEST_THREADS", test_threads().to_string());
     let mut child =
         command.stdout(Stdio::piped()).spawn().with_context(|| format!("cannot start the step {}", step.name))?;
     let mut tally = Tally::default();
@@ -179,6 +180,11 @@ fn run_step(step: &Step, tools: &mut Tools, failures: &mut Failures) -> anyhow::
         tally.failed = tally.failed.max(1);
     }
     Ok(tally)
+}
+
+/// Number of tests that run at the same time: two for each core, because many tests wait for a process or a connection.
+fn test_threads() -> usize {
+    2 * std::thread::available_parallelism().map_or(1, NonZero::get)
 }
 
 /// Adds the numbers in `test result: ok. 12 passed; 0 failed; …`.

@@ -50,7 +50,8 @@ impl DateTime {
     }
 
     fn new(year: u16, month: u8, day: &str, time: &str) -> Option<Self> {
-        let date = NaiveDate::from_ymd_opt(year.into(), month.into(), day.parse().ok()?).filter(|_| year <= LAST_YEAR)?;
+        let date =
+            NaiveDate::from_ymd_opt(year.into(), month.into(), day.parse().ok()?).filter(|_| year <= LAST_YEAR)?;
         let mut parts = time.split(':').map(|part| part.parse().ok());
         let (hour, minute, second) = (parts.next()??, parts.next()??, parts.next().unwrap_or(Some(0))?);
         let time = date.and_hms_opt(hour, minute, second)?;

@@ -133,7 +133,8 @@ enum Action {
 }
 
 fn actions() -> impl Strategy<Value = Vec<Action>> {
-    let paths = ["a", "A", "a/x", "d", "d/b", "d/e", "d/e/c", "d/new", "n", "n/x", "lib", "lib/x.dtx", "USB0://u", "USB0://d"];
+    let paths =
+        ["a", "A", "a/x", "d", "d/b", "d/e", "d/e/c", "d/new", "n", "n/x", "lib", "lib/x.dtx", "USB0://u", "USB0://d"];
     let path = || prop::sample::select(paths.to_vec());
     let text = || prop::sample::select(vec!["", "one", "two lines\nof text"]).prop_map(str::to_owned);
     let action = prop_oneof![
