@@ -14,8 +14,9 @@ rule! {
     /// An instruction that changes an array's size receives a variable that it does not support.
     ///
     /// ## Why
-    /// `insert`, `delete`, `append` and `resize` do not support local arrays, and the first three do not support arrays
-    /// of two or three dimensions (2.5.4, 2.5.5). Use a global array, and `resize` for an array of several dimensions.
+    /// `insert`, `delete`, `append` and `resize` do not support local variables, and the first three do not support
+    /// arrays of two or three dimensions (2.5.4, 2.5.5). A parameter that is no array or collection is a single value
+    /// (2.6.2). Use a global array, and `resize` for an array of several dimensions.
     /// `append` and `resize` do not support collections, whose values have keys; use `insert` and `delete`. Otherwise
     /// the line raises run-time error 70.
     ///
@@ -56,13 +57,15 @@ fn fault(program: &ProgramView<'_>, instruction: &str, call: Call<'_>) -> Option
     };
     let text = program.text(array);
     let is_whole = matches!(program.body.expr(array), Expr::Name(_));
-    let is_local = is_whole && matches!(program.effects.root(array), Some(RootVariable::Local(_)));
-    match program.inference.ty(array).container {
-        Container::Array { .. } if is_local => Some(local(instruction, text)),
-        Container::Array { dims: dims @ 2.. } if !resizes_every_array(instruction) => {
+    let root = program.effects.root(array).filter(|_| is_whole);
+    match (program.inference.ty(array).container, root) {
+        (Container::Element, Some(RootVariable::Local(_))) => Some(local_value(instruction, text)),
+        (Container::Element, Some(RootVariable::Param(_))) => Some(single_parameter(instruction, text)),
+        (Container::Array { .. }, Some(RootVariable::Local(_))) => Some(local(instruction, text)),
+        (Container::Array { dims: dims @ 2.. }, _) if !resizes_every_array(instruction) => {
             Some(several_dimensions(instruction, text, dims))
         }
-        Container::Collection if !resizes_collections(instruction) => Some(collection(instruction, text)),
+        (Container::Collection, _) if !resizes_collections(instruction) => Some(collection(instruction, text)),
         _ => None,
     }
 }
@@ -72,6 +75,22 @@ fn local(instruction: &str, array: &str) -> Wording {
         format!("`{instruction}` does not support the local array `{array}`"),
         "the size of a local array is fixed",
         "use a global array, or declare the local one large enough",
+    )
+}
+
+fn local_value(instruction: &str, variable: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` does not support the local variable `{variable}`"),
+        "a local variable keeps its single value",
+        "use a global array, or declare a local array that is large enough",
+    )
+}
+
+fn single_parameter(instruction: &str, parameter: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` does not support the parameter `{parameter}`, which is a single value"),
+        "not an array",
+        "declare the parameter as an array",
     )
 }
 
@@ -129,6 +148,35 @@ mod tests {
     fn locals_and_grids_are_errors() {
         let listing = "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nappend(nGrid)\nend";
         assert_eq!(levels(&RULE, listing), [Severity::Error; 2]);
+    }
+
+    /// A variable with a single value is an array of one element (2.3.4).
+    #[test]
+    fn resizing_a_local_variable_is_reported() {
+        expect![[r#"
+            p.pgx:9 `append(l_n)` `append` does not support the local variable `l_n`
+              | a local variable keeps its single value
+              ? use a global array, or declare a local array that is large enough
+            p.pgx:10 `delete(l_n[0])` `delete` does not support the local variable `l_n`
+              | a local variable keeps its single value
+              ? use a global array, or declare a local array that is large enough
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num nCount\nprogram p()\nnum l_n\nstring l_s\nbegin\nappend(l_n)\ndelete(l_n[0])\n\
+             l_s=delete(l_s,1,1)\nappend(nCount)\nend",
+        ));
+    }
+
+    /// A parameter that is taken as an element is a single value, whatever the call passes (2.6.2).
+    #[test]
+    fn resizing_a_parameter_with_a_single_value_is_reported() {
+        expect![[r#"
+            p.pgx:9 `append(x_n)` `append` does not support the parameter `x_n`, which is a single value
+              | not an array
+              ? declare the parameter as an array
+        "#]]
+        .assert_eq(&check(&RULE, "program p(num& x_n,num& x_nAll[])\nbegin\nappend(x_n)\nappend(x_nAll)\nend"));
     }
 
     #[test]
