@@ -52,7 +52,7 @@ fn check_for(program: &ProgramView<'_>, [first, last]: [ExprId; 2], step: Option
     let number = |id| program.body.number(id);
     let (Some(start), Some(stop)) = (number(first), number(last)) else { return };
     let Some(by) = step.map_or(Some(1.0), number) else { return };
-    if !(by > 0.0 && start > stop || by < 0.0 && start < stop) {
+    if !(by >= 0.0 && start > stop || by < 0.0 && start < stop) {
         return;
     }
     let range = program.range(first).cover(program.range(step.unwrap_or(last)));
