@@ -25,9 +25,10 @@ rule! {
 
 /// Returns the wording of the finding.
 pub(crate) fn word(bytes: usize) -> Wording {
+    let surplus = bytes.saturating_sub(128);
     Wording {
         message: format!("this text has {bytes} bytes; a `string` holds 128"),
-        label: format!("{} bytes too long", bytes.saturating_sub(128)),
+        label: format!("{surplus} {} too long", if surplus == 1 { "byte" } else { "bytes" }),
         help: "shorten the text, or write it in two parts; letters beyond English take 2 to 4 bytes".into(),
     }
 }
@@ -46,5 +47,6 @@ mod tests {
             ? shorten the text, or write it in two parts; letters beyond English take 2 to 4 bytes
         "#]]
         .assert_eq(&word(132).to_string());
+        assert_eq!(word(129).label, "1 byte too long");
     }
 }

@@ -62,6 +62,13 @@ pub(crate) fn stray_text() -> Wording {
 
 /// Returns the wording for `&name;` that XML does not define, or for a bare `&`.
 pub(crate) fn unknown_entity(text: &str) -> Wording {
+    if text.starts_with("&#") && text.ends_with(';') {
+        return Wording::new(
+            format!("XML does not allow the character `{text}`"),
+            "not a character of XML",
+            "the only control characters in XML are `&#9;`, `&#10;` and `&#13;`; programs make others with `chr(…)`",
+        );
+    }
     if text.len() > 1 && text.ends_with(';') {
         return Wording::new(
             format!("XML does not define the entity `{text}`"),
@@ -130,6 +137,16 @@ mod tests {
             ? XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;` and `&apos;`; write other characters themselves
         "#]]
         .assert_eq(&unknown_entity("&nbsp;").to_string());
+    }
+
+    #[test]
+    fn a_control_character_by_number_is_reported() {
+        expect![[r#"
+            XML does not allow the character `&#7;`
+            | not a character of XML
+            ? the only control characters in XML are `&#9;`, `&#10;` and `&#13;`; programs make others with `chr(…)`
+        "#]]
+        .assert_eq(&unknown_entity("&#7;").to_string());
     }
 
     #[test]
