@@ -1,6 +1,7 @@
 //! Lines in the syntax of other languages, and their VAL 3 form.
 
 use val3_lang::foreign_names::remedy;
+use val3_lang::keywords::is_task_creation;
 use val3_syntax::TextSlice;
 
 /// Advice for a line with a syntax error that is a known construct in a different language.
@@ -21,6 +22,15 @@ pub(crate) fn advice(line: &str) -> Option<&'static str> {
     if ["+=", "-=", "*=", "/="].iter().any(|operator| code.contains(operator)) {
         return Some("write the variable on both sides: `n=n+2`");
     }
+    if is_task_creation(first) && holds_all_arguments(second) {
+        return Some("the arguments have no brackets: `taskCreate \"name\",10,work()`");
+    }
+    if has_decimal_comma(code) {
+        return Some("the decimal sign is a point: `n=1.5`");
+    }
+    if has_adjacent_strings(code) {
+        return Some("a quote inside a string is written `\"…\"+chr(34)+\"…\"`");
+    }
     if TYPES.contains(&first) && second.starts_with(|c: char| c.is_alphabetic()) {
         return Some("variables are declared in the head of the program or in the data file, not in the code");
     }
@@ -34,6 +44,36 @@ pub(crate) fn advice(line: &str) -> Option<&'static str> {
         return Some("`power(nBase,nExponent)` raises a number to a power");
     }
     HEADS.contains(&first.to_lowercase().as_str()).then(|| remedy(first)).flatten()
+}
+
+/// Whether the text begins with a bracket that contains a comma outside of inner brackets and strings.
+fn holds_all_arguments(text: &str) -> bool {
+    let mut depth = 0_u32;
+    for character in text.split('"').step_by(2).flat_map(str::chars) {
+        match character {
+            '(' => depth += 1,
+            ')' if depth <= 1 => return false,
+            ')' => depth -= 1,
+            ',' if depth == 1 => return true,
+            _ if depth == 0 => return false,
+            _ => {}
+        }
+    }
+    false
+}
+
+/// Whether the line assigns a number such as `1,5`.
+fn has_decimal_comma(code: &str) -> bool {
+    let is_whole = |digits: &str| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    let number = code.split_once('=').map(|(_, value)| value.trim().trim_start_matches('-'));
+    number.and_then(|number| number.split_once(',')).is_some_and(|(whole, part)| is_whole(whole) && is_whole(part))
+}
+
+/// Whether a string directly follows another one, as in `"a""b"`.
+fn has_adjacent_strings(code: &str) -> bool {
+    let parts: Vec<&str> = code.split('"').collect();
+    let between = parts.get(2..parts.len().saturating_sub(2)).unwrap_or_default();
+    between.iter().step_by(2).any(|part| part.is_empty())
 }
 
 /// Words of a line, without its strings.
@@ -72,6 +112,12 @@ mod tests {
             ("if nA MOD 2==0", "nA%nB"),
             ("goto loop", "no `goto`"),
             ("try", "exceptions"),
+            ("taskCreate(\"a\",10,work())", "no brackets"),
+            ("taskCreateSync (sName(1)+\"(\",0.004,bLate,work())", "no brackets"),
+            ("n=1,5", "`n=1.5`"),
+            ("n= -1,25", "`n=1.5`"),
+            ("s=\"a\"\"b\"", "chr(34)"),
+            ("put(\"say \"\"yes\"\"\")", "chr(34)"),
         ] {
             assert!(advice(line).is_some_and(|advice| advice.contains(expected)), "{line}: {:?}", advice(line));
         }
@@ -88,6 +134,12 @@ mod tests {
             "tool=3",
             "numbers x",
             "s=\"a mod b\" c",
+            "taskCreate (sName),10,work(",
+            "taskCreate \"a\",10,work(1,2",
+            "n={1,5}",
+            "s=\"\"",
+            "s=\"\"+\"a\" b",
+            "call log(\"a\",\"\"",
         ] {
             assert_eq!(advice(line), None, "{line}");
         }
