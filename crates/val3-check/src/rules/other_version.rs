@@ -1,7 +1,9 @@
 //! V0540: code that must be changed for another version.
 
 use rustc_hash::FxHashSet;
+use val3_analysis::body::{ExprId, StmtKind};
 use val3_lang::replacements::{is_text_page, replacement};
+use val3_lang::types::BaseType;
 use val3_lang::versions::Version;
 
 use super::instruction_version::{MissingFeature, lack};
@@ -10,13 +12,14 @@ use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::{Severity, rule};
 
 rule! {
-    /// An instruction does not exist, or has no effect, in the version to which the application is moved.
+    /// An instruction or operator does not exist, or has no effect, in the version to which the application is moved.
     ///
     /// ## Why
     /// `val3 check --for s8.10`, or `target-version` in the table `[lint]` of `val3.toml`, reports the changes that are
     /// required if the applications are moved to that version, for example from a CS8 (s5 to s7) to a CS9 (s8). The
     /// text page with `gotoxy` and `put` is not shown on a CS9: its user pages are HTML pages. Add-ons have to be
-    /// installed for the new version. Each instruction is reported once per program.
+    /// installed for the new version. Each instruction is reported once per program. From s7 on, a `dio` is assigned a
+    /// `bool` and no other `dio` (3.5.2).
     ///
     /// ## Bad
     /// ```val3
@@ -49,6 +52,21 @@ pub(crate) fn check(program: &ProgramView<'_>, found: &mut Findings) {
             fault(call, program.items.version, target).filter(|_| told.insert(call.instruction))
         {
             found.report(&RULE, program.range(call.callee), wording).level(level);
+        }
+    }
+    if program.items.version.assigns_dio_to_dio() && !target.assigns_dio_to_dio() {
+        check_assignments(program, target, found);
+    }
+}
+
+/// Checks that no `dio` is assigned to a `dio`.
+fn check_assignments(program: &ProgramView<'_>, version: Version, found: &mut Findings) {
+    let is_dio = |id: ExprId| program.inference.ty(id).base.builtin() == Some(BaseType::Dio);
+    for stmt in program.stmts() {
+        let StmtKind::Assign { target, value } = stmt.kind else { continue };
+        if is_dio(target) && is_dio(value) {
+            let wording = word_assignment(program.text(target), program.text(value), version);
+            found.report(&RULE, stmt.range, wording);
         }
     }
 }
@@ -87,6 +105,14 @@ fn word_page(name: &str, target: Version) -> Wording {
     Wording::new(format!("`{name}` uses the text page, which {target} does not show"), "text page", advice)
 }
 
+fn word_assignment(output: &str, input: &str, target: Version) -> Wording {
+    Wording::new(
+        format!("a `dio` cannot be assigned to a `dio` in {target}"),
+        format!("not in {target}"),
+        format!("compare the input: `{output}=({input}==true)`"),
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
@@ -119,6 +145,18 @@ mod tests {
               ? exchange the data by `sio` or a fieldbus
         "#]]
         .assert_eq(&moved("s8.10", "s7.11", "opcuaExport(nDone,false)"));
+    }
+
+    #[test]
+    fn the_assignment_of_a_dio_to_a_dio_is_reported() {
+        let code = "dio dIn\ndio dOut[2]\ndOut[1]=dIn\ndOut=(dIn==true)";
+        expect![[r#"
+            start.pgx:5 `dOut[1]=dIn` a `dio` cannot be assigned to a `dio` in s8.10
+              | not in s8.10
+              ? compare the input: `dOut[1]=(dIn==true)`
+        "#]]
+        .assert_eq(&moved("s6.8", "s8.10", code));
+        assert_eq!(moved("s5.3", "s6.8", code), "");
     }
 
     #[test]
