@@ -36,7 +36,7 @@ impl TurnContext<'_> {
         let arguments = arguments.collect::<Result<Vec<_>>>()?;
         let rate = self.rate(rate, overrun, image.version)?;
         let called = self.space.called(frame.instance, site.call.program).ok_or(Fault::LIBRARY_ITEM_MISSING)?;
-        let thread = self.new_thread(called, &arguments)?;
+        let thread = self.new_thread(called, &arguments, image.stack_size)?;
         let id = self.roster.new_id();
         self.ports.task(id, &name, TaskChange::Created, thread.place());
         self.roster.add(id, &name, frame.instance, rate, NewThread { thread, stack_size: image.stack_size });
@@ -63,9 +63,9 @@ impl TurnContext<'_> {
         Ok(Rate::Period { period, next, overrun, late: false, overruns: 0 })
     }
 
-    /// Creates the thread of a new task. Its frame is built after the creator's frames, from which argument values are
-    /// copied, and then moved to a separate stack.
-    pub(crate) fn new_thread(&mut self, program: ProgramId, arguments: &[Argument]) -> Result<Thread> {
+    /// Creates the thread of a new task with a stack of `stack_size` bytes. Its frame is built after the creator's
+    /// frames, from which argument values are copied, and then moved to a separate stack.
+    pub(crate) fn new_thread(&mut self, program: ProgramId, arguments: &[Argument], stack_size: u32) -> Result<Thread> {
         let ProgramId { instance, number } = program;
         let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
@@ -81,7 +81,7 @@ impl TurnContext<'_> {
         let mut thread = Thread::new(&mut memory.stores.room)?;
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
         let entered = thread.push(frame, &mut memory.stores.room);
-        let entered = entered.and_then(|()| enter_with(memory, callee, &base, u32::MAX, arguments));
+        let entered = entered.and_then(|()| enter_with(memory, callee, &base, stack_size, arguments));
         thread.stack = memory.stack.split_off(lanes, place, view);
         if entered.is_err() {
             thread.give_back(&mut memory.stores.room);
@@ -100,7 +100,7 @@ impl TurnContext<'_> {
         if params.map(Vec::len) != Some(numbers.len()) || lanes.len() != numbers.len() {
             return Err(Fault::INVALID_PARAMETER);
         }
-        let mut thread = self.new_thread(program, &[])?;
+        let mut thread = self.new_thread(program, &[], self.stack_size)?;
         lanes.iter().zip(numbers).try_for_each(|(lane, number)| write(&mut thread.stack.nums, *lane, *number))?;
         Ok(thread)
     }

@@ -56,7 +56,8 @@ impl Vm {
     /// Like [`start`](Self::start), for a program with `num` parameters by value, which receive `numbers`.
     ///
     /// # Errors
-    /// 61 if there is no such program, 70 if its parameters differ, 40 if the memory does not suffice.
+    /// 61 if there is no such program, 70 if its parameters differ, 40 if the memory does not suffice, 41 if the stack
+    /// does not.
     pub fn start_with(
         &mut self,
         name: &str,

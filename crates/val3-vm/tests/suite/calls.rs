@@ -1,8 +1,10 @@
 //! Program calls and their parameters (2.6), and the stack (2.1.4.2).
 
 use expect_test::expect;
+use val3_lang::fault::Fault;
+use val3_vm::{ProgramId, Vm};
 
-use crate::host::check;
+use crate::host::{Host, check, image_of};
 
 #[test]
 fn a_program_returns_to_the_operation_after_its_call() {
@@ -265,4 +267,36 @@ end"#,
             10
         "#]],
     );
+}
+
+/// The stack contains the locals of the first program, too (2.1.4.2).
+#[test]
+fn a_task_whose_first_program_exceeds_the_stack_is_not_created() {
+    check(
+        r#"
+stack 1000
+program large
+    stack 1001
+    Return
+end
+program start
+    frame n1
+    nums n0=10
+    line 1 CreateTask "large" n0 large ()
+    Return
+end"#,
+        expect![[r#"
+            error 41 at row 1
+        "#]],
+    );
+}
+
+#[test]
+fn a_program_that_exceeds_the_stack_does_not_start() {
+    let image = image_of("stack 1000\nprogram start\nstack 1001\nReturn\nend");
+    let (mut vm, mut host) = (Vm::default(), Host::default());
+    let application = vm.space.load(image, String::new(), &mut host).unwrap();
+    let program = ProgramId { instance: application, number: 0 };
+    assert_eq!(vm.start("start", program, 10, &mut host), Err(Fault::STACK_FULL));
+    assert!(vm.tasks().is_empty());
 }

@@ -93,7 +93,7 @@ impl val3_vm::Host for Host {
 }
 
 #[track_caller]
-fn image_of(text: &str) -> Arc<Image> {
+pub(crate) fn image_of(text: &str) -> Arc<Image> {
     Arc::new(assemble(text).unwrap_or_else(|error| panic!("{error}\n{text}")))
 }
 
