@@ -2,7 +2,9 @@
 
 use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
+use val3_analysis::items::project::items;
 use val3_files::{FileClass, Unreadable};
+use val3_lang::versions::Version;
 use val3_machine::devices::Devices;
 use val3_machine::io::{Direction, IoTable, Signal, SignalKind, SignalRange};
 use val3_modbus::file::Topic;
@@ -11,6 +13,16 @@ use val3_syntax::document;
 
 use crate::arm::ChosenArm;
 use crate::error::SessionError;
+
+/// Sets the version of the controller to that of the cell. Without a cell, a controller that runs the application has
+/// at least the version that the project declares.
+pub(crate) fn set_version(devices: &mut Devices, db: &Database, project: Project) {
+    let declared = Some(items(db, project).version).filter(|declared| *declared > Version::DEFAULT);
+    let version = project.cell(db).and_then(|cell| cell.config(db).version).or(declared);
+    if let Some(version) = version {
+        devices.state.versions.set_language(version);
+    }
+}
 
 /// Declares the inputs and outputs in the cell's configuration.
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {

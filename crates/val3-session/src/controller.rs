@@ -40,6 +40,7 @@ pub(crate) fn open(
     let compiler = LibraryCompiler::new(disk.clone(), outside, settings.form, uncounted).with(settings.edited.clone());
     let mut devices = Devices::new(roots, Box::new(compiler));
     devices.stand_ins = replaced;
+    cell::set_version(&mut devices, db, project);
     cell::declare_io(&mut devices, db, project);
     devices.state.pendant.set_html_pages(pages::of(db, project));
     if items(db, project).arm == Some(Arm::Scara) {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use val3_kinematics::DEFAULT_SIX_AXIS;
 use val3_lang::components::{Component, LICENCES, OEM_LICENCE};
+use val3_lang::versions::Version;
 
 /// The state of a licence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,6 +72,14 @@ impl ControllerVersions {
         self.parts.push((part, version.to_owned()));
     }
 
+    /// Sets the version of the language and of the system, which are the same.
+    pub fn set_language(&mut self, version: Version) {
+        let Version { major, minor, patch, .. } = version;
+        let number = format!("s{major}.{minor}.{patch}");
+        self.set(Component::Val3, &format!("{number} - Jan 01 2024 - 00:00:00"));
+        self.set(Component::System, &number);
+    }
+
     /// Installs or removes a licence.
     pub fn set_licence(&mut self, name: &str, licence: Option<Licence>) {
         match licence {
@@ -135,6 +144,15 @@ mod tests {
         assert_eq!(ControllerVersions::default().version("Starc"), "");
         versions.set(Component::Tuning, "R4");
         assert_eq!(versions.version("Tuning"), "R4");
+    }
+
+    #[test]
+    fn the_version_of_the_language_is_that_of_the_system() {
+        let mut versions = ControllerVersions::default();
+        assert_eq!((versions.version("VAL3").get(..7), versions.version("System")), (Some("s7.11.0"), "s7.11.0"));
+        versions.set_language(Version::new(8, 13, 1));
+        assert_eq!(versions.version("VAL 3"), "s8.13.1 - Jan 01 2024 - 00:00:00");
+        assert_eq!(versions.version("System"), "s8.13.1");
     }
 
     #[test]
