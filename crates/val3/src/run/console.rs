@@ -30,9 +30,6 @@ const CORRECT_PATH: &str = "The arm stops before the path, and isEmpty() stays f
 const CONNECT: &str = "If the device of the cell is not available here, connect the line with --line; see \
                        `val3 run --help`.";
 
-/// Help for an input or output without a link to a signal.
-const LINK: &str = "Give the data a link in its .dtx, or link it with dioLink or aioLink before this line.";
-
 /// The standard output and the standard error output of a run.
 pub(crate) struct Console {
     pub(super) color: Color,
@@ -170,7 +167,6 @@ impl Console {
         let long = error.map_or("", |error| error.long);
         let help = match *code {
             runtime_errors::UNLINKED if *is_line_missing => format!("{long} {CONNECT}"),
-            runtime_errors::UNLINKED => format!("{long} {LINK}"),
             runtime_errors::LIBRARY_ITEM_MISSING => format!("{}{long}", self.missing.notes_for_line(file, *line)),
             _ => long.to_owned(),
         };
