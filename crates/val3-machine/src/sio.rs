@@ -19,7 +19,7 @@ mod tcp_client;
 mod tcp_server;
 mod udp;
 
-pub use channel::{Attempt, Channel, ChannelState, Sending, SioFault, byte_of};
+pub use channel::{Attempt, Channel, ChannelState, Sending, SioFault, UnfinishedString, byte_of};
 pub use configuration::{ChannelConfig, channels};
 pub use guarded::{SocketGuard, SocketRequest};
 pub use line::{ByteStream, Connection, LineKind, Received, SendResult, SettingRefusal};

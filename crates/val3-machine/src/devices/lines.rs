@@ -12,7 +12,7 @@ use crate::event::EventKind;
 use crate::inputs::Inputs;
 use crate::sio::{
     Attempt, ByteStream, Channel, ChannelConfig, ChannelState, LineKind, LineRecorder, NetworkAccess, RecordedReply,
-    RecorderState, Replay, ScriptedPeer, Sending, SettingRefusal, SocketGuard,
+    RecorderState, Replay, ScriptedPeer, Sending, SettingRefusal, SocketGuard, UnfinishedString,
 };
 
 /// All lines that are configured or linked by variables.
@@ -357,6 +357,11 @@ impl ChannelTable {
     pub(crate) fn outside_peer(&self) -> Option<(&str, Option<TaskNumber>)> {
         let known = self.lines.iter().find(|known| known.is_outside && known.has_peer())?;
         Some((&known.link, known.user))
+    }
+
+    /// Lines whose received bytes contain no complete string, by link.
+    pub fn unfinished_strings(&self) -> impl Iterator<Item = (&str, UnfinishedString)> {
+        self.lines.iter().filter_map(|known| Some((&*known.link, known.channel.as_ref()?.channel.unfinished_string()?)))
     }
 
     /// Closes all lines at the end of the application (3.7.1).

@@ -34,6 +34,15 @@ pub struct Sending {
     sent: usize,
 }
 
+/// Received bytes that do not contain the end of a string.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UnfinishedString {
+    /// Number of bytes.
+    pub bytes: usize,
+    /// Byte that ends a string of the channel.
+    pub end: u8,
+}
+
 /// Line or socket with its parameters and received bytes.
 pub struct Channel {
     line: Box<dyn ByteStream>,
@@ -122,6 +131,14 @@ impl Channel {
     #[must_use]
     pub fn timeout(&self) -> f64 {
         self.state.timeout
+    }
+
+    /// The unread bytes, if there are any and no string among them is complete.
+    #[must_use]
+    pub fn unfinished_string(&self) -> Option<UnfinishedString> {
+        let ChannelState { input, end_of_string: end, .. } = &self.state;
+        let is_unfinished = !input.is_empty() && !input.contains(*end);
+        is_unfinished.then(|| UnfinishedString { bytes: input.len(), end: *end })
     }
 
     /// Services the line between instructions: accepts and rejects callers, and buffers received bytes.

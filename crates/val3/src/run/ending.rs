@@ -2,8 +2,9 @@
 
 use std::io::{self, Write};
 
-use val3_machine::controller::{CodeSource, Controller, RunStatus, TaskPosition};
+use val3_machine::controller::{Activity, CodeSource, Controller, RunStatus, TaskPosition};
 use val3_machine::event::shown_seconds;
+use val3_machine::sio::UnfinishedString;
 
 use super::console::Console;
 use super::end::End;
@@ -90,6 +91,9 @@ impl Console {
             if let Some(more @ 1..) = positions.len().checked_sub(MOST_TASKS) {
                 writeln!(out, "  and {more} more tasks")?;
             }
+            if positions.iter().any(|position| position.activity == Activity::Awaits("=".to_owned())) {
+                unfinished_strings(controller).try_for_each(|line| writeln!(out, "  {}", one_line(&line)))?;
+            }
             writeln!(out, "  help: {help}")
         });
     }
@@ -128,4 +132,12 @@ impl Console {
         let code = code(file, *line).map(|code| format!(": {code}")).unwrap_or_default();
         writeln!(out, "  {}", one_line(&format!("task `{name}` {activity} at {path}:{line}{code}")))
     }
+}
+
+/// Returns a line of text for each serial line or socket whose received bytes are no complete string.
+fn unfinished_strings(controller: &Controller) -> impl Iterator<Item = String> {
+    controller.devices.lines.unfinished_strings().map(|(link, UnfinishedString { bytes, end })| {
+        let plural = if bytes == 1 { "" } else { "s" };
+        format!("`{link}` has received {bytes} byte{plural} without the end of a string, the byte {end}")
+    })
 }

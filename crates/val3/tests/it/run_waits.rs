@@ -103,3 +103,16 @@ fn a_run_whose_time_becomes_real_says_so_once() {
     let run = folder.val3(&[&["run", "usrapp/main", "--time", "real"], &line[..]].concat());
     assert!(!run.stderr.contains("time is real"), "{run:?}");
 }
+
+/// Strings end with a carriage return unless configured otherwise.
+#[test]
+fn received_bytes_without_the_end_of_a_string_are_named() {
+    let folder = Folder::with(&format!("program start()\n  string l_sText\nbegin\n  l_sText=siHost\nend\n{HOST}"));
+    let arguments = ["run", "usrapp/main", "--script", "day.toml", "--until", "2"];
+    folder.write("day.toml", "[[at]]\nt = 1\nreceive = { 'Socket\\host' = \"GO\\n\" }\n");
+    let run = folder.val3(&arguments);
+    let note = "\n  `Socket\\host` has received 3 bytes without the end of a string, the byte 13\n";
+    assert!(run.stderr.contains(note), "{run:?}");
+    folder.write("day.toml", "[[at]]\nt = 1\nreceive = { 'Socket\\host' = \"GO\\r\" }\n");
+    assert_eq!(folder.val3(&arguments).code, 0);
+}

@@ -21,6 +21,10 @@ impl Input {
         self.bytes.len()
     }
 
+    pub(super) fn contains(&self, byte: u8) -> bool {
+        self.bytes.contains(&byte)
+    }
+
     pub(super) fn room(&self) -> usize {
         CAPACITY.saturating_sub(self.bytes.len())
     }

@@ -23,6 +23,18 @@ fn done(text: &str) -> Attempt<Result<String, SioFault>> {
 const TIMED_OUT: Attempt<Result<String, SioFault>> = Attempt::Done(Err(SioFault::TimedOut));
 
 #[test]
+fn received_bytes_are_an_unfinished_string_until_its_end() {
+    let (mut channel, peer) = connected(LineKind::Client);
+    assert_eq!(channel.unfinished_string(), None);
+    peer.send(b"GO\n");
+    assert_eq!(text(&mut channel), Attempt::Wait);
+    assert_eq!(channel.unfinished_string(), Some(UnfinishedString { bytes: 3, end: b'\r' }));
+    peer.send(b"\r");
+    channel.attend();
+    assert_eq!(channel.unfinished_string(), None);
+}
+
+#[test]
 fn numbers_become_bytes() {
     let bytes = [0.0, 255.0, 256.0, 300.0, -1.0, -256.5, 64.4, 64.5, 1e20, -0.4].map(byte_of);
     assert_eq!(bytes, [0, 255, 0, 44, 255, 0, 64, 65, 0, 0]);
