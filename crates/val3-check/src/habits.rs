@@ -25,6 +25,9 @@ pub(crate) fn advice(line: &str) -> Option<&'static str> {
     if is_task_creation(first) && holds_all_arguments(second) {
         return Some("the arguments have no brackets: `taskCreate \"name\",10,work()`");
     }
+    if ["case", "default"].iter().any(|word| first.eq_ignore_ascii_case(word)) && code.ends_with(':') {
+        return Some("`case 1` and `default` have no colon");
+    }
     if has_decimal_comma(code) {
         return Some("the decimal sign is a point: `n=1.5`");
     }
@@ -114,6 +117,8 @@ mod tests {
             ("try", "exceptions"),
             ("taskCreate(\"a\",10,work())", "no brackets"),
             ("taskCreateSync (sName(1)+\"(\",0.004,bLate,work())", "no brackets"),
+            ("case 1:", "no colon"),
+            ("default:", "no colon"),
             ("n=1,5", "`n=1.5`"),
             ("n= -1,25", "`n=1.5`"),
             ("s=\"a\"\"b\"", "chr(34)"),

@@ -45,7 +45,9 @@ pub(crate) fn word(name: &str, is: NameKind) -> Wording {
 /// Advice for a name that is no value.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
-        NameKind::Program => "a program returns results through parameters passed by reference".into(),
+        NameKind::Program => format!(
+            "a call needs round brackets: `{name}(…)`; a program returns results through parameters passed by reference"
+        ),
         NameKind::Library => format!("name the data of the library: `{name}:…`"),
         NameKind::Type => "declare data of this type, and use the data".into(),
         NameKind::Instruction => format!("an instruction needs its round brackets: `{name}(…)`"),
@@ -64,7 +66,7 @@ mod tests {
         expect![[r#"
             `sum` is a program, not a value
             | not a value
-            ? a program returns results through parameters passed by reference
+            ? a call needs round brackets: `sum(…)`; a program returns results through parameters passed by reference
         "#]]
         .assert_eq(&word("sum", NameKind::Program).to_string());
         expect![[r#"

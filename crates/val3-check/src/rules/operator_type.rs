@@ -49,6 +49,9 @@ fn binary_advice(op: &str, left: &str, right: &str) -> String {
         ("+" | "-", "trsf", _) | ("+" | "-", _, "trsf") => {
             "transformations are chained with `*`; fields such as `.z` can be added as numbers"
         }
+        ("*", other, "trsf") | ("*", "trsf", other) if has_transformation(other) => {
+            "the field `.trsf` of a point, frame or tool is its transformation"
+        }
         ("<" | ">" | "<=" | ">=", "string", "string") => "strings are only compared with `==` and `!=`",
         ("+", _, "string") => return conversion::advice(left, right),
         ("+", "string", _) => return conversion::advice(right, left),
@@ -56,6 +59,11 @@ fn binary_advice(op: &str, left: &str, right: &str) -> String {
         _ => "",
     };
     advice.to_owned()
+}
+
+/// Whether values of the type have a field `trsf`.
+fn has_transformation(ty: &str) -> bool {
+    matches!(ty, "point" | "pointRx" | "pointRs" | "frame" | "tool")
 }
 
 fn unary_advice(op: &str, operand: &str) -> &'static str {
@@ -93,6 +101,12 @@ mod tests {
             ? transformations are chained with `*`; fields such as `.z` can be added as numbers
         "#]]
         .assert_eq(&word("+", Some("trsf"), "trsf").to_string());
+        expect![[r#"
+            `*` is not defined between a `pointRx` and a `trsf`
+            | `pointRx` * `trsf`
+            ? the field `.trsf` of a point, frame or tool is its transformation
+        "#]]
+        .assert_eq(&word("*", Some("pointRx"), "trsf").to_string());
         expect![[r#"
             `==` is not defined between a `num` and a `string`
             | `num` == `string`
