@@ -150,7 +150,8 @@ fn text(bytes: &[u8]) -> Result<Vec<Vector3<f64>>, MeshError> {
     for (index, line) in text.lines().enumerate() {
         let Some(numbers) = line.trim().strip_prefix("vertex") else { continue };
         last = index + 1;
-        let numbers: Vec<f64> = numbers.split_whitespace().filter_map(|number| number.parse().ok()).collect();
+        let numbers: Result<Vec<f64>, _> = numbers.split_whitespace().map(str::parse).collect();
+        let numbers = numbers.map_err(|_| MeshError::Line(last))?;
         let corner = <[f64; 3]>::try_from(numbers).map_err(|_| MeshError::Line(last))?;
         corners.push(Vector3::from(corner));
     }
@@ -208,6 +209,7 @@ mod tests {
         assert_eq!(error(&binary_file(&[])), MeshError::Empty);
         assert_eq!(error(b"solid a\nendsolid a\n"), MeshError::Empty);
         assert_eq!(error(TEXT.replace("10 0 0", "10 0").as_bytes()), MeshError::Line(5));
+        assert_eq!(error(TEXT.replace("10 0 0", "10 0 l 0").as_bytes()), MeshError::Line(5));
         assert_eq!(error(TEXT.replace("vertex 0 5 0\n", "").as_bytes()), MeshError::Line(5));
         let cut = TEXT.find("endloop").unwrap();
         assert_eq!(error(TEXT.get(..cut).unwrap().as_bytes()), MeshError::Form);

@@ -102,6 +102,8 @@ pub enum ControllerError {
         /// Seconds by which the time in the lock is ahead of the clock here; 0 if a difference of clocks explains it.
         ahead: u64,
     },
+    /// Another process executes a pull or push of the project, or recovers a push.
+    Running,
     /// A file was changed during the push.
     ChangedMeanwhile(ControllerPath),
     /// A file on the controller differs from the written content.
@@ -165,6 +167,7 @@ impl ControllerError {
                 "set the clocks; if no push is running, remove `usr/usrapp/val3.lock` on the controller, for example with an FTP client"
             }
             Self::Locked { .. } => "wait for its end; 10 minutes after the last change the lock is ignored",
+            Self::Running => "wait for its end, then repeat the command",
             Self::ChangedMeanwhile(_) => "run `val3 pull`, then push again",
             Self::UnfinishedElsewhere { .. } => "connect to that controller, and run `val3 status`",
             _ => "",
@@ -234,6 +237,7 @@ impl Display for ControllerError {
             ),
             Self::ChangedMeanwhile(path) => write!(f, "`{path}` was changed on the controller during the push"),
             Self::NotAsWritten(path) => write!(f, "`{path}` on the controller is not what was written"),
+            Self::Running => f.write_str("another process executes a pull or push of this project"),
             Self::Interrupted => f.write_str("interrupted"),
             Self::LocalChanged(path) => write!(f, "`{path}` was changed here meanwhile"),
             Self::UnfinishedElsewhere { serial, backup } => write!(

@@ -23,6 +23,7 @@ mod project;
 mod pull;
 mod push;
 mod rules;
+mod running;
 mod scan;
 mod server_address;
 mod status;

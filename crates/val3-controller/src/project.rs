@@ -157,6 +157,11 @@ impl ControllerProject {
         self.folder.join(DATA).join(name)
     }
 
+    /// Whether the file existed at the last pull or push.
+    pub(crate) fn had_file(&self, path: &ControllerPath) -> bool {
+        self.state.as_ref().is_some_and(|state| state.files.contains_key(path))
+    }
+
     /// Content of a file at the last pull or push; `None` if it is not stored.
     pub(crate) fn base_content(&self, path: &ControllerPath) -> Option<Vec<u8>> {
         let bytes = read(&self.stored(BASE, path)).ok()?;

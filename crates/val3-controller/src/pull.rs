@@ -13,6 +13,7 @@ use crate::error::ControllerError;
 use crate::observer::TransferObserver;
 use crate::path::ControllerPath;
 use crate::project::{self, BASE, ControllerProject, INCOMING, ProjectState};
+use crate::running;
 use crate::scan::application_names;
 use crate::status::ProjectStatus;
 
@@ -43,14 +44,16 @@ pub struct PullResult {
 ///
 /// # Errors
 /// If a file cannot be read or written, if both sides have changed a file and conflicts are neither decided nor merged, if
-/// a requested application or the files of a whole folder are missing on the controller, or if a file is where a folder
-/// is needed. In all cases but the first, no local file has changed.
+/// a requested application or the files of a whole folder are missing on the controller, if a file is where a folder is
+/// needed, or if another process executes a pull or push of the project. In all cases but the first, no local file has
+/// changed.
 pub fn pull(
     project: &mut ControllerProject,
     files: &mut dyn ControllerFiles,
     mut request: PullRequest<'_>,
     observer: &mut dyn TransferObserver,
 ) -> Result<PullResult, ControllerError> {
+    let _running = running::lock(project)?;
     project::remove_tree(&project.area(INCOMING))?;
     let status = {
         let project = &*project;

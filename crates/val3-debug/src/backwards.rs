@@ -149,6 +149,7 @@ impl Debugger {
     ) -> Option<Stop> {
         let present = Moment::of(&self.controller);
         let past = present.time - self.first_moment().map_or(0, |first| first.time);
+        let contacts = self.contacts.clone();
         let mut end = present;
         while let Some(start) = self.restore_earlier(end) {
             let mut last = None;
@@ -158,6 +159,7 @@ impl Debugger {
                 let searched = (present.time - end.time) + (now.time - start.time);
                 if watcher(fraction(searched, past)).is_break() {
                     self.go_to(present);
+                    self.contacts = contacts;
                     return None;
                 }
                 let over = self.history.as_ref().and_then(|history| history.end_of_line(now));

@@ -112,10 +112,10 @@ impl Debugger {
         self.history.as_ref()?;
         let present = self.controller.snapshot();
         let hits = self.breakpoints.hits.clone();
-        let watches = std::mem::take(&mut self.data);
+        let (watches, contacts) = (std::mem::take(&mut self.data), std::mem::take(&mut self.contacts));
         let found = self.search_writes(data, limits, watcher);
         self.controller.restore(&present);
-        (self.breakpoints.hits, self.data) = (hits, watches);
+        (self.breakpoints.hits, self.data, self.contacts) = (hits, watches, contacts);
         self.restore_marks();
         self.settle_data();
         found
@@ -265,5 +265,36 @@ impl PartWrites {
         if self.writes.len() > self.limit {
             self.writes.pop_front();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use val3_tests::running::Running;
+    use val3_vm::FragmentContext;
+
+    use super::*;
+    use crate::contacts::Contact;
+    use crate::debugger::{AdvanceResult, Stop};
+    use crate::history::PastLimits;
+
+    #[test]
+    fn a_contact_stops_the_run_also_after_a_search_of_writes() {
+        let listing = "num nCount\nprogram start()\nbegin\n  while true\n    nCount=nCount+1\n  endWhile\nend\n";
+        let mut debugger = Debugger::new(Running::start(listing).controller);
+        debugger.record(PastLimits::default());
+        for _ in 0..2 {
+            debugger.advance();
+        }
+        let names = ["rod", "wall"].map(str::to_owned);
+        let contacts = vec![Contact { names, depth: 1.0, at_start: false, of: None }];
+        debugger.contacts.clone_from(&contacts);
+        let task = debugger.controller.vm.tasks()[0].id;
+        let count = WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), "nCount").unwrap();
+        let found = debugger.writes(&count, WriteLimits::writes(9), &mut |_| ControlFlow::Continue(())).unwrap();
+        assert!(!found.writes.is_empty());
+        assert_eq!(debugger.advance(), AdvanceResult::Stopped(Stop::Contacts(contacts)));
     }
 }

@@ -13,6 +13,7 @@ mod folders;
 mod in_place;
 mod new_file;
 mod output_file;
+mod process_lock;
 mod read;
 mod temporary;
 #[cfg(test)]
@@ -30,6 +31,7 @@ pub use folders::{
 };
 pub use new_file::{NewFile, replace};
 pub use output_file::{LogFile, OutputFile};
+pub use process_lock::ProcessLock;
 pub use read::{read, read_from, read_head, read_stream, read_text};
 pub use unreadable::Unreadable;
 pub use unwritable::Unwritable;

@@ -147,7 +147,7 @@ fn remove_leftover(path: &Utf8Path) -> Result<(), Unwritable> {
 }
 
 /// Locks a file until it is closed.
-fn lock(file: &File) -> Result<(), Unwritable> {
+pub(crate) fn lock(file: &File) -> Result<(), Unwritable> {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => Err(Unwritable::Busy),
         // On a file system without locks, leftovers cannot be distinguished from files in use.

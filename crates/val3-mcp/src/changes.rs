@@ -109,11 +109,19 @@ impl Changes {
             }
         }
         let (before, after) = (findings(&Disk, roots, path)?, findings(&changed, roots, path)?);
-        let keys = |findings: &[Finding]| findings.iter().map(|finding| self.key(finding)).collect::<Vec<_>>();
-        let (keys_before, keys_after) = (keys(&before), keys(&after));
-        let new = after.iter().zip(&keys_after).filter(|(_, key)| !keys_before.contains(key));
-        let new: Vec<&Finding> = new.map(|(finding, _)| finding).collect();
-        let solved = keys_before.iter().filter(|key| !keys_after.contains(key)).count();
+        // Several lines can have the same finding.
+        let mut open: BTreeMap<FindingKey, usize> = BTreeMap::new();
+        for finding in &before {
+            *open.entry(self.key(finding)).or_default() += 1;
+        }
+        let mut new: Vec<&Finding> = Vec::new();
+        for finding in &after {
+            match open.get_mut(&self.key(finding)).filter(|count| **count > 0) {
+                Some(count) => *count -= 1,
+                None => new.push(finding),
+            }
+        }
+        let solved = open.values().sum();
         Ok(Effect {
             has_errors: new.iter().any(|finding| finding.severity == Severity::Error),
             new: new.iter().map(|finding| finding.text.clone()).collect(),
@@ -130,13 +138,27 @@ impl Changes {
         (path.clone(), code, message)
     }
 
-    /// Writes all files. Each file is either replaced completely or unchanged.
+    /// Writes all files. Each file is either replaced completely or unchanged. Files are removed last, so that the
+    /// content of a moved file exists at any time.
     ///
     /// # Errors
     ///
     /// A file cannot be written, or was changed since it was read. Earlier files of the list are written in this case.
     pub(crate) fn write(&self, roots: &Roots) -> Result<(), Refusal> {
-        self.files.iter().try_for_each(|file| file.write(roots))
+        let mut files: Vec<&FileChange> = self.files.iter().collect();
+        files.sort_by_key(|file| self.step(file));
+        files.into_iter().try_for_each(|file| file.write(roots))
+    }
+
+    /// Step in which a file is written. A name that a new file has in other letter case is removed first, because many
+    /// disks regard both names as one.
+    fn step(&self, file: &FileChange) -> u8 {
+        let name = |file: &FileChange| file.path.as_str().to_lowercase();
+        match file.after {
+            Some(_) => 1,
+            None if self.files.iter().any(|other| other.before.is_none() && name(other) == name(file)) => 0,
+            None => 2,
+        }
     }
 }
 
@@ -271,4 +293,58 @@ fn findings(system: &dyn System, roots: &Roots, path: &Utf8Path) -> Result<Vec<F
     let checked: Checked = units.iter().map(|unit| check_unit(&db, *unit, &settings)).sum();
     let found = finish(&db, &units, &settings, checked).findings;
     Ok(found.iter().map(|finding| Finding::of(&db, roots, finding)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Folder;
+
+    fn change(folder: &Folder, path: &str, before: Option<&str>, after: Option<&str>) -> FileChange {
+        let [before, after] = [before, after].map(|text| text.map(|text| text.as_bytes().to_vec()));
+        FileChange { path: folder.path().join(path), before, after }
+    }
+
+    #[test]
+    fn a_second_line_with_an_equal_finding_is_new() {
+        let project = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
+            <Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n  \
+            <Parameters version=\"s7.11.3\" />\n  \
+            <Programs>\n    <Program file=\"pick.pgx\" />\n  </Programs>\n</Project>\n";
+        let program = |code: &str| {
+            format!(
+                "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
+                 <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"pick\">\n    \
+                 <Code><![CDATA[begin\n{code}end]]></Code>\n  </Program>\n</Programs>\n"
+            )
+        };
+        let (one, two) = (program("  wait(1)\n"), program("  wait(1)\n  wait(1)\n"));
+        let folder = Folder::new(&[("cell/cell.pjx", project), ("cell/pick.pgx", &one)]);
+        let effect = |before: &str, after: &str| {
+            fs::write(folder.path().join("cell/pick.pgx"), before).unwrap();
+            let files = vec![change(&folder, "cell/pick.pgx", Some(before), Some(after))];
+            let changes = Changes { files, moves: Vec::new(), renamed: None };
+            let Effect { new, has_errors, solved } = changes.effect(&folder.roots(), &folder.path()).unwrap();
+            (new.len(), has_errors, solved)
+        };
+        assert_eq!(effect(&one, &two), (1, true, 0));
+        assert_eq!(effect(&two, &one), (0, false, 1));
+        assert_eq!(effect(&one, &one.replace("begin\n", "begin\n\n")), (0, false, 0));
+    }
+
+    #[test]
+    fn a_moved_file_keeps_its_content_if_the_new_one_cannot_be_written() {
+        let folder = Folder::new(&[("a.pgx", "old")]);
+        let changes = |new: &str| {
+            let files = vec![change(&folder, "a.pgx", Some("old"), None), change(&folder, new, None, Some("old"))];
+            Changes { files, moves: Vec::new(), renamed: None }
+        };
+        let refusal = changes("none/b.pgx").write(&folder.roots()).unwrap_err();
+        assert!(refusal.0.contains("none/b.pgx"), "{refusal}");
+        assert!(folder.path().join("a.pgx").is_file());
+        changes("b.pgx").write(&folder.roots()).unwrap();
+        assert!(folder.path().join("b.pgx").is_file() && !folder.path().join("a.pgx").exists());
+        let steps = |changes: &Changes| changes.files.iter().map(|file| changes.step(file)).collect::<Vec<_>>();
+        assert_eq!((steps(&changes("b.pgx")), steps(&changes("A.pgx"))), (vec![2, 1], vec![0, 1]));
+    }
 }

@@ -162,7 +162,13 @@ impl Stages {
             }
             EventKind::Log { text, .. } if let Some(code) = after(text, EXPECTATION) => {
                 let task = self.task_of(event, controller);
-                self.expected = code.parse().ok().map(|code| ExpectedCode::new(code, &self.case, task, controller));
+                match code.parse() {
+                    Ok(code) => self.expected = Some(ExpectedCode::new(code, &self.case, task, controller)),
+                    Err(_) => {
+                        let message = format!("`expectError` needs the number of a run-time error, not {code}");
+                        self.fail(failed_assertion(message, task, controller));
+                    }
+                }
             }
             EventKind::Error { code, .. } if self.expects(*code) => {
                 self.expected = None;

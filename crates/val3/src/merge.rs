@@ -11,6 +11,7 @@ use val3_files::{FileClass, Unreadable};
 use val3_merge::MergedKind;
 
 use self::contents::merge;
+pub(crate) use self::report::write_unmerged;
 use crate::args::MergeArgs;
 use crate::color::Color;
 use crate::output::{OutputContent, to_stderr, to_stdout_as};
@@ -76,13 +77,13 @@ fn merge_files(args: &MergeArgs) -> Result<ExitCode, UserError> {
 /// and no check would find them.
 pub(crate) fn merge_versions(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> Option<(Vec<u8>, bool)> {
     let Some(kind) = MergedKind::of_name(name.as_str()) else {
-        report::write_unmerged(name, "only data, programs, projects and settings are merged");
+        write_unmerged(name, "only data, programs, projects and settings are merged");
         return None;
     };
     let outcome = merge(kind, versions);
     match outcome.unmarked(kind, name.extension().unwrap_or_default()) {
         Some(reason) => {
-            report::write_unmerged(name, &reason);
+            write_unmerged(name, &reason);
             None
         }
         None => {

@@ -19,6 +19,9 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// Folders that `--all` adds to the applications.
 const SETTINGS: [&str; 4] = ["usr/configs", "usr/app", "usr/applicom", "usr/templates"];
 
+/// Reason why a file is not merged after the loss of `.val3/base`, for example in a clone of the project.
+const NO_BASE: &str = "its version of the last pull is not stored here, so that the changes of each side are unknown";
+
 /// Runs the command.
 ///
 /// # Errors
@@ -36,8 +39,13 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
     note(&session.identity_line());
     let mut is_clean = true;
     let mut merge = |path: &ControllerPath, versions: &ConflictVersions| {
-        let versions = [versions.base.clone(), versions.local.clone(), versions.controller.clone()];
-        let (bytes, is_merged) = merge::merge_versions(Utf8Path::new(path.as_str()), &versions)?;
+        let name = Utf8Path::new(path.as_str());
+        let Some(base) = versions.base.clone() else {
+            merge::write_unmerged(name, NO_BASE);
+            return None;
+        };
+        let (bytes, is_merged) =
+            merge::merge_versions(name, &[base, versions.local.clone(), versions.controller.clone()])?;
         is_clean &= is_merged;
         Some(bytes)
     };

@@ -6,6 +6,8 @@
 mod document;
 mod placement;
 
+use std::collections::BTreeSet;
+
 use val3_geometry::Vector3;
 
 use self::document::{BufferView, Document, Primitive};
@@ -35,6 +37,9 @@ const TRIANGLES: u32 = 4;
 const DEEPEST: usize = 64;
 const MOST_NODES: usize = 100_000;
 
+/// Maximum number of points. Each node has its own copy of the points of its mesh, also of those without a triangle.
+const MOST_POINTS: usize = 5_000_000;
+
 /// A parsed GLB file.
 struct Glb<'b> {
     document: Document,
@@ -50,10 +55,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut placed = 0;
     while let Some((number, around, depth)) = open.pop() {
         placed += 1;
-        if depth > DEEPEST || placed > MOST_NODES {
-            return Err(MeshError::Glb("its nodes are nested too deeply, or in a circle"));
-        }
         let node = glb.document.nodes.get(number).ok_or(MeshError::Glb("a node does not exist"))?;
+        // The open nodes count too: in a circle, each node adds all of its children again.
+        if depth > DEEPEST || placed + open.len() + node.children.len() > MOST_NODES {
+            return Err(MeshError::Glb("its nodes are too many, nested too deeply, or in a circle"));
+        }
         let here = around.then(&Placement::of(node));
         if let Some(of_node) = node.mesh {
             glb.add(of_node, &here, &mut mesh)?;
@@ -95,8 +101,8 @@ impl<'b> Glb<'b> {
         match scenes.get(scene.unwrap_or_default()) {
             Some(scene) => scene.nodes.clone(),
             None => {
-                let is_child = |number: &usize| nodes.iter().any(|node| node.children.contains(number));
-                (0..nodes.len().min(MOST_NODES)).filter(|number| !is_child(number)).collect()
+                let children: BTreeSet<usize> = nodes.iter().flat_map(|node| &node.children).copied().collect();
+                (0..nodes.len()).filter(|number| !children.contains(number)).collect()
             }
         }
     }
@@ -111,6 +117,9 @@ impl<'b> Glb<'b> {
             let Some(position) = attributes.position else { continue };
             let first = u32::try_from(mesh.points.len()).map_err(|_| MeshError::TooMany(mesh.points.len()))?;
             let points = self.positions(position)?;
+            if mesh.points.len() + points.len() > MOST_POINTS {
+                return Err(MeshError::Glb("its nodes have too many points: export it with fewer"));
+            }
             let numbers = match indices {
                 Some(indices) => self.indices(*indices)?,
                 None => (0..u32::try_from(points.len()).unwrap_or(u32::MAX)).collect(),
@@ -265,6 +274,8 @@ mod tests {
             reason(&description(&PARTS.replace("{\"byteLength\":42}", "{\"uri\":\"a.bin\"}"))).contains("another file")
         );
         assert!(reason(&file("{\"mesh\":0,\"children\":[0]}")).contains("circle"));
+        let wide = vec!["0"; 2000].join(",");
+        assert!(reason(&file(&format!("{{\"mesh\":0,\"children\":[{wide}]}}"))).contains("circle"));
         assert!(reason(&file("{\"children\":[7]}")).contains("a node"));
         assert!(reason(&file("{}")).contains("no triangle"));
         assert!(reason(&glb("{", &[])).contains("no glTF"));
@@ -273,6 +284,33 @@ mod tests {
         indices[36] = 3;
         let description = format!("{{\"nodes\":[{{\"mesh\":0}}],{PARTS}}}");
         assert!(reason(&glb(&description, &indices)).contains("corner"));
+    }
+
+    /// Without a scene, the nodes that are no children of others are the roots.
+    #[test]
+    fn a_file_without_a_scene_has_all_nodes() {
+        let nodes = "{\"children\":[2]},{},{\"mesh\":0}";
+        let mesh = Mesh::read(&glb(&format!("{{\"nodes\":[{nodes}],{PARTS}}}"), &triangle())).unwrap();
+        assert_eq!(mesh.triangles, [[2, 1, 0]]);
+        let too_many = vec!["{}"; MOST_NODES + 2].join(",");
+        let error = Mesh::read(&glb(&format!("{{\"nodes\":[{too_many}],{PARTS}}}"), &triangle())).unwrap_err();
+        assert!(error.to_string().contains("too many"), "{error}");
+    }
+
+    /// The triangles are few, but each node has all points.
+    #[test]
+    fn the_points_of_all_nodes_are_limited() {
+        let points = 300_000;
+        let mut bytes = vec![0; 12 * points];
+        bytes.extend([0, 1, 2]);
+        let nodes = vec!["{\"mesh\":0}"; MOST_POINTS / points + 1].join(",");
+        let parts = PARTS
+            .replace("\"count\":3,\"type\":\"VEC3\"", &format!("\"count\":{points},\"type\":\"VEC3\""))
+            .replace("5123", "5121")
+            .replace("36", &bytes.len().saturating_sub(3).to_string())
+            .replace("\"byteLength\":6}", "\"byteLength\":3}");
+        let error = Mesh::read(&glb(&format!("{{\"nodes\":[{nodes}],{parts}}}"), &bytes)).unwrap_err();
+        assert!(error.to_string().contains("too many points"), "{error}");
     }
 
     proptest! {

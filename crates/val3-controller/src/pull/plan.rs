@@ -76,7 +76,7 @@ impl PullPlan {
             return Ok(());
         }
         let versions = ConflictVersions {
-            base: project.base_content(path).unwrap_or_default(),
+            base: project.base_content(path).or_else(|| (!project.had_file(path)).then(Vec::new)),
             local: project::read(&project.local(path))?,
             controller: project::read(&project.stored(INCOMING, path))?,
         };

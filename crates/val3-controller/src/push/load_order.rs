@@ -33,7 +33,7 @@ pub(super) fn ranks(projects: &ProjectTexts) -> BTreeMap<ControllerPath, usize> 
 }
 
 /// Returns the project files that a change affects: project files in the same folders as changed files, and their direct
-/// and indirect users.
+/// and indirect users. A changed file may belong to a library that is removed, and therefore not among the projects.
 pub(super) fn affected<'c>(
     projects: &ProjectTexts,
     changed: impl Iterator<Item = &'c ControllerPath> + Clone,
@@ -42,8 +42,9 @@ pub(super) fn affected<'c>(
     let mut folders = BTreeSet::new();
     loop {
         let is_affected = |path: &ControllerPath, text: &str| {
-            let has_changed = |folder: ControllerPath| changed.clone().any(|change| change.is_in(&folder));
-            path.parent().is_some_and(has_changed) || used_folders(text).iter().any(|used| folders.contains(used))
+            let has_changed = |folder: &ControllerPath| changed.clone().any(|change| change.is_in(folder));
+            path.parent().as_ref().is_some_and(has_changed)
+                || used_folders(text).iter().any(|used| folders.contains(used) || has_changed(used))
         };
         let found: Vec<&ControllerPath> = projects
             .iter()
@@ -91,13 +92,14 @@ mod tests {
     fn a_change_concerns_all_users() {
         let path = |text: &str| ControllerPath::parse(&format!("usr/usrapp/{text}")).unwrap();
         let project = |name: &str, used: &str| (path(&format!("{name}/x.pjx")), format!("\"Disk://{used}/x.pjx\""));
-        let projects = [project("a", "lib"), project("lib", "Slot"), project("Slot", "none"), project("z", "a")];
+        let projects = [project("a", "lib"), project("lib", "Slot"), project("Slot", "gone"), project("z", "a")];
         let affected = |changed: &str| {
             let found = affected(&projects.clone().into_iter().collect(), [path(changed)].iter());
             found.iter().filter_map(|path| path.application().map(str::to_owned)).collect::<Vec<_>>().join(" ")
         };
         assert_eq!(affected("Slot/x.dtx"), "Slot a lib z");
         assert_eq!(affected("a/sub/x.txt"), "a z");
+        assert_eq!(affected("gone/x.pjx"), "Slot a lib z");
         assert_eq!(affected("other/x.dtx"), "");
     }
 

@@ -41,8 +41,8 @@ pub struct RecoveredPush {
 /// Recovers all pushes of the project that are not complete. `now` is in seconds since 1970.
 ///
 /// # Errors
-/// If a push has changed another controller, another push is running, a backup cannot be read, or the controller cannot
-/// be changed. The recovery can be repeated.
+/// If a push has changed another controller, another push is running, here or elsewhere, a backup cannot be read, or
+/// the controller cannot be changed. The recovery can be repeated.
 pub fn recover(
     project: &mut ControllerProject,
     files: &mut dyn ControllerFiles,
@@ -51,6 +51,11 @@ pub fn recover(
     observer: &mut dyn TransferObserver,
 ) -> Result<Vec<RecoveredPush>, ControllerError> {
     let mut recovered = Vec::new();
+    if BackupFolder::unfinished(project)?.is_empty() {
+        return Ok(recovered);
+    }
+    let _running = crate::running::lock(project)?;
+    // A push that was running meanwhile has completed its journal.
     for (backup, journal) in BackupFolder::unfinished(project)? {
         if journal.serial != identity.serial {
             let backup = backup.path().to_string();

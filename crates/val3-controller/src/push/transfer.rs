@@ -67,6 +67,7 @@ pub fn push(
     observer: &mut dyn TransferObserver,
 ) -> Result<(), PushFailure> {
     let untouched = |error| PushFailure { error, outcome: FailureOutcome::Unchanged };
+    let _running = crate::running::lock(project).map_err(untouched)?;
     let mut push = RunningPush::prepare(project, files, request).map_err(untouched)?;
     let result = push.execute(files, request.now, observer);
     match result.and_then(|()| finish(project, &push.backup, &push.journal, files)) {

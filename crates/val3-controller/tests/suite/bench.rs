@@ -8,7 +8,7 @@ use tempfile::TempDir;
 use val3_controller::{
     ConnectionSettings, ControllerAddress, ControllerError, ControllerFiles, ControllerIdentity, ControllerPath,
     ControllerProject, LockOwner, ProjectStatus, PullDecisions, PullRequest, PullResult, PushFailure, PushPlan,
-    PushRequest, RecoveredPush, SilentObserver, check_identity, pull, push, recover,
+    PushRequest, RecoveredPush, SilentObserver, TransferObserver, check_identity, pull, push, recover,
 };
 
 use crate::memory::MemoryFiles;
@@ -114,10 +114,18 @@ impl<C: Controller> Bench<C> {
     }
 
     pub(crate) fn push_plan(&self, plan: &PushPlan) -> Result<(), PushFailure> {
+        self.push_observed(plan, &mut SilentObserver)
+    }
+
+    pub(crate) fn push_observed(
+        &self,
+        plan: &PushPlan,
+        observer: &mut dyn TransferObserver,
+    ) -> Result<(), PushFailure> {
         let owner = LockOwner { user: "me".into(), host: "desk".into() };
         // All pushes are in the same second.
         let request = PushRequest { plan, owner: &owner, now: NOW, backup: "push" };
-        push(&mut self.project(), &mut *self.server.files(), request, &mut SilentObserver)
+        push(&mut self.project(), &mut *self.server.files(), request, observer)
     }
 
     pub(crate) fn recover(&self) -> Result<Vec<RecoveredPush>, ControllerError> {

@@ -4,7 +4,10 @@
 //! it. A killed client causes the same state as a controller that has died, because the journal is written first.
 //! `tests/python/controller_cases.py` kills the real process.
 
-use val3_controller::{FailureOutcome, PushFailure, RecoveryOutcome};
+use val3_controller::{
+    ControllerError, ControllerPath, FailureOutcome, PushFailure, RecoveredPush, RecoveryOutcome, TransferObserver,
+    TransferStep,
+};
 
 use crate::bench::{Bench, shown, tree};
 use crate::memory::MemoryFiles;
@@ -98,6 +101,45 @@ fn a_crash_of_the_recovery_is_recovered() {
             assert!(number > 20);
             break;
         }
+    }
+}
+
+/// Executes another command of the project as soon as a step of a push begins.
+struct OtherCommand<'b> {
+    bench: &'b Bench<MemoryFiles>,
+    at: TransferStep,
+    recovered: Option<Result<Vec<RecoveredPush>, ControllerError>>,
+    pulled: Option<ControllerError>,
+}
+
+impl TransferObserver for OtherCommand<'_> {
+    fn step(&mut self, step: TransferStep, _: usize) {
+        if step == self.at {
+            self.recovered = Some(self.bench.recover());
+            self.pulled = self.bench.pull().err();
+        }
+    }
+
+    fn file(&mut self, _: &ControllerPath, _: u64) {}
+
+    fn is_interrupted(&self) -> bool {
+        false
+    }
+}
+
+#[test]
+fn another_command_does_not_change_a_push_that_is_running() {
+    for at in [TransferStep::BackUp, TransferStep::Upload, TransferStep::Rename, TransferStep::Verify] {
+        let bench = Bench::with(MemoryFiles::new(tree(), false));
+        bench.pull().unwrap();
+        bench.edit();
+        let plan = bench.plan().unwrap();
+        let mut other = OtherCommand { bench: &bench, at, recovered: None, pulled: None };
+        bench.push_observed(&plan, &mut other).unwrap();
+        assert_eq!(other.recovered, Some(Err(ControllerError::Running)), "{at:?}");
+        assert_eq!(other.pulled, Some(ControllerError::Running), "{at:?}");
+        assert_eq!(shown(&bench.server.state().tree), shown(&new_tree()), "{at:?}");
+        assert_eq!(bench.recover(), Ok(Vec::new()), "{at:?}");
     }
 }
 

@@ -218,7 +218,7 @@ fn a_conflict_stops_both_directions_until_it_is_merged() {
     let (mut project, mut files) = (bench.project(), bench.server.connect());
     let identity = check_identity(&project, &address(), &mut files, false).unwrap();
     let mut merge = |_: &_, versions: &val3_controller::ConflictVersions| {
-        Some([versions.base.as_slice(), &versions.local, &versions.controller].join(&b'+'))
+        Some([versions.base.as_deref().unwrap(), &versions.local, &versions.controller].join(&b'+'))
     };
     let request = PullRequest { merge: Some(&mut merge), ..request(identity) };
     let merged = pull(&mut project, &mut files, request, &mut SilentObserver).unwrap().merged;
@@ -227,6 +227,28 @@ fn a_conflict_stops_both_directions_until_it_is_merged() {
     let state = bench.server.state();
     assert_eq!(state.tree.files["/usr/usrapp/demo/start.pgx"], b"start+mine+theirs");
     assert_eq!(state.tree.files["/usr/usrapp/demo/demo.dtx"], b"theirs");
+}
+
+/// Without the version of the last pull, a removal by one side would look like an addition by the other.
+#[test]
+fn a_conflict_has_no_base_after_the_loss_of_its_copy() {
+    let bench = Bench::pulled(Behaviour::default());
+    fs::remove_dir_all(bench.folder.join(".val3/base")).unwrap();
+    for name in ["demo/new.pgx", "demo/start.pgx"] {
+        bench.write(&format!("usr/usrapp/{name}"), "mine");
+        bench.server.state().tree.files.insert(format!("/usr/usrapp/{name}"), b"theirs".to_vec());
+    }
+    let (mut project, mut files) = (bench.project(), bench.server.connect());
+    let identity = check_identity(&project, &address(), &mut files, false).unwrap();
+    let mut bases = Vec::new();
+    let mut merge = |_: &_, versions: &val3_controller::ConflictVersions| {
+        bases.push(versions.base.clone());
+        None
+    };
+    let request = PullRequest { merge: Some(&mut merge), ..request(identity) };
+    let unmerged = pull(&mut project, &mut files, request, &mut SilentObserver).unwrap().unmerged;
+    assert_eq!(unmerged, [path("usr/usrapp/demo/new.pgx"), path("usr/usrapp/demo/start.pgx")]);
+    assert_eq!(bases, [Some(Vec::new()), None]);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod program;
 mod project;
 
+use camino::Utf8PathBuf;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use val3_analysis::load::Workspace;
@@ -50,7 +51,8 @@ impl Definition for Outline {
             (None, 1) => project::shown(&workspace.db, call.roots, projects::only(&workspace, call.roots, &path)?),
             (None, _) => list(call, &workspace),
         };
-        Ok(Answer::new(true, text).with_detail(arguments.detail))
+        let text = format!("{text}{}", unreadable(call, &workspace));
+        Ok(Answer::new(workspace.unreadable.is_empty(), text).with_detail(arguments.detail))
     }
 }
 
@@ -66,8 +68,37 @@ fn list(call: &Call<'_>, workspace: &Workspace) -> String {
         let role = project::role(&content);
         text.push_str(&format!("- {folder}: {role}, {}, {data} data\n", counted(programs, "program")));
     }
-    for (path, reason) in &workspace.unreadable {
-        text.push_str(&format!("- {} cannot be read: {reason}\n", call.roots.shown(path)));
-    }
     text
+}
+
+/// Files and folders that cannot be read, so that their projects are missing in the outline, one per line.
+fn unreadable(call: &Call<'_>, workspace: &Workspace) -> String {
+    let line = |(path, reason): &(Utf8PathBuf, String)| {
+        let path = call.roots.shown(path);
+        format!("- {path} cannot be read: {reason}\n")
+    };
+    workspace.unreadable.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+    use crate::command::CommandEnd;
+    use crate::testing::{Folder, call};
+
+    #[test]
+    fn an_outline_names_what_cannot_be_read() {
+        let project = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
+            <Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Programs/></Project>\n";
+        let folder = Folder::new(&[("cell/cell.pjx", project), ("other/other.pjx/is a folder", "")]);
+        let outline = |path: &str| {
+            let unexpected = Err(CommandEnd::Start("no command was expected".to_owned()));
+            call(&folder, &crate::tool::Tool::of::<Outline>(), json!({ "path": path }), unexpected).unwrap()
+        };
+        let (whole, part) = (outline("."), outline("cell"));
+        assert!(!whole.ok && whole.text.contains("- other/other.pjx cannot be read: "), "{}", whole.text);
+        assert!(part.ok && !part.text.contains("cannot be read"), "{}", part.text);
+    }
 }

@@ -166,6 +166,7 @@ fn an_expected_error_is_named_when_another_one_or_none_comes() {
             ("testExpected", "call assert:expectError(11)\n? sqrt(-1)\ncall assert:fail(\"not reached\")"),
             ("testNone", "call assert:expectError(20)\n? 1"),
             ("testOther", "call expecting()\n? sqrt(-1)"),
+            ("testWrong", "call assert:expectError(-1)\n? 1"),
             ("expecting", "call assert:expectError(20)"),
         ],
         expect![[r#"
@@ -178,6 +179,9 @@ fn an_expected_error_is_named_when_another_one_or_none_comes() {
               instead of error 20 (index too large), which `expectError` expects
               at mainTest:testOther (mainTest/testOther.pgx:6)
               at expectError(20) (mainTest/expecting.pgx:5)
+            testWrong: failed, 0.004 s
+            `expectError` needs the number of a run-time error, not -1
+              at mainTest:testWrong (mainTest/testWrong.pgx:5)
         "#]],
     );
 }

@@ -16,7 +16,7 @@ pub(super) fn write(outcome: &Outcome, path: &Utf8Path, kind: MergedKind) {
 }
 
 /// Reports a file whose versions are both kept.
-pub(super) fn write_unmerged(path: &Utf8Path, reason: &str) {
+pub(crate) fn write_unmerged(path: &Utf8Path, reason: &str) {
     write_line(path, &format!("not merged, both versions are kept: {reason}"));
 }
 
