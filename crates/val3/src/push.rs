@@ -11,7 +11,8 @@ use std::process::ExitCode;
 
 use chrono::DateTime;
 use val3_controller::{
-    ControllerError, ControllerPath, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected, push,
+    ControllerError, ControllerPath, FileDifference, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected,
+    push,
 };
 
 use self::loaded::LoadEvidence;
@@ -19,8 +20,8 @@ use self::removal::Removal;
 use crate::args::{PushArgs, TransferFormat};
 use crate::color::Color;
 use crate::controller::{
-    CheckOutcome, ControllerSession, check_new_tree, counted_files, note, now, open_project, planned_lines,
-    report_error,
+    CheckOutcome, ControllerSession, check_new_tree, counted_files, listed_files, note, now, open_project,
+    planned_lines, report_error,
 };
 use crate::output::{OutputContent, to_stdout_as};
 use crate::printable::one_line;
@@ -62,6 +63,13 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if !plan.unselected.is_empty() {
         note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
     }
+    let newer = newer_on_controller(&status);
+    if !newer.is_empty() {
+        note(&format!(
+            "note: changed on the controller, and not pulled, so that the check uses the versions here: {}",
+            listed_files(&newer)
+        ));
+    }
     let removal = Removal::new(&plan, &args.remove)?;
     if plan.changes.is_empty() {
         print(&plan, args.format, color)?;
@@ -101,6 +109,15 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     // The check and the question may have taken longer than an idle connection lasts.
     session.files.reconnect().map_err(ControllerError::from)?;
     execute(&mut session, &plan)
+}
+
+/// Files that are not selected, and whose versions on the controller the project does not have.
+fn newer_on_controller(status: &ProjectStatus) -> Vec<ControllerPath> {
+    let is_newer = |difference: &FileDifference| {
+        matches!(difference, FileDifference::Controller(_) | FileDifference::Conflict { .. })
+    };
+    let newer = status.differences.iter().filter(|(_, difference)| is_newer(difference));
+    newer.map(|(path, _)| path.clone()).collect()
 }
 
 /// Writes the changes to the standard output.

@@ -41,12 +41,20 @@ pub(crate) struct PendingCall {
     /// Request.
     pub(crate) call: ServiceCall,
     answer: oneshot::Sender<ServiceAnswer>,
+    /// Time from which the client has the answer that the run is busy.
+    end: Instant,
 }
 
 impl PendingCall {
     /// Sends the answer to the client, which may have disconnected.
     pub(crate) fn answer(self, answer: ServiceAnswer) {
         let _ = self.answer.send(answer);
+    }
+
+    /// Returns the request if the client still waits for the answer. A client repeats a request that was rejected, so
+    /// it must not be executed later.
+    fn expected(self) -> Option<Self> {
+        (Instant::now() < self.end).then_some(self)
     }
 }
 
@@ -85,12 +93,18 @@ impl SoapPort {
 
     /// Removes and returns the next request; `None` if no request is pending.
     pub(crate) fn next_call(&self) -> Option<PendingCall> {
-        self.calls.try_recv().ok()
+        self.calls.try_iter().find_map(PendingCall::expected)
     }
 
     /// Waits for the next request, at most for this time.
     pub(crate) fn wait_for_call(&self, time: Duration) -> Option<PendingCall> {
-        self.calls.recv_timeout(time).ok()
+        let end = Instant::now() + time;
+        loop {
+            let call = self.calls.recv_timeout(end.saturating_duration_since(Instant::now())).ok()?;
+            if let Some(call) = call.expected() {
+                return Some(call);
+            }
+        }
     }
 }
 

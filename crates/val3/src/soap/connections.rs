@@ -127,7 +127,8 @@ impl SoapShared {
             return Err((StatusCode::TOO_MANY_REQUESTS, "too many requests in a short time"));
         }
         let (sender, answer) = oneshot::channel();
-        self.calls.try_send(PendingCall { call, answer: sender }).map_err(|error| match error {
+        let end = Instant::now() + self.limits.answer_time;
+        self.calls.try_send(PendingCall { call, answer: sender, end }).map_err(|error| match error {
             TrySendError::Full(_) => (StatusCode::SERVICE_UNAVAILABLE, "the run is busy"),
             TrySendError::Disconnected(_) => (StatusCode::SERVICE_UNAVAILABLE, "the run has ended"),
         })?;

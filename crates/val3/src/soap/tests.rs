@@ -173,6 +173,19 @@ fn large_slow_and_many_requests_are_rejected() {
     });
 }
 
+/// The client may repeat it, for example a move.
+#[test]
+fn a_request_that_was_answered_as_busy_is_not_executed_later() {
+    let limits = SoapLimits { answer_time: Duration::from_millis(50), ..SoapLimits::default() };
+    let port = SoapPort::with_limits("0".parse().unwrap(), limits).unwrap();
+    for _ in 0..2 {
+        assert!(exchange(port.address(), &post("/", SOAP_12, PING)).starts_with("HTTP/1.1 504"));
+    }
+    assert!(port.next_call().is_none());
+    assert!(exchange(port.address(), &post("/", SOAP_12, PING)).starts_with("HTTP/1.1 504"));
+    assert!(port.wait_for_call(Duration::from_millis(10)).is_none());
+}
+
 #[test]
 fn the_end_of_the_run_ends_requests() {
     let port = SoapPort::with_limits("0".parse().unwrap(), SoapLimits::default()).unwrap();

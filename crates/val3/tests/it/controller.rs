@@ -246,6 +246,34 @@ fn applications_are_checked_also_without_their_local_project_file() {
 }
 
 #[test]
+fn a_push_names_files_whose_versions_on_the_controller_were_not_pulled() {
+    let folder = pulled();
+    folder.write("robot/usr/usrapp/demo/stop.pgx", &program("stop", "nCount=9"));
+    folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=nCount+2"));
+    let run = in_cell(&folder, &["push", "--dry-run", "demo/start.pgx"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let note = "note: changed on the controller, and not pulled, so that the check uses the versions here: \
+                `usr/usrapp/demo/stop.pgx`";
+    assert!(run.stderr.lines().any(|line| line == note), "{}", run.stderr);
+}
+
+#[test]
+fn a_conflict_is_not_merged_without_the_version_of_the_last_pull() {
+    let folder = pulled();
+    for (name, count) in [("robot", "2"), ("cell", "3")] {
+        let data = DATA.replace("value=\"1\"", &format!("value=\"{count}\""));
+        folder.write(&format!("{name}/usr/usrapp/demo/demo.dtx"), &data);
+    }
+    let local = folder.read("cell/usr/usrapp/demo/demo.dtx");
+    fs::remove_dir_all(folder.path().join("cell/.val3/base")).unwrap();
+    let run = in_cell(&folder, &["pull", "--merge"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let reason = "demo.dtx: not merged, both versions are kept: its version of the last pull is not stored here";
+    assert!(run.stderr.contains(reason), "{}", run.stderr);
+    assert_eq!(folder.read("cell/usr/usrapp/demo/demo.dtx"), local);
+}
+
+#[test]
 fn a_conflict_is_merged_on_request() {
     let folder = pulled();
     folder.write("cell/usr/usrapp/demo/start.pgx", &program("start", "nCount=5"));
