@@ -173,3 +173,15 @@ fn a_run_refuses_wrong_settings() {
         assert!(run.stderr.contains(word) && run.stderr.contains("val3.toml:"), "{run:?}");
     }
 }
+
+/// A controller has the version in the files of its cell, otherwise that of a newer application than the manual.
+#[test]
+fn the_version_of_the_controller_is_that_of_the_cell_or_the_application() {
+    let code = "  ? getVersion(\"System\")\n";
+    assert_eq!(Folder::with(code).val3(&["run"]).stdout, "s7.11.0\n");
+    let folder = Folder::with(&format!("version s8.13.1\n{code}"));
+    assert_eq!(folder.val3(&["run"]).stdout, "s8.13.1\n");
+    let version = "<Versions><Version name=\"val3\" compatibility=\"11.0\">s8.10.2Cs9_BS1991</Version></Versions>";
+    folder.write("configs/val3version.xml", version);
+    assert_eq!(folder.val3(&["run"]).stdout, "s8.10.2\n");
+}

@@ -509,18 +509,6 @@ fn the_cell_and_the_arguments_describe_the_controller() {
     assert_eq!(folder.val3(&["run", "--date", "2007-02-30T00:00:00"]).code, 2);
 }
 
-/// A controller has the version in the files of its cell, otherwise that of a newer application than the manual.
-#[test]
-fn the_version_of_the_controller_is_that_of_the_cell_or_the_application() {
-    let code = "  ? getVersion(\"System\")\n";
-    ends(&Folder::with(code).val3(&["run"]), 0, "s7.11.0\n");
-    let folder = Folder::with(&format!("version s8.13.1\n{code}"));
-    ends(&folder.val3(&["run"]), 0, "s8.13.1\n");
-    let version = "<Versions><Version name=\"val3\" compatibility=\"11.0\">s8.10.2Cs9_BS1991</Version></Versions>";
-    folder.write("configs/val3version.xml", version);
-    ends(&folder.val3(&["run"]), 0, "s8.10.2\n");
-}
-
 #[test]
 fn each_example_has_equal_events_in_two_runs() {
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
