@@ -1,4 +1,4 @@
-//! Effects of a `val3.toml` on a check.
+//! Effects of `val3.toml` on a check, and of the version of the cell on a run.
 
 use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL};
 
