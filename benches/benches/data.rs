@@ -1,5 +1,5 @@
-//! Edit of a cell in a table of 10,000 points, as from an editor: `cargo build --release -p val3 && cargo bench --bench
-//! data`.
+//! Edit of a cell in a table of 10,000 points, as from an editor: `cargo build --profile dist -p val3 && cargo
+//! bench --profile dist --bench data`.
 //!
 //! Target: the edit, its text and the changed rows need less than 100 ms together.
 
@@ -37,7 +37,7 @@ impl Client {
         binary.pop();
         let mut command = Command::new(binary.join("val3"));
         let started = command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
-        let mut server = started.expect("build it first: cargo build --release -p val3");
+        let mut server = started.expect("build it first: cargo build --profile dist -p val3");
         let input = server.stdin.take().expect("a pipe");
         let output = BufReader::new(server.stdout.take().expect("a pipe"));
         let mut client = Self { server, input, output, id: 0 };

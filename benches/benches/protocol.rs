@@ -1,4 +1,5 @@
-//! Debugging through the process, as for a client: `cargo build --release -p val3 && cargo bench --bench protocol`.
+//! Debugging through the process, as for a client: `cargo build --profile dist -p val3 && cargo bench --profile dist
+//! --bench protocol`.
 //!
 //! Targets: 95 of 100 steps are completed in under 5 ms, a step back after 10 million lines in under 100 ms, and a page
 //! from an array with 100,000 elements in under 5 ms.
@@ -54,7 +55,7 @@ impl Client {
         binary.pop();
         let mut command = Command::new(binary.join("val3"));
         let started = command.arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
-        let mut adapter = started.expect("build it first: cargo build --release -p val3");
+        let mut adapter = started.expect("build it first: cargo build --profile dist -p val3");
         let input = adapter.stdin.take().expect("a pipe");
         let output = BufReader::new(adapter.stdout.take().expect("a pipe"));
         let mut client = Self { adapter, input, output, seq: 0 };
