@@ -166,7 +166,7 @@ impl ControllerError {
             Self::Locked { ahead: 1.., .. } => {
                 "set the clocks; if no push is running, remove `usr/usrapp/val3.lock` on the controller, for example with an FTP client"
             }
-            Self::Locked { .. } => "wait for its end; 10 minutes after the last change the lock is ignored",
+            Self::Locked { .. } => "wait for its end; 10 minutes after its start, the lock is ignored",
             Self::Running => "wait for its end, then repeat the command",
             Self::ChangedMeanwhile(_) => "run `val3 pull`, then push again",
             Self::UnfinishedElsewhere { .. } => "connect to that controller, and run `val3 status`",

@@ -37,6 +37,16 @@ impl Culprit {
             (Self::Header, _) => "MustUnderstand",
         }
     }
+
+    /// Party of a code in a SOAP version. Points refine a code of SOAP 1.1 (`Client.Authentication`, 4.4.1).
+    fn of_code(code: &str, version: SoapVersion) -> Option<Self> {
+        let code = match version {
+            SoapVersion::V11 => code.split('.').next().unwrap_or(code),
+            SoapVersion::V12 if code == "DataEncodingUnknown" => return Some(Self::Client),
+            SoapVersion::V12 => code,
+        };
+        Self::ALL.into_iter().find(|culprit| culprit.code(version) == code)
+    }
 }
 
 /// SOAP fault, which replaces the answer in the body.
@@ -203,9 +213,10 @@ impl SoapFault {
         };
         let code = code.ok_or_else(|| missing("faultcode or Code"))?.text.trim();
         let code = code.split_once(':').map_or(code, |(_, name)| name);
-        let culprit = Culprit::ALL.into_iter().find(|culprit| culprit.code(version) == code);
-        let culprit = culprit.ok_or_else(|| SoapError::wrong_value(&body.name, code, "a code of SOAP"))?;
         let reason = reason.ok_or_else(|| missing("faultstring or Reason"))?.text.clone();
+        let culprit = Culprit::of_code(code, version).ok_or_else(|| {
+            SoapError::wrong_value(&body.name, code, format!("a code of SOAP, for the reason `{reason}`"))
+        })?;
         let detail = body.child(namespace, detail(version));
         let exception = detail.and_then(|detail| detail.child(SoapServer::V0.namespace(), EXCEPTION));
         Ok(Self { culprit, reason, exception: exception.map(ServerException::read).transpose()? })
@@ -222,4 +233,36 @@ const fn detail(version: SoapVersion) -> &'static str {
 
 fn nested<'a>(element: &'a SoapElement, namespace: &str, first: &str, second: &str) -> Option<&'a SoapElement> {
     element.child(namespace, first)?.child(namespace, second)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Reads the fault with another code.
+    fn with_code(code: &str, version: SoapVersion) -> Result<Culprit, SoapError> {
+        let fault = SoapFault { culprit: Culprit::Client, reason: "no such robot".to_owned(), exception: None };
+        let mut body = fault.write(version);
+        let first = body.children.first_mut().unwrap();
+        match version {
+            SoapVersion::V11 => first.text = code.to_owned(),
+            SoapVersion::V12 => first.children.first_mut().unwrap().text = code.to_owned(),
+        }
+        SoapFault::read(&body, version).map(|fault| fault.culprit)
+    }
+
+    #[test]
+    fn refined_codes_name_the_party() {
+        assert_eq!(with_code("SOAP-ENV:Client.Authentication", SoapVersion::V11).unwrap(), Culprit::Client);
+        assert_eq!(with_code("Server", SoapVersion::V11).unwrap(), Culprit::Server);
+        assert_eq!(with_code("env:DataEncodingUnknown", SoapVersion::V12).unwrap(), Culprit::Client);
+    }
+
+    #[test]
+    fn an_unknown_code_does_not_hide_the_reason() {
+        for version in [SoapVersion::V11, SoapVersion::V12] {
+            let error = with_code("Busy", version).unwrap_err().to_string();
+            assert!(error.contains("Busy") && error.contains("no such robot"), "{error}");
+        }
+    }
 }

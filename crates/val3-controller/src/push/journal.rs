@@ -103,7 +103,7 @@ impl BackupFolder {
     /// Reads the journal; `None` if the push ended before it was written, when the controller was unchanged.
     fn read(&self) -> Result<Option<PushJournal>, ControllerError> {
         let path = self.0.join(JOURNAL);
-        if !path.exists() {
+        if !path.try_exists().map_err(|error| local(&path, &error))? {
             return Ok(None);
         }
         let text = val3_files::read_text(&path, FileClass::Record).map_err(|reason| local(&path, &reason))?;
