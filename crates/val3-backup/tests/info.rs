@@ -97,7 +97,7 @@ fn s8_is_described() {
                         size: 32,
                         modified: Some(
                             DateTime(
-                                2021-01-05 8:00:00.0,
+                                2021-01-05T08:00:00,
                             ),
                         ),
                     },
@@ -225,7 +225,7 @@ fn s6_has_options_in_sys() {
                         size: 10,
                         modified: Some(
                             DateTime(
-                                2021-01-05 8:00:00.0,
+                                2021-01-05T08:00:00,
                             ),
                         ),
                     },

@@ -93,7 +93,7 @@ fn constants_are_those_of_the_cell() {
         FindServer(FindServerAnswer { found: true })
         FindServer(FindServerAnswer { found: false })
         GetRobots(GetRobotsAnswer { robots: [RobotDescription { kinematic: Anthropomorph6, arm: Some("tx90l-S1"), tuning: Some("R1"), mount: Floor, length_axis_3: Invalid, diameter_axis_3: Invalid }] })
-        GetCs8Versions(GetCs8VersionsAnswer { versions: [SoftwareVersion { name: Some("val3"), version: Some("s7.11.0 - Jan 01 2024 - 00:00:00") }, SoftwareVersion { name: Some("system"), version: Some("s7.11.0") }] })
+        GetCs8Versions(GetCs8VersionsAnswer { versions: [SoftwareVersion { name: Some("val3"), version: Some("s7.11.3 - Jan 01 2024 - 00:00:00") }, SoftwareVersion { name: Some("system"), version: Some("s7.11.3") }] })
         GetCs8Compatibility(GetCs8CompatibilityAnswer { compatibility: Some("7") })
         GetControllerParameters(GetControllerParametersAnswer { parameters: [ControllerParameter { key: Some("serial"), name: Some("Serial number"), value: Some("F24_000001_C_01") }] })
         GetJointRange(GetJointRangeAnswer { range: JointRange { min: [-3.141592653589793, -2.2689280275926285, -2.530727415391778, -4.71238898038469, -2.007128639793479, -4.71238898038469], max: [3.141592653589793, 2.5743606466916362, 2.530727415391778, 4.71238898038469, 2.443460952792061, 4.71238898038469] } })
