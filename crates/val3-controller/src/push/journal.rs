@@ -4,7 +4,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::{Deserialize, Serialize};
-use val3_files::FileClass;
+use val3_files::{FileClass, FolderEntryKind};
 
 use super::plan::PlannedChange;
 use crate::digest::FileDigest;
@@ -84,7 +84,7 @@ impl BackupFolder {
         }
         let entries = val3_files::list_folder(&area).map_err(|reason| local(&area, &reason))?;
         let mut unfinished = Vec::new();
-        for entry in entries.iter().rev() {
+        for entry in entries.iter().rev().filter(|entry| entry.kind == FolderEntryKind::Folder) {
             let folder = Self(area.join(&entry.name));
             if let Some(journal) = folder.read()?
                 && journal.phase != PushPhase::Complete
