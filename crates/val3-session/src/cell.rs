@@ -14,8 +14,8 @@ use val3_syntax::document;
 use crate::arm::ChosenArm;
 use crate::error::SessionError;
 
-/// Sets the version of the controller to that of the cell. Without a cell, a controller that runs the application has
-/// at least the version that the project declares.
+/// Sets the version of the controller to the version of the cell. Without a cell, a newer version that the project
+/// declares replaces the default, because an older controller rejects the application.
 pub(crate) fn set_version(devices: &mut Devices, db: &Database, project: Project) {
     let declared = Some(items(db, project).version).filter(|declared| *declared > Version::DEFAULT);
     let version = project.cell(db).and_then(|cell| cell.config(db).version).or(declared);

@@ -37,7 +37,7 @@ const TRIANGLES: u32 = 4;
 const DEEPEST: usize = 64;
 const MOST_NODES: usize = 100_000;
 
-/// Maximum number of points. Each node has its own copy of the points of its mesh, also of those without a triangle.
+/// Maximum number of points. Each node adds a copy of all points of its mesh, even of points without a triangle.
 const MOST_POINTS: usize = 5_000_000;
 
 /// A parsed GLB file.

@@ -7,8 +7,8 @@ use crate::path::ControllerPath;
 /// Versions of a file that both sides have changed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConflictVersions {
-    /// Content at the last pull; empty if both sides have added the file. `None` if it is not stored here, for example
-    /// because the project was cloned, so that the changes of each side are unknown.
+    /// Content at the last pull; empty if both sides have added the file. `None` if this content is not stored,
+    /// for example in a clone of the project; then the changes of each side are unknown.
     pub base: Option<Vec<u8>>,
     /// Local content.
     pub local: Vec<u8>,

@@ -11,6 +11,7 @@ use crate::identity::ControllerIdentity;
 use crate::observer::{TransferObserver, TransferStep};
 use crate::path::ControllerPath;
 use crate::project::{self, ControllerProject};
+use crate::running;
 use crate::scan::Presence;
 
 /// Result of a recovery.
@@ -54,7 +55,7 @@ pub fn recover(
     if BackupFolder::unfinished(project)?.is_empty() {
         return Ok(recovered);
     }
-    let _running = crate::running::lock(project)?;
+    let _running = running::lock(project)?;
     // A push that was running meanwhile has completed its journal.
     for (backup, journal) in BackupFolder::unfinished(project)? {
         if journal.serial != identity.serial {

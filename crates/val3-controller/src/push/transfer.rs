@@ -10,6 +10,7 @@ use crate::digest::FileDigest;
 use crate::error::ControllerError;
 use crate::observer::{TransferObserver, TransferStep, check_interrupt};
 use crate::project::{self, ControllerProject};
+use crate::running;
 use crate::scan::Presence;
 
 /// Arguments of a push.
@@ -67,7 +68,7 @@ pub fn push(
     observer: &mut dyn TransferObserver,
 ) -> Result<(), PushFailure> {
     let untouched = |error| PushFailure { error, outcome: FailureOutcome::Unchanged };
-    let _running = crate::running::lock(project).map_err(untouched)?;
+    let _running = running::lock(project).map_err(untouched)?;
     let mut push = RunningPush::prepare(project, files, request).map_err(untouched)?;
     let result = push.execute(files, request.now, observer);
     match result.and_then(|()| finish(project, &push.backup, &push.journal, files)) {

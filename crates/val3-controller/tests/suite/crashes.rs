@@ -159,3 +159,16 @@ fn a_server_that_dies_leaves_a_push_that_the_next_command_undoes() {
         assert!(tree == crate::bench::tree() || tree == new_tree(), "{number}: {}", shown(&tree));
     }
 }
+
+/// The journal may belong to a push that has changed the controller.
+#[cfg(unix)]
+#[test]
+fn a_journal_that_cannot_be_accessed_is_an_error() {
+    let bench = Bench::with(MemoryFiles::new(tree(), false));
+    bench.pull().unwrap();
+    let backup = bench.folder.join(".val3/backup/push");
+    std::fs::create_dir_all(&backup).unwrap();
+    std::os::unix::fs::symlink("journal.json", backup.join("journal.json")).unwrap();
+    let error = bench.recover().unwrap_err().to_string();
+    assert!(error.contains("journal.json"), "{error}");
+}

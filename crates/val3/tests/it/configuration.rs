@@ -174,7 +174,8 @@ fn a_run_refuses_wrong_settings() {
     }
 }
 
-/// A controller has the version in the files of its cell, otherwise that of a newer application than the manual.
+/// The files of the cell contain the version of the controller. Without them, an application can declare a newer
+/// version than the default.
 #[test]
 fn the_version_of_the_controller_is_that_of_the_cell_or_the_application() {
     let code = "  ? getVersion(\"System\")\n";
