@@ -41,7 +41,7 @@ const REQUIREMENTS: &[Requirement] = &[
         steps: &["editors"],
         purpose: "editors, a browser, and a compiler for native modules",
         packages: &[
-            "chromium",
+            "chromium-headless-shell",
             "emacs-nox",
             "elpa-dap-mode",
             "elpa-eglot",

@@ -8,7 +8,7 @@ const { chromium } = createRequire(import.meta.url)(playwright);
 const SECONDS = 6;
 
 const browser = await chromium.launch({
-  executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium",
+  executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium-headless-shell",
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-precise-memory-info"],
 });
 const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });

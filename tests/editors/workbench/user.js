@@ -1,9 +1,6 @@
 // Actions of a user in the workbench, with the keyboard wherever that works.
-const { chromium } = require("playwright-core");
+const { launch } = require("../../../editors/view/test/chromium.js");
 
-// Software rendering, with emulation of a graphics card only where a page needs it, saves a third of the work.
-const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync", "--disable-gpu", "--enable-unsafe-swiftshader"];
 const TIMEOUT = 60_000;
 const FOCUSED_EDITOR = ".editor-group-container.active .editor-instance .monaco-editor.focused";
 /** Rows of the view *Variables*. */
@@ -23,7 +20,7 @@ class User {
 
   /** Opens the workbench; `query` is `folder=…` or `workspace=…`. */
   static async open(address, query) {
-    const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args: FLAGS });
+    const browser = await launch();
     const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
     page.setDefaultTimeout(TIMEOUT);
     const user = new User(browser, page, address);

@@ -7,7 +7,7 @@ const [playwright, rows = "10000"] = process.argv.slice(2);
 const { chromium } = createRequire(import.meta.url)(playwright);
 const SECONDS = 5;
 
-const browser = await chromium.launch({ executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--enable-precise-memory-info"] });
+const browser = await chromium.launch({ executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium-headless-shell", args: ["--no-sandbox", "--enable-precise-memory-info"] });
 const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
 page.on("pageerror", (error) => console.log(String(error)));
 await page.addInitScript(fakeEditor, tables({ points: Number(rows), elements: Number(rows) }));
