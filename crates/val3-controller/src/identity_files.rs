@@ -51,7 +51,6 @@ fn settings(files: &mut dyn ControllerFiles, path: &str) -> Result<Option<Vec<u8
 fn attribute_value(file: &str, bytes: &[u8], name: &str) -> Result<String, ControllerError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
-
     let mut reader = Reader::from_str(text);
     loop {
         match reader.read_event().map_err(|error| malformed(file, &error))? {
