@@ -41,17 +41,23 @@ pub type FileDifferences = BTreeMap<ControllerPath, FileDifference>;
 #[must_use]
 pub fn compare(base: &FileDigests, local: &FileDigests, controller: &FileDigests) -> FileDifferences {
     let paths: BTreeSet<&ControllerPath> = base.keys().chain(local.keys()).chain(controller.keys()).collect();
-    let difference = |path: &ControllerPath| {
-        let [base, local, controller] = [base, local, controller].map(|digests| digests.get(path));
-        match (side_change(base, local), side_change(base, controller)) {
-            (None, None) => None,
-            (Some(local), None) => Some(FileDifference::Local(local)),
-            (None, Some(controller)) => Some(FileDifference::Controller(controller)),
-            (Some(change), Some(_)) if local == controller => Some(FileDifference::Alike(change)),
-            (Some(local), Some(controller)) => Some(FileDifference::Conflict { local, controller }),
-        }
-    };
+    let difference = |path: &ControllerPath| difference(base.get(path), local.get(path), controller.get(path));
     paths.into_iter().filter_map(|path| Some((path.clone(), difference(path)?))).collect()
+}
+
+/// Compares the versions of a file; `None` if both sides are unchanged.
+fn difference(
+    base: Option<&FileDigest>,
+    local: Option<&FileDigest>,
+    controller: Option<&FileDigest>,
+) -> Option<FileDifference> {
+    match (side_change(base, local), side_change(base, controller)) {
+        (None, None) => None,
+        (Some(local), None) => Some(FileDifference::Local(local)),
+        (None, Some(controller)) => Some(FileDifference::Controller(controller)),
+        (Some(change), Some(_)) if local == controller => Some(FileDifference::Alike(change)),
+        (Some(local), Some(controller)) => Some(FileDifference::Conflict { local, controller }),
+    }
 }
 
 fn side_change(base: Option<&FileDigest>, side: Option<&FileDigest>) -> Option<SideChange> {

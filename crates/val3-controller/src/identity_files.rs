@@ -1,7 +1,10 @@
 //! Reads the identity of a controller from its settings.
 
+use std::fmt::Display;
+
 use quick_xml::Reader;
-use quick_xml::events::Event;
+use quick_xml::events::attributes::AttrError;
+use quick_xml::events::{BytesStart, Event};
 
 use crate::access::ControllerFiles;
 use crate::error::ControllerError;
@@ -48,19 +51,12 @@ fn settings(files: &mut dyn ControllerFiles, path: &str) -> Result<Option<Vec<u8
 fn attribute_value(file: &str, bytes: &[u8], name: &str) -> Result<String, ControllerError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
-    let malformed = |reason: &dyn std::fmt::Display| ControllerError::Malformed {
-        file: file.to_owned(),
-        reason: reason.to_string(),
-    };
     let mut reader = Reader::from_str(text);
     loop {
-        match reader.read_event().map_err(|error| malformed(&error))? {
+        match reader.read_event().map_err(|error| malformed(file, &error))? {
             Event::Eof => return Ok(String::new()),
             Event::Start(element) | Event::Empty(element) => {
-                let attribute = |wanted: &str| -> Result<Option<String>, ControllerError> {
-                    let found = element.try_get_attribute(wanted).map_err(|error| malformed(&error))?;
-                    Ok(found.map(|attribute| attribute.value.into_owned()))
-                };
+                let attribute = |key| attribute(&element, key).map_err(|error| malformed(file, &error));
                 if attribute("name")?.as_deref() == Some(name) {
                     return Ok(attribute("value")?.unwrap_or_default().trim().to_owned());
                 }
@@ -68,6 +64,16 @@ fn attribute_value(file: &str, bytes: &[u8], name: &str) -> Result<String, Contr
             _ => {}
         }
     }
+}
+
+/// Returns the value of an attribute as written in the file; `None` without the attribute.
+fn attribute(element: &BytesStart<'_>, key: &str) -> Result<Option<String>, AttrError> {
+    Ok(element.try_get_attribute(key)?.map(|attribute| attribute.value.into_owned()))
+}
+
+/// Error for a settings file that is no XML.
+fn malformed(file: &str, reason: &dyn Display) -> ControllerError {
+    ControllerError::Malformed { file: file.to_owned(), reason: reason.to_string() }
 }
 
 #[cfg(test)]

@@ -57,8 +57,7 @@ pub fn pull(
     project::remove_tree(&project.area(INCOMING))?;
     let status = {
         let project = &*project;
-        let mut store =
-            |path: &ControllerPath, bytes: &[u8]| project::write_copy(&project.stored(INCOMING, path), bytes);
+        let mut store = |path: &ControllerPath, bytes: &[u8]| write_incoming(project, path, bytes);
         ProjectStatus::read_with(project, files, &request.folders, observer, &mut store)?
     };
     check_applications_exist(project, files, &request.folders, &status)?;
@@ -80,6 +79,11 @@ pub fn pull(
     Ok(PullResult { status, updated, removed, merged, unmerged: plan.unmerged, changed_meanwhile })
 }
 
+/// Writes a downloaded file to its place until the pull is applied.
+fn write_incoming(project: &ControllerProject, path: &ControllerPath, bytes: &[u8]) -> Result<(), ControllerError> {
+    project::write_copy(&project.stored(INCOMING, path), bytes)
+}
+
 /// Checks that each requested application exists on the controller, or did at the last pull. A wrong name would otherwise
 /// be an application without files.
 fn check_applications_exist(
@@ -90,9 +94,8 @@ fn check_applications_exist(
 ) -> Result<(), ControllerError> {
     let (applications, base) = (ControllerPath::applications(), project.base());
     let is_known = |folder: &ControllerPath| status.controller.keys().chain(base.keys()).any(|path| path.is_in(folder));
-    let is_missing =
-        |folder: &&ControllerPath| **folder != applications && folder.is_in(&applications) && !is_known(folder);
-    match folders.iter().find(is_missing) {
+    let mut requested = folders.iter().filter(|folder| **folder != applications && folder.is_in(&applications));
+    match requested.find(|folder| !is_known(folder)) {
         None => Ok(()),
         Some(folder) => {
             Err(ControllerError::NoApplication { folder: folder.clone(), present: application_names(files)? })

@@ -109,19 +109,24 @@ fn check_number(type_name: &str, name: &str, text: &str, path: &str) -> Result<(
 /// father, for example after `append`, have this father when the file is loaded.
 fn check_fathers(element: XmlElement<'_>, data: &SavedData) -> Result<(), UnwritableValue> {
     let Some((first, father)) = lists::common_father(data) else { return Ok(()) };
-    let unwritable =
-        |value: &SavedValue, reason| Err(UnwritableValue { path: format!("{}[{}]", data.name, value.key), reason });
     if !reference::is_old_reference(father) || !lists::has_father(element) {
-        return unwritable(first, UnwritableReason::Father(father.to_owned()));
+        return Err(unwritable(data, first, UnwritableReason::Father(father.to_owned())));
     }
-    let is_other = |value: &&SavedValue| {
-        lists::father_of(value)
-            .is_some_and(|other| !saved_data::same_text(&data.type_name, "fatherId", Some(other), Some(father)))
-    };
-    match data.values.iter().find(is_other) {
-        Some(value) => unwritable(value, UnwritableReason::OtherFather(father.to_owned())),
+    match data.values.iter().find(|value| has_other_father(value, &data.type_name, father)) {
+        Some(value) => Err(unwritable(data, value, UnwritableReason::OtherFather(father.to_owned()))),
         None => Ok(()),
     }
+}
+
+/// Whether the value has a father, which is not `father`.
+fn has_other_father(value: &SavedValue, type_name: &str, father: &str) -> bool {
+    let own = lists::father_of(value);
+    own.is_some() && !saved_data::same_text(type_name, "fatherId", own, Some(father))
+}
+
+/// Creates the error for a value of the variable.
+fn unwritable(data: &SavedData, value: &SavedValue, reason: UnwritableReason) -> UnwritableValue {
+    UnwritableValue { path: format!("{}[{}]", data.name, value.key), reason }
 }
 
 #[cfg(test)]

@@ -48,7 +48,7 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     let symbols = if are_parameters_same { Vec::new() } else { programs::symbols(db, file) };
     let programs = programs::programs(db, file, &symbols, wanted)?;
     for program in &programs {
-        names::is_readable(db, program)?;
+        names::check_readable(db, program)?;
         names::check(db, program)?;
     }
     let mut edits = Vec::new();

@@ -5,7 +5,7 @@ mod elements;
 mod keys;
 mod tasks;
 
-pub(crate) use conflicts::{name_fault, other_item, takes_no_unknown, variable_name};
+pub(crate) use conflicts::{check_no_unresolved_use, check_variable_name, name_fault, other_item};
 pub(crate) use keys::{Index, index, spelt_keys};
 
 use camino::Utf8Path;
@@ -33,7 +33,7 @@ pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, Strin
     let Some((_, found)) = name_at(db, at) else {
         return Err(RefactoringError("there is no name here that can be changed".to_owned()));
     };
-    conflicts::is_declared_here(db, &found.symbol)?;
+    conflicts::check_renamable(db, &found.symbol)?;
     Ok((found.range, text(&found.symbol).to_owned()))
 }
 

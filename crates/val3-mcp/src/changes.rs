@@ -1,6 +1,7 @@
 //! Changes of files: their effect on findings, their diff, and their execution.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::fs;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -190,18 +191,18 @@ impl FileChange {
     }
 
     fn write(&self, roots: &Roots) -> Result<(), Refusal> {
-        let refused = |reason: &dyn std::fmt::Display| {
-            Refusal(format!(
-                "cannot write `{}`: {reason}. Files before it are written: `check` shows the state",
-                roots.shown(&self.path)
-            ))
-        };
         let written: Result<(), Unwritable> = match (&self.before, &self.after) {
             (Some(before), Some(after)) => replace_unchanged(&self.path, FileClass::Program, before, after),
             (None, Some(after)) => replace(&self.path, after),
-            (_, None) => return fs::remove_file(&self.path).map_err(|error| refused(&error)),
+            (_, None) => return fs::remove_file(&self.path).map_err(|error| self.refused(roots, &error)),
         };
-        written.map_err(|reason| refused(&reason))
+        written.map_err(|reason| self.refused(roots, &reason))
+    }
+
+    /// Refusal of the change because the file cannot be written or removed.
+    fn refused(&self, roots: &Roots, reason: &dyn Display) -> Refusal {
+        let path = roots.shown(&self.path);
+        Refusal(format!("cannot write `{path}`: {reason}. Files before it are written: `check` shows the state"))
     }
 }
 

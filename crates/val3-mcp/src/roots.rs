@@ -18,12 +18,8 @@ impl Roots {
     /// # Errors
     /// A folder does not exist.
     pub fn new(first: &Utf8Path, others: &[Utf8PathBuf]) -> Result<Self, Refusal> {
-        let canonical = |folder: &Utf8Path| {
-            let path = folder.canonicalize_utf8().ok().filter(|path| path.is_dir());
-            path.ok_or_else(|| Refusal(format!("`{folder}` is no folder: name an existing one with --root")))
-        };
-        let others = others.iter().map(|folder| canonical(folder)).collect::<Result<_, _>>()?;
-        Ok(Self { first: canonical(first)?, others })
+        let others = others.iter().map(|folder| existing_folder(folder)).collect::<Result<_, _>>()?;
+        Ok(Self { first: existing_folder(first)?, others })
     }
 
     /// Folder at which relative paths start.
@@ -65,6 +61,12 @@ impl Roots {
         let relative = path.strip_prefix(&self.first).unwrap_or(path);
         if relative.as_str().is_empty() { ".".to_owned() } else { relative.as_str().replace('\\', "/") }
     }
+}
+
+/// Path of an existing folder with resolved links.
+fn existing_folder(folder: &Utf8Path) -> Result<Utf8PathBuf, Refusal> {
+    let path = folder.canonicalize_utf8().ok().filter(|path| path.is_dir());
+    path.ok_or_else(|| Refusal(format!("`{folder}` is no folder: name an existing one with --root")))
 }
 
 /// Reason why a string is no valid path, as the end of a sentence.

@@ -241,8 +241,8 @@ impl ServerHandler for Server {
         request: GetPromptRequestParams,
         _: RequestContext<RoleServer>,
     ) -> Result<GetPromptResponse, ErrorData> {
-        let unknown =
-            || ErrorData::invalid_params(format!("there is no prompt `{}`", request.name.escape_debug()), None);
+        let requested = request.name.escape_debug();
+        let unknown = || ErrorData::invalid_params(format!("there is no prompt `{requested}`"), None);
         let text = PROMPTS.iter().find(|prompt| prompt.name == request.name).ok_or_else(unknown)?;
         let (name, _) = text.argument;
         let argument = request.arguments.as_ref().and_then(|arguments| arguments.get(name)?.as_str());

@@ -73,11 +73,13 @@ impl Debugging {
 
 /// Responses for changed breakpoints, in the order of the request.
 pub(crate) fn breakpoint_responses(results: Vec<Result<(), SoapFault>>) -> Vec<BreakpointResponse> {
-    let response = |(result, index): (Result<(), SoapFault>, i32)| {
-        let code = result.err().and_then(|fault| fault.exception).map_or(BREAKPOINT_SET, |exception| exception.code);
-        BreakpointResponse { index, code }
-    };
-    results.into_iter().zip(0..).map(response).collect()
+    let codes = results.into_iter().map(breakpoint_code);
+    codes.zip(0..).map(|(code, index)| BreakpointResponse { index, code }).collect()
+}
+
+/// Code of the response for a changed breakpoint.
+fn breakpoint_code(result: Result<(), SoapFault>) -> ExceptionCode {
+    result.err().and_then(|fault| fault.exception).map_or(BREAKPOINT_SET, |exception| exception.code)
 }
 
 impl Context<'_, '_> {

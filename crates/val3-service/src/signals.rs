@@ -93,23 +93,27 @@ pub(crate) fn change(controller: &mut Controller, path: &str, change: SignalChan
     let (Some(signal), Some(forcing)) = (io.signal(id), io.forcing(id)) else {
         return SignalResponse { success: false, found: false };
     };
-    let value = |value: f64| match signal.kind {
-        SignalKind::Digital => json!(value > DIGITAL_THRESHOLD),
-        SignalKind::Analog(_) => json!(value),
-    };
-    let of_path = |value: Value| Value::Object(Map::from_iter([(path.to_owned(), value)]));
+    let argument = |new| Value::Object(Map::from_iter([(path.to_owned(), script_value(signal.kind, new))]));
     let (key, argument) = match change {
         SignalChange::Write(_) if signal.direction == Direction::Input || forcing.is_locked || signal.protected => {
             return SignalResponse { success: false, found: true };
         }
-        SignalChange::Write(new) => ("io", of_path(value(new))),
-        SignalChange::Lock(new) => ("lock", of_path(value(new))),
+        SignalChange::Write(new) => ("io", argument(new)),
+        SignalChange::Lock(new) => ("lock", argument(new)),
         SignalChange::LockNow => ("lock", json!([path])),
         SignalChange::Unlock => ("unlock", json!([path])),
     };
     let action = ScriptAction::from_json(Map::from_iter([(key.to_owned(), argument)]));
     let success = action.is_ok_and(|action| controller.act(&action).is_ok());
     SignalResponse { success, found: true }
+}
+
+/// Value of a signal in a script: `true` or `false` for a digital signal, and a number for an analog one.
+fn script_value(kind: SignalKind, value: f64) -> Value {
+    match kind {
+        SignalKind::Digital => json!(value > DIGITAL_THRESHOLD),
+        SignalKind::Analog(_) => json!(value),
+    }
 }
 
 /// Paths of all signals.

@@ -17,10 +17,7 @@ impl ServiceTarget<'_> {
     pub(crate) fn task(&self, name: Option<&str>, created_by: Option<&str>) -> Result<TaskNumber, SoapFault> {
         let (name, created_by) = (name.unwrap_or_default(), created_by.unwrap_or_default());
         let mut tasks = self.debugger.controller.vm.tasks().iter();
-        let is_asked = |task: &Task| {
-            task.name == name && self.creator(task).is_some_and(|creator| creator.eq_ignore_ascii_case(created_by))
-        };
-        let task = tasks.find(|task| is_asked(task)).map(|task| task.id);
+        let task = tasks.find(|task| task.name == name && self.is_created_by(task, created_by)).map(|task| task.id);
         task.ok_or_else(|| refused(ExceptionCode::TaskNotFound, "getTasks lists the tasks with their creators"))
     }
 
@@ -51,6 +48,11 @@ impl ServiceTarget<'_> {
     /// Project that has created a task.
     fn creator(&self, task: &Task) -> Option<String> {
         self.debugger.controller.vm.space.instance(task.owner).map(applications::project_name)
+    }
+
+    /// Whether the project has created the task. The letter case of project names is ignored.
+    fn is_created_by(&self, task: &Task, project: &str) -> bool {
+        self.creator(task).is_some_and(|creator| creator.eq_ignore_ascii_case(project))
     }
 
     /// State of all tasks.

@@ -18,11 +18,13 @@ pub(crate) fn joints_from_si(joints: &[f64], arm: &Arm) -> Option<Joints> {
     if joints.len() != arm.axes() {
         return None;
     }
-    let convert = |axis: usize| {
-        let value = joints.get(axis).copied().unwrap_or_default();
-        if arm.is_stroke(axis) { value * MM } else { value.to_degrees() }
-    };
-    Some(std::array::from_fn(convert))
+    let joint = |axis| joints.get(axis).copied().unwrap_or_default();
+    Some(std::array::from_fn(|axis| joint_from_si(joint(axis), arm.is_stroke(axis))))
+}
+
+/// Converts the joint of an axis from rad to degrees, or from m to mm if it is a stroke.
+fn joint_from_si(value: f64, is_stroke: bool) -> f64 {
+    if is_stroke { value * MM } else { value.to_degrees() }
 }
 
 /// Converts a pose in mm.

@@ -169,27 +169,22 @@ impl SoapFault {
     /// Returns the fault as an element for the body.
     #[must_use]
     pub fn write(&self, version: SoapVersion) -> SoapElement {
-        let namespace = version.namespace();
-        let element = |name| match version {
-            SoapVersion::V11 => SoapElement::plain(name),
-            SoapVersion::V12 => SoapElement::qualified(namespace, name),
-        };
         let code = format!("SOAP-ENV:{}", self.culprit.code(version));
-        let mut fault = SoapElement::qualified(namespace, "Fault");
+        let mut fault = SoapElement::qualified(version.namespace(), "Fault");
         fault.children = match version {
             SoapVersion::V11 => {
-                vec![element("faultcode").with_text(code), element("faultstring").with_text(&self.reason)]
+                vec![part(version, "faultcode").with_text(code), part(version, "faultstring").with_text(&self.reason)]
             }
             SoapVersion::V12 => {
-                let text = element("Text").with_attribute(XML, "lang", "en").with_text(&self.reason);
-                let code = element("Value").with_text(code);
-                vec![element("Code").with_child(code), element("Reason").with_child(text)]
+                let text = part(version, "Text").with_attribute(XML, "lang", "en").with_text(&self.reason);
+                let code = part(version, "Value").with_text(code);
+                vec![part(version, "Code").with_child(code), part(version, "Reason").with_child(text)]
             }
         };
         if let Some(exception) = &self.exception {
             let mut child = SoapElement::qualified(SoapServer::V0.namespace(), EXCEPTION);
             exception.write(&mut child);
-            fault.children.push(element(detail(version)).with_child(child));
+            fault.children.push(part(version, detail(version)).with_child(child));
         }
         fault
     }
@@ -233,6 +228,14 @@ const fn detail(version: SoapVersion) -> &'static str {
 
 fn nested<'a>(element: &'a SoapElement, namespace: &str, first: &str, second: &str) -> Option<&'a SoapElement> {
     element.child(namespace, first)?.child(namespace, second)
+}
+
+/// Creates a part of a fault. In SOAP 1.1, parts are in no name space.
+fn part(version: SoapVersion, name: &str) -> SoapElement {
+    match version {
+        SoapVersion::V11 => SoapElement::plain(name),
+        SoapVersion::V12 => SoapElement::qualified(version.namespace(), name),
+    }
 }
 
 #[cfg(test)]

@@ -94,15 +94,17 @@ pub(crate) fn parse_address(text: &str) -> Result<ControllerAddress, UserError> 
 /// Opens the project around a folder, which has a controller.
 pub(crate) fn open_project(folder: &Utf8Path) -> Result<(ControllerProject, ControllerTarget), UserError> {
     let folder = Paths::new(&[], &current_folder()?).absolute(folder);
-    let none = || {
-        UserError::new(format!("`{folder}` belongs to no controller"))
-            .with_help("run `val3 pull ADDRESS DIR` once, which remembers the controller")
-    };
-    let root = ControllerProject::around(&folder).ok_or_else(none)?;
+    let root = ControllerProject::around(&folder).ok_or_else(|| no_controller(&folder))?;
     let project = ControllerProject::open(&root)?;
-    let state = project.state.as_ref().ok_or_else(none)?;
+    let state = project.state.as_ref().ok_or_else(|| no_controller(&folder))?;
     let target = ControllerTarget::new(parse_address(&state.address)?, &ConnectionArgs::default(), Some(state))?;
     Ok((project, target))
+}
+
+/// Error for a folder without a controller.
+fn no_controller(folder: &Utf8Path) -> UserError {
+    UserError::new(format!("`{folder}` belongs to no controller"))
+        .with_help("run `val3 pull ADDRESS DIR` once, which remembers the controller")
 }
 
 /// State of the project around the current folder, for a command that also works without one.

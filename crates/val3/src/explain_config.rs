@@ -119,8 +119,12 @@ fn level(settings: &Settings, rule: &Rule) -> String {
 
 /// Writes rows with aligned columns.
 fn table(rows: &[SettingRow], out: &mut dyn Write) -> io::Result<()> {
-    let width =
-        |column: fn(&SettingRow) -> &String| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
-    let (keys, values) = (width(|[key, ..]| key), width(|[_, value, _]| value).min(40));
+    let keys = width(rows.iter().map(|[key, ..]| key));
+    let values = width(rows.iter().map(|[_, value, _]| value)).min(40);
     rows.iter().try_for_each(|[key, value, by]| writeln!(out, "    {key:keys$}  {value:values$}  {by}"))
+}
+
+/// Number of characters in the longest cell of a column.
+fn width<'r>(cells: impl Iterator<Item = &'r String>) -> usize {
+    cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
 }

@@ -38,17 +38,7 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
     let mut session = ControllerSession::open(project, target, args.new_controller)?;
     note(&session.identity_line());
     let mut is_clean = true;
-    let mut merge = |path: &ControllerPath, versions: &ConflictVersions| {
-        let name = Utf8Path::new(path.as_str());
-        let Some(base) = versions.base.clone() else {
-            merge::write_unmerged(name, NO_BASE);
-            return None;
-        };
-        let (bytes, is_merged) =
-            merge::merge_versions(name, &[base, versions.local.clone(), versions.controller.clone()])?;
-        is_clean &= is_merged;
-        Some(bytes)
-    };
+    let mut merge = |path: &ControllerPath, versions: &ConflictVersions| merge_file(path, versions, &mut is_clean);
     let request = PullRequest {
         address: session.address.clone(),
         connection: session.connection,
@@ -76,6 +66,20 @@ pub(crate) fn run(args: &PullArgs) -> Result<ExitCode, UserError> {
         Err(error) => return Err(error.into()),
     }
     Ok(if is_clean { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Merges the versions of a file, and reports the result. Returns the merged content; `None` if the file is not merged.
+/// `is_clean` becomes `false` if the content contains conflicts.
+fn merge_file(path: &ControllerPath, versions: &ConflictVersions, is_clean: &mut bool) -> Option<Vec<u8>> {
+    let name = Utf8Path::new(path.as_str());
+    let Some(base) = versions.base.clone() else {
+        merge::write_unmerged(name, NO_BASE);
+        return None;
+    };
+    let versions = [base, versions.local.clone(), versions.controller.clone()];
+    let (bytes, is_merged) = merge::merge_versions(name, &versions)?;
+    *is_clean &= is_merged;
+    Some(bytes)
 }
 
 fn address(args: &PullArgs, project: &ControllerProject) -> Result<ControllerAddress, UserError> {
@@ -111,10 +115,12 @@ fn folders(args: &PullArgs, project: &ControllerProject) -> Result<Vec<Controlle
 
 /// Files and folders on the controller.
 fn paths(texts: &[String]) -> Result<Vec<ControllerPath>, UserError> {
-    let path = |text: &String| {
-        ControllerPath::parse(text.trim_end_matches('/')).map_err(|fault| {
-            UserError::new(fault.to_string()).with_help("name a file as `val3 status` does: usr/usrapp/demo/start.pgx")
-        })
-    };
-    texts.iter().map(path).collect()
+    texts.iter().map(|text| full_path(text)).collect()
+}
+
+/// File or folder on the controller, named by its full path.
+fn full_path(text: &str) -> Result<ControllerPath, UserError> {
+    ControllerPath::parse(text.trim_end_matches('/')).map_err(|fault| {
+        UserError::new(fault.to_string()).with_help("name a file as `val3 status` does: usr/usrapp/demo/start.pgx")
+    })
 }

@@ -113,11 +113,13 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
 
 /// Files that are not selected, and whose versions on the controller the project does not have.
 fn newer_on_controller(status: &ProjectStatus) -> Vec<ControllerPath> {
-    let is_newer = |difference: &FileDifference| {
-        matches!(difference, FileDifference::Controller(_) | FileDifference::Conflict { .. })
-    };
-    let newer = status.differences.iter().filter(|(_, difference)| is_newer(difference));
+    let newer = status.differences.iter().filter(|(_, difference)| has_changed_on_controller(difference));
     newer.map(|(path, _)| path.clone()).collect()
+}
+
+/// Whether the controller's version has changed since the last pull, and differs from the local one.
+fn has_changed_on_controller(difference: &FileDifference) -> bool {
+    matches!(difference, FileDifference::Controller(_) | FileDifference::Conflict { .. })
 }
 
 /// Writes the changes to the standard output.
@@ -168,42 +170,43 @@ fn execute(session: &mut ControllerSession, plan: &PushPlan) -> Result<ExitCode,
 
 /// Selected folders and files.
 fn selection(names: &[String]) -> Result<Vec<ControllerPath>, UserError> {
-    let applications = ControllerPath::applications();
     if names.is_empty() {
-        return Ok(vec![applications]);
+        return Ok(vec![ControllerPath::applications()]);
     }
-    let path = |name: &String| {
-        let text = name.trim_end_matches('/');
-        let full = if text.starts_with("usr/") { text.to_owned() } else { format!("{applications}/{text}") };
-        let path = ControllerPath::parse(&full).map_err(|fault| UserError::new(fault.to_string()))?;
-        let is_application = path.is_in(&applications);
-        if !is_application && is_protected(&path) {
-            return Err(ControllerError::Protected(vec![path]).into());
-        }
-        Ok(path)
-    };
-    names.iter().map(path).collect()
+    names.iter().map(|name| selected_path(name)).collect()
+}
+
+/// Path with this name, which is relative to the applications unless it begins with `usr/`.
+fn selected_path(name: &str) -> Result<ControllerPath, UserError> {
+    let applications = ControllerPath::applications();
+    let name = name.trim_end_matches('/');
+    let full = if name.starts_with("usr/") { name.to_owned() } else { format!("{applications}/{name}") };
+    let path = ControllerPath::parse(&full).map_err(|fault| UserError::new(fault.to_string()))?;
+    if !path.is_in(&applications) && is_protected(&path) {
+        return Err(ControllerError::Protected(vec![path]).into());
+    }
+    Ok(path)
 }
 
 /// Folders that are compared: those of the project. Every selected path is in one of them.
 fn folders(known: &[ControllerPath], selection: &[ControllerPath]) -> Result<Vec<ControllerPath>, UserError> {
-    let is_known = |path: &&ControllerPath| {
-        known
-            .iter()
-            .any(|folder| path.is_in(folder) || folder.is_in(path) && folder.is_in(&ControllerPath::applications()))
-    };
-    match selection.iter().find(|path| !is_known(path)) {
+    match selection.iter().find(|path| !is_pulled(known, path)) {
         None => Ok(known.to_vec()),
         Some(path) => Err(UserError::new(format!("`{path}` was never pulled"))
             .with_help("run `val3 pull --all`, or `val3 pull --app NAME`, first")),
     }
 }
 
+/// Whether the path is in a pulled folder, or contains pulled applications.
+fn is_pulled(known: &[ControllerPath], path: &ControllerPath) -> bool {
+    let applications = ControllerPath::applications();
+    known.iter().any(|folder| path.is_in(folder) || folder.is_in(path) && folder.is_in(&applications))
+}
+
 /// Checks that each selected path has files here or on the controller, so that a wrong name is not "nothing to push".
 fn check_selection(selection: &[ControllerPath], status: &ProjectStatus) -> Result<(), UserError> {
-    let has_files =
-        |folder: &&ControllerPath| status.local.keys().chain(status.controller.keys()).any(|path| path.is_in(folder));
-    match selection.iter().find(|path| !has_files(path)) {
+    let files = status.local.keys().chain(status.controller.keys());
+    match selection.iter().find(|folder| !files.clone().any(|path| path.is_in(folder))) {
         None => Ok(()),
         Some(path) => Err(UserError::new(format!("`{path}` has no files, neither here nor on the controller"))
             .with_help("name a folder below usr/usrapp, or the path of a file")),
@@ -223,4 +226,30 @@ fn interrupted(session: &ControllerSession) -> ExitCode {
 /// Value of the first variable that is set.
 fn variable(names: &[&str]) -> String {
     names.iter().find_map(|name| std::env::var(name).ok()).unwrap_or_else(|| "unknown".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_relative_to_the_applications() {
+        let selected = |name: &str| selected_path(name).unwrap().to_string();
+        assert_eq!(selected("palletizer/"), "usr/usrapp/palletizer");
+        assert_eq!(selected("usr/usrapp/palletizer"), "usr/usrapp/palletizer");
+        assert_eq!(selected("usr/app/val3.cfx"), "usr/app/val3.cfx");
+        selected_path("usr/configs/controller.cfx").unwrap_err();
+    }
+
+    #[test]
+    fn the_folder_of_pulled_applications_is_pulled() {
+        let path = |text: &str| ControllerPath::parse(text).unwrap();
+        let known = [path("usr/usrapp/a"), path("usr/app")];
+        for pulled in ["usr/usrapp/a/start.pgx", "usr/usrapp", "usr/app"] {
+            assert!(is_pulled(&known, &path(pulled)), "{pulled}");
+        }
+        for other in ["usr/usrapp/b", "usr/configs"] {
+            assert!(!is_pulled(&known, &path(other)), "{other}");
+        }
+    }
 }

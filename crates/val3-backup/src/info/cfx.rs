@@ -85,16 +85,31 @@ impl<'f> TextFiles<'f> {
     /// Returns the paths of all files directly in a folder, with their names.
     pub(super) fn in_folder(&self, folder: &str) -> Vec<(&'f str, &'f str)> {
         let files: &'f dyn BackupFiles = self.files;
-        let name = |path: &'f str| {
-            let (parent, name) = path.rsplit_once('/').unwrap_or(("", path));
-            parent.eq_ignore_ascii_case(folder).then_some((path, name))
-        };
-        files.files().iter().filter_map(|file| name(&file.path)).collect()
+        let paths = files.files().iter().map(|file| file.path.as_str());
+        paths.filter_map(|path| Some((path, name_in(folder, path)?))).collect()
     }
+}
+
+/// Returns the name of a file directly in the folder; `None` for other files.
+fn name_in<'f>(folder: &str, path: &'f str) -> Option<&'f str> {
+    let (parent, name) = path.rsplit_once('/').unwrap_or(("", path));
+    parent.eq_ignore_ascii_case(folder).then_some(name)
 }
 
 /// Joins paths of a backup; an empty folder is the root.
 #[must_use]
 pub fn joined(folder: &str, path: &str) -> String {
     if folder.is_empty() { path.to_owned() } else { format!("{folder}/{path}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_files_directly_in_the_folder_have_a_name_in_it() {
+        assert_eq!(name_in("usr/configs", "usr/Configs/arm.cfx"), Some("arm.cfx"));
+        assert_eq!(name_in("usr/configs", "usr/configs/profiles/default.cfx"), None);
+        assert_eq!(name_in("", "arm.cfx"), Some("arm.cfx"));
+    }
 }

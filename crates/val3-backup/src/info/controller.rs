@@ -133,18 +133,20 @@ fn auto_start(text: &str) -> Option<String> {
     element.value("name").map(|name| name.trim().to_owned()).filter(|name| !name.is_empty())
 }
 
-/// Returns the names in tables such as `val3.Motion.anthro.cfx`.
+/// Returns the names of the add-ons with tables in a folder.
 fn add_ons(texts: &TextFiles<'_>, folder: &str) -> Vec<String> {
     let tables = texts.in_folder(folder);
-    let name = |file: &str| {
-        let parts: Vec<&str> = file.split('.').collect();
-        let [first, name, _, last] = parts.as_slice() else { return None };
-        (first.eq_ignore_ascii_case("val3") && last.eq_ignore_ascii_case("cfx")).then(|| (*name).to_owned())
-    };
-    let mut names: Vec<String> = tables.into_iter().filter_map(|(_, file)| name(file)).collect();
+    let mut names: Vec<String> = tables.into_iter().filter_map(|(_, file)| add_on(file)).map(str::to_owned).collect();
     names.sort_unstable();
     names.dedup();
     names
+}
+
+/// Returns the name of the add-on in the name of a table, for example `Motion` in `val3.Motion.anthro.cfx`.
+fn add_on(table: &str) -> Option<&str> {
+    let parts: Vec<&str> = table.split('.').collect();
+    let [first, name, _, last] = parts.as_slice() else { return None };
+    (first.eq_ignore_ascii_case("val3") && last.eq_ignore_ascii_case("cfx")).then_some(*name)
 }
 
 fn boards(controller: &Settings) -> Vec<Board> {

@@ -23,12 +23,15 @@ pub(super) fn users(files: &mut TextFiles<'_>, configs: &str, default: Option<&s
     let mut users = Vec::new();
     for (path, (name, _)) in named {
         let Some(settings) = files.text(path).map(|text| Settings::of(&text)) else { continue };
-        let rights = |value: &str| {
-            let found = settings.iter().filter(|setting| setting.kind == "Bool" && setting.value == value);
-            found.map(|setting| setting.name.clone()).collect()
-        };
         let is_default = default.is_some_and(|default| default.eq_ignore_ascii_case(name));
-        users.push(User { name: name.to_owned(), is_default, rights: rights("true"), denied: rights("false") });
+        let (rights, denied) = (rights(&settings, "true"), rights(&settings, "false"));
+        users.push(User { name: name.to_owned(), is_default, rights, denied });
     }
     users
+}
+
+/// Returns the names of the rights with this value in a profile.
+fn rights(profile: &Settings, value: &str) -> Vec<String> {
+    let settings = profile.iter().filter(|setting| setting.kind == "Bool" && setting.value == value);
+    settings.map(|setting| setting.name.clone()).collect()
 }

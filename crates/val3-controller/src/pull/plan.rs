@@ -94,25 +94,42 @@ impl PullPlan {
 /// Checks that each decision applies to a file, so that a wrong path is not a decision without effect, and that no file is
 /// decided for both sides.
 fn check_decisions(status: &ProjectStatus, decisions: &PullDecisions) -> Result<(), ControllerError> {
-    let applies = |folder: &ControllerPath, restores: bool| {
-        status.differences.iter().any(|(path, difference)| {
-            path.is_in(folder)
-                && match difference {
-                    FileDifference::Conflict { .. } => true,
-                    FileDifference::Local(SideChange::Removed) => restores,
-                    _ => false,
-                }
-        })
-    };
-    let is_decided_twice =
-        |path: &&ControllerPath| path.is_in_any(&decisions.local) && path.is_in_any(&decisions.controller);
-    if let Some(path) = status.differences.keys().find(is_decided_twice) {
+    if let Some(path) = status.differences.keys().find(|path| decisions.are_contradictory(path)) {
         return Err(ControllerError::DecidedTwice(path.clone()));
     }
-    let local = decisions.local.iter().find(|folder| !applies(folder, false));
-    let controller = decisions.controller.iter().find(|folder| !applies(folder, true));
+    let local = decisions.local.iter().find(|folder| !has_difference(status, folder, can_keep_local));
+    let controller = decisions.controller.iter().find(|folder| !has_difference(status, folder, can_take_controller));
     match local.or(controller) {
         None => Ok(()),
         Some(path) => Err(ControllerError::NoConflict(path.clone())),
+    }
+}
+
+/// Whether the folder contains a file with such a difference.
+fn has_difference(status: &ProjectStatus, folder: &ControllerPath, is_such: fn(&FileDifference) -> bool) -> bool {
+    status.differences.iter().any(|(path, difference)| path.is_in(folder) && is_such(difference))
+}
+
+/// Whether the decision for the local version has an effect on this difference.
+fn can_keep_local(difference: &FileDifference) -> bool {
+    matches!(difference, FileDifference::Conflict { .. })
+}
+
+/// Whether the decision for the controller's version has an effect on this difference: it also restores removed files.
+fn can_take_controller(difference: &FileDifference) -> bool {
+    matches!(difference, FileDifference::Conflict { .. } | FileDifference::Local(SideChange::Removed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decision_applies_to_conflicts_and_the_controllers_version_also_to_removed_files() {
+        let conflict = FileDifference::Conflict { local: SideChange::Modified, controller: SideChange::Modified };
+        let removed = FileDifference::Local(SideChange::Removed);
+        assert!(can_keep_local(&conflict) && can_take_controller(&conflict));
+        assert!(!can_keep_local(&removed) && can_take_controller(&removed));
+        assert!(!can_take_controller(&FileDifference::Local(SideChange::Modified)));
     }
 }

@@ -46,3 +46,10 @@ pub struct PullDecisions {
     /// The controller's version replaces the local one. This applies to files that were removed here, too.
     pub controller: Vec<ControllerPath>,
 }
+
+impl PullDecisions {
+    /// Whether the file is decided for both sides.
+    pub(super) fn are_contradictory(&self, file: &ControllerPath) -> bool {
+        file.is_in_any(&self.local) && file.is_in_any(&self.controller)
+    }
+}

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use camino::Utf8PathBuf;
 
-use super::load_order::{ProjectTexts, affected};
+use super::load_order::{affected, project_texts};
 use super::plan::PushPlan;
 use crate::error::ControllerError;
 use crate::path::ControllerPath;
@@ -46,13 +46,8 @@ pub fn affected_projects(
     status: &ProjectStatus,
     plan: &PushPlan,
 ) -> Result<BTreeSet<ControllerPath>, ControllerError> {
-    let projects = plan.new_files(status).filter(|path| path.is_project());
-    let text = |path: &ControllerPath| {
-        let bytes = new_content(project, plan, path)?;
-        Ok((path.clone(), String::from_utf8_lossy(&bytes).into_owned()))
-    };
-    let texts: Result<ProjectTexts, ControllerError> = projects.map(text).collect();
-    Ok(affected(&texts?, plan.changes.iter().map(|change| &change.path)))
+    let projects = project_texts(plan.new_files(status), |path| new_content(project, plan, path))?;
+    Ok(affected(&projects, plan.changes.iter().map(|change| &change.path)))
 }
 
 /// Content of a file after the push: the local one, unless its change is not selected.

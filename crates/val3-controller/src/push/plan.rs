@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
-use super::load_order::{ProjectTexts, ranks};
+use super::load_order::{LoadOrder, project_texts};
 use super::removals::removed_applications;
 use crate::compare::FileDifference;
 use crate::digest::FileDigest;
@@ -73,16 +73,12 @@ impl PushPlan {
             return Err(ControllerError::Outdated(outdated));
         }
         plan.removed_applications = removed_applications(&plan.changes, status)?;
-        plan.sort(&project_texts(project, status)?);
+        let projects = project_texts(status.local.keys(), |path| project::read(&project.local(path)))?;
+        plan.sort(&LoadOrder::new(&projects));
         Ok(plan)
     }
 
-    fn sort(&mut self, projects: &ProjectTexts) {
-        let ranks = ranks(projects);
-        let rank = |path: &ControllerPath| {
-            let folders = std::iter::successors(path.parent(), ControllerPath::parent);
-            folders.into_iter().find_map(|folder| ranks.get(&folder).copied()).unwrap_or(usize::MAX)
-        };
+    fn sort(&mut self, order: &LoadOrder) {
         self.changes.sort_by_cached_key(|change| {
             let is_project = change.path.is_project();
             // The project file of a removed application is removed first, so that it cannot be loaded in part.
@@ -92,7 +88,7 @@ impl PushPlan {
                 (None, true) => 2,
                 (None, false) => 3,
             };
-            (step, rank(&change.path), change.path.clone())
+            (step, order.rank(&change.path), change.path.clone())
         });
     }
 
@@ -117,11 +113,13 @@ impl PushPlan {
     /// Changed applications that exist after the push, by their folders below `usr/usrapp`.
     #[must_use]
     pub fn remaining_applications(&self) -> Vec<String> {
-        let is_removed = |name: &String| {
-            let changes = || self.changes.iter().filter(|change| change.path.application() == Some(name));
-            changes().all(|change| change.new.is_none()) && changes().any(|change| change.path.is_project())
-        };
-        self.applications().into_iter().filter(|name| !is_removed(name)).collect()
+        self.applications().into_iter().filter(|name| !self.removes(name)).collect()
+    }
+
+    /// Whether the push removes this application: its project file is removed, and none of its files is uploaded.
+    fn removes(&self, application: &str) -> bool {
+        let changes = || self.changes.iter().filter(|change| change.path.application() == Some(application));
+        changes().all(|change| change.new.is_none()) && changes().any(|change| change.path.is_project())
     }
 
     /// Files that the controller has after the push, in the compared folders.
@@ -139,14 +137,4 @@ impl PushPlan {
     pub fn needs_restart(&self) -> bool {
         self.changes.iter().any(|change| !change.path.is_in(&ControllerPath::applications()))
     }
-}
-
-/// Texts of the local project files.
-fn project_texts(project: &ControllerProject, status: &ProjectStatus) -> Result<ProjectTexts, ControllerError> {
-    let paths = status.local.keys().filter(|path| path.is_project());
-    let text = |path: &ControllerPath| {
-        let bytes = project::read(&project.local(path))?;
-        Ok((path.clone(), String::from_utf8_lossy(&bytes).into_owned()))
-    };
-    paths.map(text).collect()
 }

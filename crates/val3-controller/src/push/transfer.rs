@@ -231,16 +231,14 @@ impl RunningPush {
         error: ControllerError,
         observer: &mut dyn TransferObserver,
     ) -> PushFailure {
-        let may_have_changed = self.journal.phase == PushPhase::Renaming;
-        let unfinished =
-            |error| FailureOutcome::Unfinished { error, may_have_changed, backup: self.backup.path().to_string() };
         if matches!(error, ControllerError::Locked { .. }) {
             // The temporary files may belong to the other push.
             let outcome = match self.was_locked {
-                true => {
-                    self.backup.complete(self.journal.clone()).map_or_else(unfinished, |()| FailureOutcome::Unchanged)
-                }
-                false => unfinished(error.clone()),
+                true => match self.backup.complete(self.journal.clone()) {
+                    Ok(()) => FailureOutcome::Unchanged,
+                    Err(error) => self.unfinished(error),
+                },
+                false => self.unfinished(error.clone()),
             };
             return PushFailure { error, outcome };
         }
@@ -251,10 +249,21 @@ impl RunningPush {
             undo(project, &self.backup, &self.journal, files, observer)
         });
         let outcome = match undone {
-            Ok(outcome) if may_have_changed => FailureOutcome::Restored(outcome),
+            Ok(outcome) if self.may_have_changed() => FailureOutcome::Restored(outcome),
             Ok(_) => FailureOutcome::Unchanged,
-            Err(error) => unfinished(error),
+            Err(error) => self.unfinished(error),
         };
         PushFailure { error, outcome }
+    }
+
+    /// Outcome of a push that cannot be undone because of `error`.
+    fn unfinished(&self, error: ControllerError) -> FailureOutcome {
+        let backup = self.backup.path().to_string();
+        FailureOutcome::Unfinished { error, may_have_changed: self.may_have_changed(), backup }
+    }
+
+    /// Whether files on the controller may have been replaced.
+    fn may_have_changed(&self) -> bool {
+        self.journal.phase == PushPhase::Renaming
     }
 }

@@ -42,11 +42,8 @@ impl PageNames {
                 pages.entry(name.clone()).or_default().push((topic.kind, reference::path(topic)));
             }
         }
-        let command = |path: &String| {
-            let name = path.strip_prefix(COMMANDS)?.strip_suffix(".md")?;
-            Some((format!("val3 {}", name.replace('-', " ")), path.clone()))
-        };
-        Self { pages, commands: paths.iter().filter_map(command).collect() }
+        let commands = paths.iter().filter_map(|path| Some((described_command(path)?, path.clone())));
+        Self { pages, commands: commands.collect() }
     }
 
     /// Returns the page that a code span on `page` names, if any.
@@ -54,15 +51,9 @@ impl PageNames {
         if let Some(path) = guide(page, span).or_else(|| self.command(span)) {
             return Some(path).filter(|path| *path != page.path);
         }
-        let is_call =
-            |name: &str| span.ends_with(')') && name.chars().all(|letter| letter.is_alphanumeric() || letter == '$');
-        let name = span.split_once('(').map(|(name, _)| name).filter(|name| is_call(name)).unwrap_or(span);
-        let rank = |kind: TopicKind| {
-            let own = kind == TopicKind::Field && is_field_of(page, name);
-            if own { Some(0) } else { ORDER.iter().position(|other| *other == kind).map(|place| place + 1) }
-        };
+        let name = without_arguments(span);
         let fits = |(kind, path): &&(TopicKind, String)| *path != page.path && may_mean(page, *kind, name);
-        let found = self.pages.get(name)?.iter().filter(fits).min_by_key(|(kind, _)| rank(*kind))?;
+        let found = self.pages.get(name)?.iter().filter(fits).min_by_key(|(kind, _)| rank(page, *kind, name))?;
         Some(&found.1)
     }
 
@@ -82,6 +73,31 @@ impl PageNames {
 
 /// Folder of command pages.
 const COMMANDS: &str = "commands/";
+
+/// Returns the command that a page describes, for example `val3 arm list` for `commands/arm-list.md`. `None` for other
+/// pages.
+fn described_command(path: &str) -> Option<String> {
+    let name = path.strip_prefix(COMMANDS)?.strip_suffix(".md")?;
+    Some(format!("val3 {}", name.replace('-', " ")))
+}
+
+/// Returns the name in a call such as `movej(jStart, tGripper, mNomSpeed)`. Other code spans are names as a whole.
+fn without_arguments(span: &str) -> &str {
+    let is_in_names = |letter: char| letter.is_alphanumeric() || letter == '$';
+    match span.split_once('(') {
+        Some((name, _)) if span.ends_with(')') && name.chars().all(is_in_names) => name,
+        _ => span,
+    }
+}
+
+/// Returns the rank of a page's kind among the pages with the same name. On the page of a type, fields of this type
+/// precede all other kinds.
+fn rank(page: &BookPage, kind: TopicKind, name: &str) -> Option<usize> {
+    if kind == TopicKind::Field && is_field_of(page, name) {
+        return Some(0);
+    }
+    ORDER.iter().position(|other| *other == kind).map(|position| position + 1)
+}
 
 /// Beginnings of code spans on generated pages, with the hand-written pages to which they link.
 const GUIDES: [(&str, &str); 3] =
@@ -120,9 +136,38 @@ fn may_mean(page: &BookPage, kind: TopicKind, name: &str) -> bool {
 fn is_field_of(page: &BookPage, name: &str) -> bool {
     let subject = page.subject.as_ref().filter(|subject| subject.kind == TopicKind::Type);
     let Some(ty) = subject.and_then(|subject| BaseType::from_name(&subject.name)) else { return false };
-    let of_arm = |arm| {
-        fields(ty, arm).iter().any(|field| field.name == name)
-            || attributes(ty, arm).iter().any(|attribute| attribute.name == name)
-    };
-    of_arm(None) || of_arm(Some(Arm::Scara))
+    [None, Some(Arm::Scara)].into_iter().any(|arm| has_member(ty, arm, name))
+}
+
+/// Whether the type has this field or attribute on controllers of this arm kind.
+fn has_member(ty: BaseType, arm: Option<Arm>, name: &str) -> bool {
+    fields(ty, arm).iter().any(|field| field.name == name)
+        || attributes(ty, arm).iter().any(|attribute| attribute.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::book::page::Subject;
+
+    #[test]
+    fn a_command_page_describes_the_command_in_its_name() {
+        assert_eq!(described_command("commands/arm-list.md").as_deref(), Some("val3 arm list"));
+        assert_eq!(described_command("silence.md"), None);
+    }
+
+    #[test]
+    fn a_call_is_named_without_its_arguments() {
+        assert_eq!(without_arguments("movej(jStart, tGripper, mNomSpeed)"), "movej");
+        assert_eq!(without_arguments("movej"), "movej");
+        assert_eq!(without_arguments("(a + b)(c"), "(a + b)(c");
+    }
+
+    #[test]
+    fn own_fields_have_the_first_rank_on_the_page_of_a_type() {
+        let subject = |name: &str| Some(Subject { kind: TopicKind::Type, name: name.to_owned() });
+        let page = |name: &str| BookPage { subject: subject(name), ..BookPage::plain("types/x.md", "") };
+        assert_eq!(rank(&page("trsf"), TopicKind::Field, "x"), Some(0));
+        assert!(rank(&page("string"), TopicKind::Field, "x") > rank(&page("string"), TopicKind::Type, "x"));
+    }
 }

@@ -59,12 +59,14 @@ fn documents(docs: &Utf8Path) -> Result<Vec<(camino::Utf8PathBuf, &'static str)>
 
 /// Returns the table of contents for a folder without its index, with the pages' titles.
 fn entries(pages: &[BookPage], folder: &str) -> String {
-    let entry = |page: &BookPage| {
-        let title = page.text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
-        format!("  - [{title}]({})\n", page.path)
-    };
     let is_entry = |page: &&BookPage| page.path.starts_with(folder) && !page.path.ends_with("/index.md");
     pages.iter().filter(is_entry).map(entry).collect()
+}
+
+/// Returns the line of the table of contents for a page.
+fn entry(page: &BookPage) -> String {
+    let title = page.text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
+    format!("  - [{title}]({})\n", page.path)
 }
 
 /// Collects the Markdown pages below a folder.

@@ -71,10 +71,12 @@ fn group_file(kind: TopicKind, group: &str) -> String {
 
 /// Returns a table of pages in the same folder.
 fn table(topics: &[&Topic]) -> String {
-    let row = |topic: &&Topic| {
-        format!("| [{}]({}.md) | {} |\n", escaped(&topic.title), topic.stem, topic.summary.replace('|', "\\|"))
-    };
-    format!("\n| | |\n|---|---|\n{}", topics.iter().map(row).collect::<String>())
+    format!("\n| | |\n|---|---|\n{}", topics.iter().map(|topic| row(topic)).collect::<String>())
+}
+
+/// Returns the row of a table of pages.
+fn row(topic: &Topic) -> String {
+    format!("| [{}]({}.md) | {} |\n", escaped(&topic.title), topic.stem, topic.summary.replace('|', "\\|"))
 }
 
 /// Escapes a title for Markdown.

@@ -1,7 +1,7 @@
 //! Words of the language as regular expressions.
 
 use val3_lang::enumerations::ENUMERATORS;
-use val3_lang::instruction::{Family, Instruction};
+use val3_lang::instruction::Family;
 use val3_lang::{builtins, instructions, keywords};
 
 /// Returns the words that open, divide or close a block.
@@ -44,13 +44,14 @@ pub(crate) fn instruction_families() -> Vec<(String, String)> {
     let mut families: Vec<Family> = instructions::all().iter().map(|row| row.family).collect();
     families.sort();
     families.dedup();
-    let plain = |row: &&&Instruction| row.name.starts_with(|first: char| first.is_ascii_alphabetic());
-    let words = |family| {
-        let of_family = instructions::all().iter().filter(move |row| row.family == family);
-        one_of(of_family.filter(plain).map(|row| row.name))
-    };
-    let named = families.into_iter().map(|family| (format!("{family:?}").to_lowercase(), words(family)));
+    let named = families.into_iter().map(|family| (format!("{family:?}").to_lowercase(), instruction_words(family)));
     named.filter(|(_, words)| words != NOTHING).collect()
+}
+
+/// Matches the instructions of a family that begin with a letter.
+fn instruction_words(family: Family) -> String {
+    let names = instructions::all().iter().filter(|row| row.family == family).map(|row| row.name);
+    one_of(names.filter(|name| name.starts_with(|first: char| first.is_ascii_alphabetic())))
 }
 
 /// Matches no text.

@@ -34,7 +34,7 @@ pub(crate) struct Call {
 pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec<Call>, RefactoringError> {
     let mut calls: Vec<Call> = Vec::new();
     for symbol in symbols {
-        can_be_read(db, symbol)?;
+        check_callers_readable(db, symbol)?;
         for (file, project, range) in uses(db, symbol) {
             let Some(call) = Call::at(db, file, project, range)? else { continue };
             if call.arguments.len() != count {
@@ -50,7 +50,7 @@ pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec
 }
 
 /// Checks that all programs that may call this program are free of syntax errors.
-fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
+fn check_callers_readable(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
     let Symbol::Program(project, name) = symbol else { return Ok(()) };
     for user in projects_using(db, *project) {
         for file in program_files(db, user).iter().filter(|file| mentions(db, **file, name)) {
@@ -60,11 +60,11 @@ fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
             }
         }
     }
-    has_known_libraries(db, *project, name)
+    check_libraries_resolved(db, *project, name)
 }
 
 /// Checks that no program calls a program of this name in an unresolved library.
-fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), RefactoringError> {
+fn check_libraries_resolved(db: &dyn Db, project: Project, name: &str) -> Result<(), RefactoringError> {
     if !val3_analysis::interfaces::is_public(db, project, name) {
         return Ok(());
     }

@@ -12,26 +12,27 @@ use super::programs::AffectedProgram;
 use super::variables::{NewLocal, NewParameter, NewVariables, has_sizes};
 use crate::RefactoringError;
 use crate::declare::is_old_program;
-use crate::rename::{takes_no_unknown, variable_name};
+use crate::rename::{check_no_unresolved_use, check_variable_name};
 
 /// Checks that the new variables have valid names and types.
 pub(super) fn check(db: &dyn Db, program: &AffectedProgram) -> Result<(), RefactoringError> {
     let header = header(db, program.file);
-    are_different(program)?;
+    check_distinct_names(program)?;
     for new in &program.wanted.parameters {
         let old = new.from.and_then(|index| header.params.get(index));
-        name(db, program, &new.name, old.map(|old| old.name.as_str()))?;
-        parameter_type(db, program, new, old)?;
+        check_name(db, program, &new.name, old.map(|old| old.name.as_str()))?;
+        check_parameter_type(db, program, new, old)?;
     }
     for new in &program.wanted.locals {
         let old = new.from.and_then(|index| header.locals.get(index));
-        name(db, program, &new.name, old.map(|old| old.name.as_str()))?;
-        local_type(db, program, new, old)?;
+        check_name(db, program, &new.name, old.map(|old| old.name.as_str()))?;
+        check_local_type(db, program, new, old)?;
     }
     Ok(())
 }
 
-fn are_different(program: &AffectedProgram) -> Result<(), RefactoringError> {
+/// Checks that no two variables have the same name.
+fn check_distinct_names(program: &AffectedProgram) -> Result<(), RefactoringError> {
     let mut seen = FxHashSet::default();
     match program.wanted.names().find(|name| !seen.insert(*name)) {
         Some(name) => Err(format!("two variables of the program would be called `{name}`").into()),
@@ -39,16 +40,16 @@ fn are_different(program: &AffectedProgram) -> Result<(), RefactoringError> {
     }
 }
 
-fn name(db: &dyn Db, program: &AffectedProgram, name: &str, old: Option<&str>) -> Result<(), RefactoringError> {
+fn check_name(db: &dyn Db, program: &AffectedProgram, name: &str, old: Option<&str>) -> Result<(), RefactoringError> {
     if old == Some(name) {
         return Ok(());
     }
-    variable_name(db, program.file, name)?;
+    check_variable_name(db, program.file, name)?;
     // An added variable may resolve an unresolved name of the program.
-    if old.is_some() { takes_no_unknown(db, program.file, name) } else { Ok(()) }
+    if old.is_some() { check_no_unresolved_use(db, program.file, name) } else { Ok(()) }
 }
 
-fn parameter_type(
+fn check_parameter_type(
     db: &dyn Db,
     program: &AffectedProgram,
     new: &NewParameter,
@@ -58,7 +59,7 @@ fn parameter_type(
         return Ok(());
     }
     if old.is_none_or(|old| old.type_name != *new.type_name) {
-        is_type(db, program, &new.type_name)?;
+        check_type_exists(db, program, &new.type_name)?;
     }
     let name = &new.name;
     match new.container {
@@ -75,7 +76,7 @@ fn parameter_type(
     }
 }
 
-fn local_type(
+fn check_local_type(
     db: &dyn Db,
     program: &AffectedProgram,
     new: &NewLocal,
@@ -85,7 +86,7 @@ fn local_type(
         return Ok(());
     }
     if old.is_none_or(|old| old.type_name != *new.type_name) {
-        is_type(db, program, &new.type_name)?;
+        check_type_exists(db, program, &new.type_name)?;
     }
     let is_resized = old.is_none_or(|old| old.sizes != new.sizes);
     if is_resized && old.is_some_and(|old| !has_sizes(old)) {
@@ -100,7 +101,8 @@ fn local_type(
     Ok(())
 }
 
-fn is_type(db: &dyn Db, program: &AffectedProgram, name: &str) -> Result<(), RefactoringError> {
+/// Checks that the name of a type can be resolved.
+fn check_type_exists(db: &dyn Db, program: &AffectedProgram, name: &str) -> Result<(), RefactoringError> {
     match resolve_type(&items(db, program.project).types, name) {
         None => Err(format!("there is no type `{name}`").into()),
         Some(Base::Unknown) => Err(format!("the project of the user type `{name}` cannot be found").into()),
@@ -110,7 +112,7 @@ fn is_type(db: &dyn Db, program: &AffectedProgram, name: &str) -> Result<(), Ref
 
 /// Checks that all declarations of a program can be read, and if names are removed or changed, also that its code has
 /// no syntax errors.
-pub(super) fn is_readable(db: &dyn Db, program: &AffectedProgram) -> Result<(), RefactoringError> {
+pub(super) fn check_readable(db: &dyn Db, program: &AffectedProgram) -> Result<(), RefactoringError> {
     let header = header(db, program.file);
     let path = program.file.path(db).file_name().unwrap_or("");
     if !header.complete {

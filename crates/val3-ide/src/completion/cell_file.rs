@@ -225,15 +225,17 @@ fn carrier_paths(db: &dyn Db, project: Project, ty: BaseType, is_public: bool) -
 /// Names of other things in the file.
 fn things(found: &mut CompletionList<'_>, cursor: &TomlCursor, tables: &[&str]) {
     let text = found.file.text(found.db);
-    let is_name = |key: &str| {
-        let table = key.strip_suffix("].name").and_then(|table| table.split_once('['));
-        table.is_some_and(|(table, _)| tables.contains(&table))
-    };
-    let names: BTreeSet<String> =
-        table_strings(text).into_iter().filter(|string| is_name(&string.key)).map(|string| string.text).collect();
+    let strings = table_strings(text).into_iter().filter(|string| is_name_in(tables, &string.key));
+    let names: BTreeSet<String> = strings.map(|string| string.text).collect();
     for name in names.iter().filter(|name| !name.is_empty()) {
         add(found, cursor, name, Kind::Element, "");
     }
+}
+
+/// Whether a key is the name of an entry in one of the tables, for example `object[2].name`.
+fn is_name_in(tables: &[&str], key: &str) -> bool {
+    let table = key.strip_suffix("].name").and_then(|entry| entry.split_once('['));
+    table.is_some_and(|(table, _)| tables.contains(&table))
 }
 
 /// Signals in the configuration of the cell, and links of the applications' data.

@@ -71,8 +71,8 @@ fn father(base: Base) -> Option<SavedContent> {
 pub(super) fn add_key(file: &DataFile<'_>, place: &DataPlace, key: &str) -> Result<Vec<TextEdit>, DataProblem> {
     check_key(key)?;
     change(file, place, |data, base| {
-        is_collection(data)?;
-        is_free(data, key)?;
+        check_collection(data)?;
+        check_key_unused(data, key)?;
         let content = father(base).unwrap_or_else(|| SavedContent::Attributes(Vec::new()));
         data.values.push(SavedValue { key: key.to_owned(), content });
         Ok(())
@@ -86,8 +86,8 @@ pub(super) fn remove_keys(
     keys: &[String],
 ) -> Result<Vec<TextEdit>, DataProblem> {
     change(file, place, |data, _| {
-        is_collection(data)?;
-        keys.iter().try_for_each(|key| has_key(data, key))?;
+        check_collection(data)?;
+        keys.iter().try_for_each(|key| check_key_exists(data, key))?;
         data.values.retain(|value| !keys.contains(&value.key));
         Ok(())
     })
@@ -103,10 +103,10 @@ pub(super) fn rename_key(
     check_key(new_key)?;
     let element = element_at(file, place)?;
     let data = val3_data::read(element);
-    is_collection(&data)?;
-    has_key(&data, key)?;
+    check_collection(&data)?;
+    check_key_exists(&data, key)?;
     if key != new_key {
-        is_free(&data, new_key)?;
+        check_key_unused(&data, new_key)?;
     }
     let value = element.elements().find(|value| value.value("key").as_deref() == Some(key));
     Ok(value.and_then(|value| val3_data::rename_key(value, new_key)).into_iter().collect())
@@ -150,23 +150,28 @@ fn check_key(key: &str) -> Result<(), DataProblem> {
     check_text(key)
 }
 
-fn is_collection(data: &SavedData) -> Result<(), DataProblem> {
+/// Checks that the data has keys, and no sizes.
+fn check_collection(data: &SavedData) -> Result<(), DataProblem> {
     match data.shape {
         SavedContainer::Keys => Ok(()),
         SavedContainer::Sizes(_) => Err(refusal(format!("`{}` is an array: it has a size and no keys", data.name))),
     }
 }
 
-fn is_free(data: &SavedData, key: &str) -> Result<(), DataProblem> {
-    match data.values.iter().any(|value| value.key == key) {
-        true => Err(refusal(format!("`{}` has the key `{key}` already", data.name))),
-        false => Ok(()),
+fn check_key_unused(data: &SavedData, key: &str) -> Result<(), DataProblem> {
+    if has_key(data, key) {
+        return Err(refusal(format!("`{}` has the key `{key}` already", data.name)));
     }
+    Ok(())
 }
 
-fn has_key(data: &SavedData, key: &str) -> Result<(), DataProblem> {
-    match data.values.iter().any(|value| value.key == key) {
-        true => Ok(()),
-        false => Err(refusal(format!("`{}` has no key `{key}`", data.name))),
+fn check_key_exists(data: &SavedData, key: &str) -> Result<(), DataProblem> {
+    if !has_key(data, key) {
+        return Err(refusal(format!("`{}` has no key `{key}`", data.name)));
     }
+    Ok(())
+}
+
+fn has_key(data: &SavedData, key: &str) -> bool {
+    data.values.iter().any(|value| value.key == key)
 }

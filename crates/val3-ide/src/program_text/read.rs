@@ -32,21 +32,34 @@ pub(super) fn program(text: &str) -> Result<NewProgram, String> {
 }
 
 fn read_head(line: &str) -> Result<NewProgram, String> {
-    let wrong = || {
-        format!(
+    let Some(ProgramHead { public, name, params }) = ProgramHead::split(line) else {
+        return Err(format!(
             "`{line}` is no head of a program: write [public] program pick(num x_nCount, string& x_sName, num x_nList[])"
-        )
+        ));
     };
-    let rest = line.trim();
-    let (public, rest) = match rest.strip_prefix("public ") {
-        Some(rest) => (true, rest.trim_start()),
-        None => (false, rest.strip_prefix("private ").unwrap_or(rest).trim_start()),
-    };
-    let rest = rest.strip_prefix("program ").ok_or_else(wrong)?;
-    let (name, params) = rest.split_once('(').ok_or_else(wrong)?;
-    let params = params.trim_end().strip_suffix(')').ok_or_else(wrong)?.trim();
     let params = if params.is_empty() { Vec::new() } else { parameters(params)? };
-    Ok(NewProgram { name: name.trim().to_owned(), public, params, ..NewProgram::default() })
+    Ok(NewProgram { name: name.to_owned(), public, params, ..NewProgram::default() })
+}
+
+/// Parts of a program's first line.
+struct ProgramHead<'l> {
+    public: bool,
+    name: &'l str,
+    /// Text between the parentheses.
+    params: &'l str,
+}
+
+impl<'l> ProgramHead<'l> {
+    /// Splits the line; `None` if a part is missing. Without `public`, the program is private.
+    fn split(line: &'l str) -> Option<Self> {
+        let rest = line.trim();
+        let (public, rest) = match rest.strip_prefix("public ") {
+            Some(rest) => (true, rest.trim_start()),
+            None => (false, rest.strip_prefix("private ").unwrap_or(rest).trim_start()),
+        };
+        let (name, params) = rest.strip_prefix("program ")?.split_once('(')?;
+        Some(Self { public, name: name.trim(), params: params.trim_end().strip_suffix(')')?.trim() })
+    }
 }
 
 /// Reads parameters, which are separated by commas outside of brackets.

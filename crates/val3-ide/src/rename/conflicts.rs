@@ -19,7 +19,7 @@ fn refused(reason: String) -> Result<(), RefactoringError> {
 }
 
 /// Checks that the files declare the name, and that nothing outside them depends on it.
-pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
+pub(super) fn check_renamable(db: &dyn Db, symbol: &Symbol) -> Result<(), RefactoringError> {
     let name = text(symbol);
     match symbol {
         Symbol::Program(_, name) if ENTRY_POINTS.contains(&name.as_str()) => {
@@ -34,7 +34,7 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Refac
         | Symbol::Program(..)
         | Symbol::Library(..)
         | Symbol::Type(..) => Ok(()),
-        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name),
+        Symbol::Task(project, name) => tasks::check_no_computed_name(db, *project, name),
         Symbol::Element(page, id) => elements::check_no_other_use(db, *page, id),
         Symbol::Instruction(_)
         | Symbol::Builtin(_)
@@ -52,8 +52,8 @@ fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
 /// Checks that the new name is valid and unused, and that all uses keep their meaning.
 pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RefactoringError> {
     symbols.iter().try_for_each(|symbol| {
-        is_name(db, symbol, new_name)?;
-        free(db, symbol, new_name)
+        check_valid_name(db, symbol, new_name)?;
+        check_unused(db, symbol, new_name)
     })
 }
 
@@ -69,17 +69,18 @@ pub(crate) fn name_fault(name: &str, version: Option<Version>) -> Option<String>
     Some(format!("names have at most {limit} characters in this version"))
 }
 
-fn is_name(db: &dyn Db, symbol: &Symbol, name: &str) -> Result<(), RefactoringError> {
+/// Checks that an item of the symbol's project can have the name.
+fn check_valid_name(db: &dyn Db, symbol: &Symbol, name: &str) -> Result<(), RefactoringError> {
     let version = project_of(db, symbol).map(|project| items(db, project).version);
     name_fault(name, version).map_or(Ok(()), refused)
 }
 
 /// Checks that a new parameter or local of the program in `file` can have the name, regardless of the other variables.
-pub(crate) fn variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), RefactoringError> {
+pub(crate) fn check_variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), RefactoringError> {
     let symbol = Symbol::Local(file, name.into());
-    is_name(db, &symbol, name)?;
-    is_no_item(db, &symbol, name)?;
-    hides_no_data(db, file, name)
+    check_valid_name(db, &symbol, name)?;
+    check_no_item(db, &symbol, name)?;
+    check_hides_no_data(db, file, name)
 }
 
 /// Project to which a symbol belongs.
@@ -92,25 +93,27 @@ fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     }
 }
 
-fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RefactoringError> {
-    is_no_item(db, symbol, new_name)?;
+/// Checks that the name is unused where the symbol is visible, and unresolved nowhere.
+fn check_unused(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RefactoringError> {
+    check_no_item(db, symbol, new_name)?;
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
-            not_declared_in(db, *file, new_name)?;
-            hides_no_data(db, *file, new_name)?;
-            takes_no_unknown(db, *file, new_name)
+            check_not_declared(db, *file, new_name)?;
+            check_hides_no_data(db, *file, new_name)?;
+            check_no_unresolved_use(db, *file, new_name)
         }
         // A local hides only data in the same project: `:` precedes a library item, and `.` precedes a field.
         Symbol::Data(project, _) | Symbol::Program(project, _) | Symbol::Library(project, _) => {
             let own = |file: &File| crate::owner::projects_of(db, *file).contains(project);
-            users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))?;
-            program_files(db, *project).iter().try_for_each(|file| takes_no_unknown(db, *file, new_name))
+            users(db, symbol).filter(own).try_for_each(|file| check_not_declared(db, file, new_name))?;
+            program_files(db, *project).iter().try_for_each(|file| check_no_unresolved_use(db, *file, new_name))
         }
         _ => Ok(()),
     }
 }
 
-fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RefactoringError> {
+/// Checks that no other item in the symbol's project has the name.
+fn check_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RefactoringError> {
     let other = project_of(db, symbol).and_then(|project| other_item(db, project, symbol, new_name));
     other.map_or(Ok(()), |what| refused(format!("there is already {what} called `{new_name}`")))
 }
@@ -146,7 +149,7 @@ fn users(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = File> {
 
 /// Checks that no local or parameter of the program has the name, because it would hide or duplicate the renamed
 /// symbol.
-fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
+fn check_not_declared(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
     let header = header(db, file);
     let local = header.locals.iter().any(|local| local.name == new_name);
     let param = header.params.iter().any(|param| param.name == new_name);
@@ -158,7 +161,7 @@ fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), Refact
 }
 
 /// Checks that the program does not use global data of this name, which a local would hide.
-fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
+fn check_hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
     for project in crate::owner::projects_of(db, file) {
         let data = Symbol::Data(*project, new_name.into());
         if items(db, *project).data.contains_key(new_name) && users(db, &data).any(|user| user == file) {
@@ -169,7 +172,7 @@ fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), Refactor
 }
 
 /// Checks that the program has no unresolved use of `new_name`, which would resolve to the renamed symbol afterwards.
-pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
+pub(crate) fn check_no_unresolved_use(db: &dyn Db, file: File, new_name: &str) -> Result<(), RefactoringError> {
     if memmem::find(file.text(db).as_bytes(), new_name.as_bytes()).is_none() {
         return Ok(());
     }

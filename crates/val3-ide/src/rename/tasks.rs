@@ -11,7 +11,7 @@ use crate::RefactoringError;
 use crate::references::uses;
 
 /// Checks that no program computes a task name that may equal `name`.
-pub(super) fn no_computed_name(db: &dyn Db, project: Project, name: &str) -> Result<(), RefactoringError> {
+pub(super) fn check_no_computed_name(db: &dyn Db, project: Project, name: &str) -> Result<(), RefactoringError> {
     for file in program_files(db, project) {
         let body = body(db, *file);
         let names = task_names(body).into_iter().map(|(id, _)| id);
@@ -40,5 +40,5 @@ pub(super) fn check(db: &dyn Db, project: Project, new_name: &str) -> Result<(),
     if uses(db, &Symbol::Task(project, new_name.into())).next().is_some() {
         return Err(format!("there is already a task called `{new_name}`").into());
     }
-    no_computed_name(db, project, new_name)
+    check_no_computed_name(db, project, new_name)
 }

@@ -66,12 +66,14 @@ fn whole(pages: &[Value]) -> String {
 const HITS: usize = 8;
 
 fn hits(topic: &str, pages: &[Value]) -> String {
-    let hit = |page: &Value| {
-        let name = items(page, "names").first().and_then(Value::as_str).unwrap_or_default();
-        let (kind, summary, excerpt) = (text(page, "kind"), text(page, "summary"), text(page, "excerpt"));
-        let excerpt = if excerpt == summary || excerpt.is_empty() { String::new() } else { format!(" … {excerpt}") };
-        format!("- `{name}` ({kind}): {summary}{excerpt}")
-    };
     let lines: Vec<String> = pages.iter().take(HITS).map(hit).collect();
     format!("there is no page `{topic}`; pages that contain it, best first:\n{}", lines.join("\n"))
+}
+
+/// Line of a page in a search's list: its first name, summary, and the text around the hit outside of the summary.
+fn hit(page: &Value) -> String {
+    let name = items(page, "names").first().and_then(Value::as_str).unwrap_or_default();
+    let (kind, summary, excerpt) = (text(page, "kind"), text(page, "summary"), text(page, "excerpt"));
+    let excerpt = if excerpt == summary || excerpt.is_empty() { String::new() } else { format!(" … {excerpt}") };
+    format!("- `{name}` ({kind}): {summary}{excerpt}")
 }

@@ -3,7 +3,6 @@
 mod program;
 mod project;
 
-use camino::Utf8PathBuf;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use val3_analysis::load::Workspace;
@@ -73,11 +72,8 @@ fn list(call: &Call<'_>, workspace: &Workspace) -> String {
 
 /// Files and folders that cannot be read, so that their projects are missing in the outline, one per line.
 fn unreadable(call: &Call<'_>, workspace: &Workspace) -> String {
-    let line = |(path, reason): &(Utf8PathBuf, String)| {
-        let path = call.roots.shown(path);
-        format!("- {path} cannot be read: {reason}\n")
-    };
-    workspace.unreadable.iter().map(line).collect()
+    let files = workspace.unreadable.iter().map(|(path, reason)| (call.roots.shown(path), reason));
+    files.map(|(path, reason)| format!("- {path} cannot be read: {reason}\n")).collect()
 }
 
 #[cfg(test)]

@@ -70,15 +70,7 @@ fn edits(db: &Database, project: Project, arguments: &Arguments) -> Result<(File
     let mut edits = Vec::new();
     let file = match known {
         Some(item) => {
-            let is_other = |wanted: &String| {
-                wanted != item.decl.type_name.as_str() && file_type(db, project, wanted) != item.decl.type_name.as_str()
-            };
-            if let Some(wanted) = arguments.type_name.as_ref().filter(|wanted| is_other(wanted)) {
-                let (name, known) = (&arguments.name, &item.decl.type_name);
-                return Err(Refusal(format!(
-                    "`{name}` has the type `{known}`, which cannot become `{wanted}`: choose another name"
-                )));
-            }
+            check_type(db, project, arguments, &item.decl.type_name)?;
             if let Some(sizes) = arguments.size.as_ref().filter(|sizes| **sizes != item.decl.sizes) {
                 edits.push(DataEdit::Resize { place: variable(&arguments.name), sizes: sizes.clone() });
             }
@@ -120,6 +112,17 @@ fn datum(db: &Database, project: Project, arguments: &Arguments) -> Result<NewDa
     Ok(NewDatum { name, type_name, public, container, sizes, after: None })
 }
 
+/// Checks that the arguments name no other type than existing data has.
+fn check_type(db: &Database, project: Project, arguments: &Arguments, known: &str) -> Result<(), Refusal> {
+    let Arguments { name, type_name, .. } = arguments;
+    match type_name {
+        Some(wanted) if wanted != known && file_type(db, project, wanted) != known => Err(Refusal(format!(
+            "`{name}` has the type `{known}`, which cannot become `{wanted}`: choose another name"
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Type name in the spelling of data files, in which positions include the kind of arm.
 fn file_type(db: &Database, project: Project, type_name: &str) -> String {
     let arm = items(db, project).arm.unwrap_or(Arm::SixAxis);
@@ -142,13 +145,15 @@ fn cells(name: &str, key: &str, value: &Value) -> Result<Vec<CellEdit>, Refusal>
         FieldStep { name: name.to_owned(), key: key.trim_end_matches(']').to_owned() }
     });
     let place = DataPlace { name: name.to_owned(), key: Some(first.to_owned()), within: within.collect() };
-    let cell = |column: &str, value: &Value| -> Result<CellEdit, Refusal> {
-        Ok(CellEdit { place: place.clone(), column: column.to_owned(), text: cell_text(value)? })
+    let columns: Vec<(&str, &Value)> = match value {
+        Value::Object(columns) => columns.iter().map(|(column, value)| (column.as_str(), value)).collect(),
+        value => vec![("value", value)],
     };
-    match value {
-        Value::Object(columns) => columns.iter().map(|(column, value)| cell(column, value)).collect(),
-        value => Ok(vec![cell("value", value)?]),
+    let mut cells = Vec::new();
+    for (column, value) in columns {
+        cells.push(CellEdit { place: place.clone(), column: column.to_owned(), text: cell_text(value)? });
     }
+    Ok(cells)
 }
 
 /// Text of a cell; `None` for the cell's default.

@@ -11,9 +11,12 @@ const PARTS: [(&str, &str); 3] = [("val3", "VAL 3"), ("system", "System"), ("sta
 /// Answers the request.
 pub(super) fn answer(_: &GetCs8Versions, context: &mut Context<'_, '_>) -> Result<GetCs8VersionsAnswer, SoapFault> {
     let versions = &context.controller().devices.state.versions;
-    let part = |(name, component): (&str, &str)| {
-        let version = Some(versions.version(component)).filter(|version| !version.is_empty())?;
-        Some(SoftwareVersion { name: Some(name.to_owned()), version: Some(version.to_owned()) })
-    };
-    Ok(GetCs8VersionsAnswer { versions: PARTS.into_iter().filter_map(part).collect() })
+    let parts = PARTS.into_iter().map(|(name, component)| (name, versions.version(component)));
+    let installed = parts.filter(|(_, version)| !version.is_empty());
+    Ok(GetCs8VersionsAnswer { versions: installed.map(|(name, version)| software_version(name, version)).collect() })
+}
+
+/// Version of a part of the software.
+fn software_version(name: &str, version: &str) -> SoftwareVersion {
+    SoftwareVersion { name: Some(name.to_owned()), version: Some(version.to_owned()) }
 }

@@ -31,18 +31,16 @@ impl MimeData {
     }
 }
 
+/// Returns the content type at an element, in any name space in which stubs write it.
+fn content_type(element: &SoapElement) -> Option<&str> {
+    NAMESPACES.iter().chain(&[""]).find_map(|namespace| element.attribute(namespace, CONTENT_TYPE))
+}
+
 impl SoapValue for MimeData {
     fn read(element: &SoapElement) -> Result<Self, SoapError> {
         let data = Binary::read_field(element, DATA)?;
-        let attribute = |of: &SoapElement| {
-            NAMESPACES
-                .iter()
-                .chain(&[""])
-                .find_map(|namespace| of.attribute(namespace, CONTENT_TYPE))
-                .map(str::to_owned)
-        };
-        let content_type = attribute(element).or_else(|| element.child("", DATA).and_then(attribute));
-        Ok(Self { content_type, data })
+        let content_type = content_type(element).or_else(|| element.child("", DATA).and_then(content_type));
+        Ok(Self { content_type: content_type.map(str::to_owned), data })
     }
 
     fn write(&self, element: &mut SoapElement) {

@@ -93,21 +93,23 @@ impl FromStr for Since {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let seconds = || {
-            let (number, unit) = text.split_at_checked(text.len().checked_sub(1)?)?;
-            let factor = match unit {
-                "s" => 1,
-                "m" => 60,
-                "h" => 3_600,
-                "d" => 86_400,
-                _ => return None,
-            };
-            number.parse::<u32>().ok()?.checked_mul(factor)
-        };
         let time = DateTime::parse(text).map(Self::At);
-        time.or_else(|| seconds().map(Self::BeforeLast))
+        time.or_else(|| seconds(text).map(Self::BeforeLast))
             .ok_or("write a date (2021-01-05 or 2021-01-05T08:00) or 30m, 2h, 3d")
     }
+}
+
+/// Seconds in a duration of one unit, for example `30m`. `None` for other texts, and for 2^32 seconds or more.
+fn seconds(duration: &str) -> Option<u32> {
+    let (number, unit) = duration.split_at_checked(duration.len().checked_sub(1)?)?;
+    let factor = match unit {
+        "s" => 1,
+        "m" => 60,
+        "h" => 3_600,
+        "d" => 86_400,
+        _ => return None,
+    };
+    number.parse::<u32>().ok()?.checked_mul(factor)
 }
 
 #[cfg(test)]

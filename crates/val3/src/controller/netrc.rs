@@ -27,11 +27,7 @@ pub(super) fn password(text: &str, host: &str, user: &str) -> Option<String> {
             }
         }
     }
-    let matches = |entry: &&Entry| {
-        entry.host.as_deref().is_none_or(|name| name.eq_ignore_ascii_case(host))
-            && entry.login.as_deref().is_none_or(|login| login == user)
-    };
-    entries.list.iter().find(matches)?.password.clone()
+    entries.list.iter().find(|entry| entry.is_for(host, user))?.password.clone()
 }
 
 #[derive(Default)]
@@ -40,6 +36,14 @@ struct Entry {
     host: Option<String>,
     login: Option<String>,
     password: Option<String>,
+}
+
+impl Entry {
+    /// Whether the entry is for this user at this host.
+    fn is_for(&self, host: &str, user: &str) -> bool {
+        self.host.as_deref().is_none_or(|name| name.eq_ignore_ascii_case(host))
+            && self.login.as_deref().is_none_or(|login| login == user)
+    }
 }
 
 #[derive(Default)]

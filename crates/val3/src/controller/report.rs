@@ -65,12 +65,15 @@ pub(crate) const fn change_word(change: SideChange) -> &'static str {
 
 /// One line for each change of a push, in its order.
 pub(crate) fn planned_lines(changes: &[PlannedChange]) -> Vec<String> {
-    let line = |change: &PlannedChange| match (&change.old, &change.new) {
+    changes.iter().map(planned_line).collect()
+}
+
+fn planned_line(change: &PlannedChange) -> String {
+    match (&change.old, &change.new) {
         (None, Some(new)) => format!("add      {} ({})", change.path, shown_bytes(new.size)),
         (_, Some(new)) => format!("replace  {} ({})", change.path, shown_bytes(new.size)),
         (_, None) => format!("remove   {}", change.path),
-    };
-    changes.iter().map(line).collect()
+    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use val3_analysis::cell::{CellIo, Device};
 use val3_analysis::load::cell_io;
 use val3_backup::info::{TextFiles, joined};
 use val3_backup::{BackupFiles, UnreadFile};
-use val3_lang::types::BaseType;
 
 /// A device with its signals.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,8 +41,8 @@ pub(super) enum SignalDirection {
 }
 
 impl SignalDirection {
-    fn of(address: &str) -> Self {
-        match address.rsplit('\\').next() {
+    fn of(link: &str) -> Self {
+        match link.rsplit('\\').next() {
             Some(last) if last.starts_with("%I") => Self::Input,
             Some(last) if last.starts_with("%Q") => Self::Output,
             _ => Self::Unknown,
@@ -72,13 +71,15 @@ pub(super) fn devices(files: &dyn BackupFiles, usr: &str) -> (Vec<DeviceInfo>, V
 }
 
 fn info(name: &str, device: &Device, names: &BTreeMap<&str, &str>) -> DeviceInfo {
-    let signal = |(address, ty): (&String, &BaseType)| {
-        let link = format!("{name}\\{address}");
-        let name = names.get(link.as_str()).map(|&name| name.to_owned());
-        SignalInfo { link, ty: ty.name(), name, direction: SignalDirection::of(address) }
-    };
-    let mut signals: Vec<SignalInfo> = device.iter().map(signal).collect();
+    let links = device.iter().map(|(address, ty)| (format!("{name}\\{address}"), ty.name()));
+    let mut signals: Vec<SignalInfo> = links.map(|(link, ty)| signal(link, ty, names)).collect();
     // `%I2` precedes `%I10`.
     signals.sort_by(|one, next| (one.link.len(), &one.link).cmp(&(next.link.len(), &next.link)));
     DeviceInfo { name: name.to_owned(), signals }
+}
+
+fn signal(link: String, ty: &'static str, names: &BTreeMap<&str, &str>) -> SignalInfo {
+    let name = names.get(link.as_str()).map(|&name| name.to_owned());
+    let direction = SignalDirection::of(&link);
+    SignalInfo { link, ty, name, direction }
 }

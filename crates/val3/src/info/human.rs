@@ -83,14 +83,16 @@ fn arm(info: &ControllerInfo) -> String {
 
 fn applications(applications: &[ApplicationInfo]) -> Vec<String> {
     let width = applications.iter().map(|application| application.name.chars().count()).max().unwrap_or(0);
-    let line = |application: &ApplicationInfo| {
-        let ApplicationInfo { name, programs, files, size, modified, .. } = application;
-        let programs = counted(*programs, "program");
-        let files = counted(*files, "file");
-        let date = modified.map_or_else(String::new, |time| format!("  {time}"));
-        format!("{name:<width$}  {programs:>12}  {files:>9}  {:>9}{date}", shown_size(*size))
-    };
-    applications.iter().map(line).collect()
+    applications.iter().map(|application| application_line(application, width)).collect()
+}
+
+/// Line of an application, with its name in a column of this width.
+fn application_line(application: &ApplicationInfo, width: usize) -> String {
+    let ApplicationInfo { name, programs, files, size, modified, .. } = application;
+    let programs = counted(*programs, "program");
+    let files = counted(*files, "file");
+    let date = modified.map_or_else(String::new, |time| format!("  {time}"));
+    format!("{name:<width$}  {programs:>12}  {files:>9}  {:>9}{date}", shown_size(*size))
 }
 
 fn boards(info: &ControllerInfo, devices: &[DeviceInfo]) -> Vec<String> {

@@ -77,9 +77,8 @@ fn read_backup(backup: OpenedBackup, paths: &Paths) -> Result<ReadLog, UserError
 
 /// Returns a sentence for each folder of a backup that was not searched for logs.
 pub(super) fn unsearched(backup: &OpenedBackup, paths: &Paths) -> Vec<String> {
-    let sentence =
-        |(path, reason): &(Utf8PathBuf, String)| format!("no logs are searched in `{}`: {reason}", paths.shown(path));
-    backup.unread.iter().map(sentence).collect()
+    let folders = backup.unread.iter().map(|(path, reason)| (paths.shown(path), reason));
+    folders.map(|(path, reason)| format!("no logs are searched in `{path}`: {reason}")).collect()
 }
 
 /// Returns the only uppermost folder with logs. Logs of other controllers may lie in folders below it.

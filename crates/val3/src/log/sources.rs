@@ -14,9 +14,21 @@ const LEVELS: usize = 4;
 
 /// Programs of the applications at hand.
 pub(super) struct Sources {
-    opened: Option<(OpenedBackup, ProgramSources)>,
+    opened: Option<SearchedBackup>,
     /// Programs that could not be read, with the reason.
     unread: RefCell<BTreeMap<Utf8PathBuf, String>>,
+}
+
+/// Backup or cell with the index of its programs.
+struct SearchedBackup {
+    backup: OpenedBackup,
+    programs: ProgramSources,
+}
+
+impl SearchedBackup {
+    fn new(backup: OpenedBackup) -> Self {
+        Self { programs: ProgramSources::new(backup.files.files()), backup }
+    }
 }
 
 impl Sources {
@@ -34,16 +46,12 @@ impl Sources {
                 None => applications_around(logs).map(|folder| open(&folder)).transpose()?,
             },
         };
-        let with_programs = |backup: OpenedBackup| {
-            let programs = ProgramSources::new(backup.files.files());
-            (backup, programs)
-        };
-        Ok(Self { opened: opened.map(with_programs), unread: RefCell::default() })
+        Ok(Self { opened: opened.map(SearchedBackup::new), unread: RefCell::default() })
     }
 
     /// Returns the lines to which a message may refer, with their absolute paths.
     pub(super) fn lines(&self, entry: &LogEntry, application: Option<&str>) -> Vec<(Utf8PathBuf, SourceLine)> {
-        let Some((backup, programs)) = &self.opened else { return Vec::new() };
+        let Some(SearchedBackup { backup, programs }) = &self.opened else { return Vec::new() };
         let FoundLines { lines, unread } = programs.lines(backup.files.as_ref(), &entry.subject(), application);
         let unread = unread.into_iter().map(|file| (backup.root.join(file.path), file.reason));
         self.unread.borrow_mut().extend(unread);
@@ -52,7 +60,7 @@ impl Sources {
 
     /// Returns notes about folders that were not searched, and about programs that could not be read.
     pub(super) fn unread(&self) -> Vec<String> {
-        let folders = self.opened.iter().flat_map(|(backup, _)| &backup.unread);
+        let folders = self.opened.iter().flat_map(|opened| &opened.backup.unread);
         let folders = folders.map(|(path, reason)| format!("no programs are searched in `{path}`: {reason}"));
         let programs = self.unread.borrow();
         let programs = programs.iter().map(|(path, reason)| format!("cannot read `{path}`: {reason}"));

@@ -82,15 +82,20 @@ impl Commands for Processes {
         let ended = wait(&mut child, request.limits, is_cancelled, &[&output, &messages]);
         drop(writer);
         let status = ended?;
-        let shown = |text: String| match folder.as_ref().and_then(|folder| folder.path().to_str()) {
-            Some(folder) => text.replace(&format!("{folder}/"), ""),
-            None => text,
-        };
-        let (text, messages) = (shown(output.text()), shown(messages.text()));
+        let folder = folder.as_ref().and_then(|folder| folder.path().to_str());
+        let [text, messages] = [output.text(), messages.text()].map(|text| without_folder(text, folder));
         match status.code() {
             Some(exit_code) if !is_panic(exit_code) => Ok(CommandOutput { exit_code, text, messages }),
             _ => Err(CommandEnd::Crash(last_lines(&messages))),
         }
+    }
+}
+
+/// Shortens the paths of files in the folder with the script to their names.
+fn without_folder(text: String, folder: Option<&str>) -> String {
+    match folder {
+        Some(folder) => text.replace(&format!("{folder}/"), ""),
+        None => text,
     }
 }
 

@@ -74,9 +74,6 @@ fn unusable(path: &str, file: &CellText, reason: NotServed) -> UserError {
 /// Formats faults, one in each line: `usr/applicom/Modbus/modbus.xml:5: …`.
 fn listed(start: &str, path: &str, file: &CellText, faults: &[FileFault]) -> String {
     let lines = LineIndex::new(&file.text);
-    let line = |fault: &FileFault| {
-        let text = format!("{path}:{}: {}", lines.line(fault.offset) + 1, fault.kind);
-        format!("{start}{}", one_line(&text))
-    };
-    faults.iter().map(line).collect::<Vec<_>>().join("\n")
+    let faults = faults.iter().map(|fault| format!("{path}:{}: {}", lines.line(fault.offset) + 1, fault.kind));
+    faults.map(|fault| format!("{start}{}", one_line(&fault))).collect::<Vec<_>>().join("\n")
 }

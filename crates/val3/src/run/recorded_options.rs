@@ -65,10 +65,6 @@ impl RecordedOptions {
     /// # Errors
     /// An option in the recording is invalid.
     pub(super) fn complete(&self, args: &mut RunArgs) -> Result<(), UserError> {
-        let invalid = |option: &str, reason: String| {
-            UserError::new(format!("the option `{option}` in the recording is invalid: {reason}"))
-                .with_help("record the run again with --events")
-        };
         if let Some(program) = self.program.as_ref().filter(|_| args.program == START) {
             args.program.clone_from(program);
         }
@@ -77,23 +73,29 @@ impl RecordedOptions {
         controller.cell = controller.cell.take().or_else(|| self.cell.as_deref().map(CellChoice::of_text));
         controller.start = controller.start.take().or_else(|| self.start.clone());
         if let (None, Some(date)) = (&controller.date, &self.date) {
-            controller.date = Some(calendar(date).map_err(|reason| invalid("date", reason))?);
+            controller.date = Some(calendar(date).map_err(|reason| invalid("date", &reason))?);
         }
         controller.power |= self.power;
         controller.monitor_speed = controller.monitor_speed.or(self.monitor_speed);
         controller.network |= self.network;
         if let (None, Some(cost)) = (controller.line_cost, self.line_cost) {
             let time = val3_session::line_cost(cost);
-            controller.line_cost = Some(time.ok_or_else(|| invalid("line_cost", format!("{cost} microseconds")))?);
+            controller.line_cost = Some(time.ok_or_else(|| invalid("line_cost", &format!("{cost} microseconds")))?);
         }
         for line in &self.line {
-            let connection: Connection = line.parse().map_err(|reason: &str| invalid("line", reason.to_string()))?;
+            let connection: Connection = line.parse().map_err(|reason| invalid("line", reason))?;
             if !controller.line.iter().any(|own| own.is_for(connection.link())) {
                 controller.line.push(connection);
             }
         }
         Ok(())
     }
+}
+
+/// Error for an option of a recording.
+fn invalid(option: &str, reason: &str) -> UserError {
+    UserError::new(format!("the option `{option}` in the recording is invalid: {reason}"))
+        .with_help("record the run again with --events")
 }
 
 /// Formats a date as `--date` reads it.

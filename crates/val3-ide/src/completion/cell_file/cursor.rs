@@ -82,11 +82,7 @@ impl CursorReader {
         let mut path = self.path();
         path.extend(self.key.filter(|_| place == TomlPlace::Value));
         let after_line = text.get(start + line.len()..).unwrap_or_default();
-        let is_end = |letter: char| match rest.quote {
-            Some(quote) => letter == quote || letter == '\n' || letter == '\r',
-            None => !is_word(letter),
-        };
-        let len = after_line.find(is_end).unwrap_or(after_line.len());
+        let len = after_line.find(|letter| rest.is_ended_by(letter)).unwrap_or(after_line.len());
         Some(TomlCursor { path, place, range: from..start + line.len() + len, is_quoted: rest.quote.is_some() })
     }
 
@@ -164,6 +160,16 @@ struct Unfinished<'l> {
     text: &'l str,
     /// Its opening quote.
     quote: Option<char>,
+}
+
+impl Unfinished<'_> {
+    /// Whether the letter ends the word, or the text between quotes, which ends with the line at the latest.
+    fn is_ended_by(&self, letter: char) -> bool {
+        match self.quote {
+            Some(quote) => letter == quote || letter == '\n' || letter == '\r',
+            None => !is_word(letter),
+        }
+    }
 }
 
 fn is_word(letter: char) -> bool {

@@ -53,9 +53,11 @@ fn calls(text: &mut String, label: &str, calls: &[Call]) {
     if calls.is_empty() {
         return;
     }
-    let name = |call: &Call| {
-        let task = if call.in_task { " (task)" } else { "" };
-        format!("{}:{}{task}", call.item.project, call.item.name)
-    };
-    text.push_str(&format!("{label}: {}\n", calls.iter().map(name).collect::<Vec<_>>().join(", ")));
+    text.push_str(&format!("{label}: {}\n", calls.iter().map(full_name).collect::<Vec<_>>().join(", ")));
+}
+
+/// Name of the caller or called program with its project, for example `cell:start (task)`.
+fn full_name(call: &Call) -> String {
+    let task = if call.in_task { " (task)" } else { "" };
+    format!("{}:{}{task}", call.item.project, call.item.name)
 }

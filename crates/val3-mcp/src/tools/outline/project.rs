@@ -2,7 +2,7 @@
 
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::items;
-use val3_ide::{ProjectContent, project_content};
+use val3_ide::{ProjectContent, TreeItem, TreeReference, project_content};
 
 use crate::projects::folder;
 use crate::roots::Roots;
@@ -46,20 +46,15 @@ pub(super) fn shown(db: &Database, roots: &Roots, project: Project) -> String {
             format!("{} {}{value}", item.detail, item.name)
         }),
     );
-    let reference = |name: &str, path: &str, is_found: bool| {
-        format!("{name} \"{path}\"{}", if is_found { "" } else { " (not found)" })
-    };
-    section(
-        &mut text,
-        "libraries",
-        content.libraries.iter().map(|item| reference(&item.name, &item.detail, item.what.project.is_some())),
-    );
-    section(
-        &mut text,
-        "user types",
-        content.types.iter().map(|item| reference(&item.name, &item.detail, item.what.project.is_some())),
-    );
+    section(&mut text, "libraries", content.libraries.iter().map(reference));
+    section(&mut text, "user types", content.types.iter().map(reference));
     text
+}
+
+/// Line of a library or user type: name, and path in the project file.
+fn reference(item: &TreeItem<TreeReference>) -> String {
+    let state = if item.what.project.is_some() { "" } else { " (not found)" };
+    format!("{} \"{}\"{state}", item.name, item.detail)
 }
 
 fn section(text: &mut String, name: &str, lines: impl IntoIterator<Item = String>) {

@@ -52,18 +52,20 @@ impl UrdfForm {
 pub(super) fn shapes(LinkCapsule { from, to, radius }: &LinkCapsule) -> Vec<UrdfShape> {
     let radius = radius / MILLIMETRES;
     let (line, middle) = (to - from, (from + to) / 2.0);
-    let sphere = |at: &Vector3<f64>| {
-        let pose = IsometryMatrix3::from_parts(Translation3::from(*at), Rotation3::identity());
-        UrdfShape { pose, form: UrdfForm::Sphere { radius } }
-    };
     let length = line.norm();
     if length <= f64::EPSILON {
-        return vec![sphere(from)];
+        return vec![sphere(from, radius)];
     }
     // A line against z can be turned around any axis.
     let turn = Rotation3::rotation_between(&Vector3::z(), &line);
     let turn = turn.unwrap_or_else(|| Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
     let pose = IsometryMatrix3::from_parts(Translation3::from(middle), turn);
     let form = UrdfForm::Cylinder { radius, length: length / MILLIMETRES };
-    vec![UrdfShape { pose, form }, sphere(from), sphere(to)]
+    vec![UrdfShape { pose, form }, sphere(from, radius), sphere(to, radius)]
+}
+
+/// Returns a sphere with its centre in mm and its radius in m.
+fn sphere(centre: &Vector3<f64>, radius: f64) -> UrdfShape {
+    let pose = IsometryMatrix3::from_parts(Translation3::from(*centre), Rotation3::identity());
+    UrdfShape { pose, form: UrdfForm::Sphere { radius } }
 }

@@ -135,16 +135,18 @@ impl Cycles {
 
 impl NamedEvent {
     fn open(text: String, controller: &Controller) -> Result<Self, UserError> {
-        let invalid = |reason: &str| {
-            UserError::new(format!("`{text}` is no event of a cycle: {reason}"))
-                .with_help("write an event as in `[[expect.within]]`: --cycles=\"move = 'pick:12'\"; --cycles lists the events that repeat")
-        };
-        let event = CycleEvent::parse(&text).map_err(|reason| invalid(&reason))?;
+        let event = CycleEvent::parse(&text).map_err(|reason| no_event(&text, &reason))?;
         // A library may be loaded during the run, and a variable may change its size.
         let faults = event.faults(controller, &|_| true);
         match faults.first() {
-            Some(fault) => Err(invalid(fault)),
+            Some(fault) => Err(no_event(&text, fault)),
             None => Ok(Self { text, event }),
         }
     }
+}
+
+/// Error for a text that names no event of the controller.
+fn no_event(text: &str, reason: &str) -> UserError {
+    UserError::new(format!("`{text}` is no event of a cycle: {reason}"))
+        .with_help("write an event as in `[[expect.within]]`: --cycles=\"move = 'pick:12'\"; --cycles lists the events that repeat")
 }

@@ -255,25 +255,27 @@ fn screen(pendant: &Pendant) -> Vec<String> {
 
 /// Counts of moves by program and line, with times.
 fn moves(counts: &BTreeMap<MoveLine, usize>, arm: &[TimesRow]) -> MovesEntry {
-    let time_of = |is_meant: &dyn Fn(&TimesRow) -> bool| -> f64 {
-        arm.iter().filter(|row| row.is_moving && is_meant(row)).map(|row| row.seconds).sum()
-    };
     let mut programs: BTreeMap<&str, ProgramMoves> = BTreeMap::new();
     let mut lines = Vec::new();
     for ((program, line, instruction), count) in counts {
-        let seconds = time_of(&|row| row.program == *program && row.line == *line);
+        let seconds = moving_seconds(arm.iter().filter(|row| row.program == *program && row.line == *line));
         lines.push(LineMoves { program: program.clone(), line: *line, instruction, count: *count, seconds });
         let of_program = programs.entry(program).or_insert_with(|| ProgramMoves {
             program: program.clone(),
             count: 0,
-            seconds: time_of(&|row| row.program == *program),
+            seconds: moving_seconds(arm.iter().filter(|row| row.program == *program)),
         });
         of_program.count += count;
     }
     let mut programs: Vec<ProgramMoves> = programs.into_values().collect();
     programs.sort_by(|one, other| other.seconds.total_cmp(&one.seconds));
     lines.sort_by(|one, other| other.seconds.total_cmp(&one.seconds));
-    MovesEntry { count: counts.values().sum(), seconds: time_of(&|_| true), programs, lines }
+    MovesEntry { count: counts.values().sum(), seconds: moving_seconds(arm.iter()), programs, lines }
+}
+
+/// Time during which the arm moves.
+fn moving_seconds<'r>(rows: impl Iterator<Item = &'r TimesRow>) -> f64 {
+    rows.filter(|row| row.is_moving).map(|row| row.seconds).sum()
 }
 
 fn is_wait(row: &TimesRow) -> bool {

@@ -72,14 +72,16 @@ fn moves(out: &mut String, document: &ResultDocument) {
     if moves.count == 0 {
         return;
     }
-    let program =
-        |ProgramMoves { program, count, seconds }: &ProgramMoves| format!("{program} {count} ({seconds:.2} s)");
     let slowest = moves.lines.first().map(|LineMoves { program, line, instruction, seconds, .. }| {
         format!("; slowest line {program}:{line} `{instruction}` {seconds:.2} s")
     });
-    let programs = joined(&moves.programs, program);
+    let programs = joined(&moves.programs, program_moves);
     let (count, seconds) = (moves.count, moves.seconds);
     line(out, &format!("moves: {count} in {seconds:.2} s: {programs}{}", slowest.unwrap_or_default()));
+}
+
+fn program_moves(ProgramMoves { program, count, seconds }: &ProgramMoves) -> String {
+    format!("{program} {count} ({seconds:.2} s)")
 }
 
 fn wait(WaitEntry { task, program, line, what, seconds }: &WaitEntry) -> String {

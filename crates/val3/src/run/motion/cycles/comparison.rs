@@ -1,5 +1,7 @@
 //! Comparison with the cycles of an earlier run (`--against`).
 
+use std::fmt::Display;
+
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Deserialize;
 use val3_files::FileClass;
@@ -26,15 +28,11 @@ impl EarlierCycles {
     /// # Errors
     /// The file cannot be read, or contains no complete cycle.
     pub(super) fn open(path: &Utf8Path) -> Result<Self, UserError> {
-        let unusable = |reason: &str| {
-            UserError::new(format!("cannot compare with `{path}`: {reason}"))
-                .with_help("name a file that `val3 run --cycles=EVENT --times=FILE.json` has written")
-        };
-        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(&error.to_string()))?;
-        let file: TimesFile = serde_json::from_str(&text).map_err(|error| unusable(&error.to_string()))?;
-        let report = file.cycles.ok_or_else(|| unusable("it contains no cycles"))?;
+        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(path, &error))?;
+        let file: TimesFile = serde_json::from_str(&text).map_err(|error| unusable(path, &error))?;
+        let report = file.cycles.ok_or_else(|| unusable(path, &"it contains no cycles"))?;
         if report.times.is_none() {
-            return Err(unusable("it contains no complete cycle"));
+            return Err(unusable(path, &"it contains no complete cycle"));
         }
         Ok(Self { path: path.to_owned(), report })
     }
@@ -43,6 +41,12 @@ impl EarlierCycles {
     pub(super) fn event(&self) -> &str {
         &self.report.event
     }
+}
+
+/// Error for a file without the cycles of a run.
+fn unusable(path: &Utf8Path, reason: &dyn Display) -> UserError {
+    UserError::new(format!("cannot compare with `{path}`: {reason}"))
+        .with_help("name a file that `val3 run --cycles=EVENT --times=FILE.json` has written")
 }
 
 /// Table with both runs for users.

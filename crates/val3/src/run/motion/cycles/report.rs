@@ -105,14 +105,13 @@ impl PartSeconds {
     }
 
     fn mean(rows: &[CycleRow]) -> Self {
-        let mean =
-            |part: fn(&Self) -> f64| rounded(rows.iter().map(|row| part(&row.parts)).sum::<f64>() / rows.len() as f64);
+        let parts = || rows.iter().map(|row| &row.parts);
         Self {
-            moving: mean(|parts| parts.moving),
-            outside: mean(|parts| parts.outside),
-            arm: mean(|parts| parts.arm),
-            time: mean(|parts| parts.time),
-            other: mean(|parts| parts.other),
+            moving: mean(parts().map(|parts| parts.moving)),
+            outside: mean(parts().map(|parts| parts.outside)),
+            arm: mean(parts().map(|parts| parts.arm)),
+            time: mean(parts().map(|parts| parts.time)),
+            other: mean(parts().map(|parts| parts.other)),
         }
     }
 }
@@ -121,6 +120,12 @@ impl CycleRow {
     pub(super) fn new(from: f64, to: f64, parts: Parts) -> Self {
         Self { from, to, seconds: rounded(to - from), parts: parts.seconds() }
     }
+}
+
+/// Mean of the cycles' seconds.
+fn mean(seconds: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = seconds.len() as f64;
+    rounded(seconds.sum::<f64>() / count)
 }
 
 /// Rounds seconds to nanoseconds, so that a difference has no digits beyond the clock's.
