@@ -6,20 +6,14 @@
 
 mod circles;
 mod edges;
-mod modules;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use cargo_metadata::{Metadata, MetadataCommand, TargetKind};
+use cargo_metadata::MetadataCommand;
+
+use crate::modules;
 
 /// Largest number of files in a circle, for example a module and its parts.
 const MOST: usize = 3;
-
-/// Returns the roots of all crates: libraries and binaries.
-fn roots(metadata: &Metadata) -> impl Iterator<Item = &Utf8Path> {
-    let targets = metadata.workspace_packages().into_iter().flat_map(|package| &package.targets);
-    let built = |kind: &TargetKind| matches!(kind, TargetKind::Lib | TargetKind::Bin);
-    targets.filter(move |target| target.kind.iter().any(built)).map(|target| target.src_path.as_path())
-}
 
 /// Describes the circles of more than `most` files in the crate with the root `file`.
 fn circles(file: &Utf8Path, folder: &Utf8Path, most: usize) -> Vec<String> {
@@ -30,7 +24,8 @@ fn circles(file: &Utf8Path, folder: &Utf8Path, most: usize) -> Vec<String> {
 #[test]
 fn no_circle_has_more_than_three_files() {
     let metadata = MetadataCommand::new().no_deps().exec().unwrap();
-    let found: Vec<_> = roots(&metadata).flat_map(|file| circles(file, &metadata.workspace_root, MOST)).collect();
+    let found: Vec<_> =
+        modules::roots(&metadata).flat_map(|file| circles(file, &metadata.workspace_root, MOST)).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 

@@ -54,14 +54,16 @@ pub fn compare_with(old: &FileTree, new: &FileTree, layout: BlankComparison) -> 
 
 /// Returns problems for listed files that are missing in only one tree. A file that is missing in both is not reported.
 fn missing_files(old: &BTreeSet<(String, String)>, new: &BTreeSet<(String, String)>) -> Vec<Problem> {
-    let lost = new.difference(old).map(|file| missing_file(TreeSide::New, file, "; restore it, or remove the entry"));
-    let found = old.difference(new).map(|file| missing_file(TreeSide::Old, file, ""));
+    let lost = new
+        .difference(old)
+        .map(|(path, name)| missing_file(TreeSide::New, path, name, "; restore it, or remove the entry"));
+    let found = old.difference(new).map(|(path, name)| missing_file(TreeSide::Old, path, name, ""));
     found.chain(lost).collect()
 }
 
-fn missing_file(side: TreeSide, (path, name): &(String, String), help: &str) -> Problem {
+fn missing_file(side: TreeSide, path: &str, name: &str, help: &str) -> Problem {
     Problem {
-        path: path.clone(),
+        path: path.to_owned(),
         side,
         message: format!("the project file lists `{name}`, and there is no such file{help}"),
     }

@@ -154,7 +154,7 @@ impl ServerState {
     /// Starts the session: the client's folders are marked to be read.
     pub(crate) fn begin(&mut self, session: Session) {
         self.session = Arc::new(session);
-        self.all_is_stale();
+        self.mark_all_stale();
     }
 
     /// Marks the client as initialized, so that the server may send requests.
@@ -191,12 +191,12 @@ impl ServerState {
     }
 
     /// Marks a file, or all files in a folder, to be read again.
-    pub(crate) fn is_stale(&mut self, path: &Utf8Path) {
+    pub(crate) fn mark_stale(&mut self, path: &Utf8Path) {
         self.stale.get_or_insert_with(Stale::settings).add(path);
     }
 
     /// Marks all files to be read again.
-    pub(crate) fn all_is_stale(&mut self) {
+    pub(crate) fn mark_all_stale(&mut self) {
         self.stale = Some(Stale::Everything);
     }
 

@@ -28,7 +28,7 @@ pub(crate) fn opened(server: &mut ServerState, params: DidOpenTextDocumentParams
     match file {
         // An editor shows a stored file without its byte order mark. That difference does not invalidate references.
         Some(file) if !shapes_workspace(&path) && !server.is_unreadable(file) => server.checks.edited(file),
-        _ => server.is_stale(&path),
+        _ => server.mark_stale(&path),
     }
 }
 
@@ -54,14 +54,14 @@ pub(crate) fn changed(server: &mut ServerState, params: DidChangeTextDocumentPar
     server.edited(file, &text);
     let loads_alike = if is_table(&path) { names_meshes_alike(&before, &text) } else { loads_alike(&before, &text) };
     if file.is_none() || shapes_workspace(&path) || !loads_alike {
-        server.is_stale(&path);
+        server.mark_stale(&path);
     }
 }
 
 /// Marks the file of a saved document to be read again: its text is known, but its stored encoding may have changed.
 pub(crate) fn saved(server: &mut ServerState, params: DidSaveTextDocumentParams) {
     let path = server.documents.get(&params.text_document.uri).map(|document| document.path.clone());
-    path.iter().for_each(|path| server.is_stale(path));
+    path.iter().for_each(|path| server.mark_stale(path));
 }
 
 /// Removes a closed document; the stored file is in effect again.
@@ -71,7 +71,7 @@ pub(crate) fn closed(server: &mut ServerState, params: DidCloseTextDocumentParam
     if let Some(file) = server.file(&document.path) {
         server.checks.edited(file);
     }
-    server.is_stale(&document.path);
+    server.mark_stale(&document.path);
 }
 
 /// Whether the file determines which other files belong to the workspace.

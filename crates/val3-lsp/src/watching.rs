@@ -67,7 +67,7 @@ pub(crate) fn changed(server: &mut ServerState, params: DidChangeWatchedFilesPar
 pub(crate) fn files_changed(server: &mut ServerState, changes: Vec<(Utf8PathBuf, Change)>) {
     for (path, change) in changes {
         if matters(&path) || change == Change::Existence && may_be_folder(server, &path) {
-            server.is_stale(&path);
+            server.mark_stale(&path);
         }
     }
 }
@@ -98,7 +98,7 @@ fn watch_disk(server: &mut ServerState) {
 
 fn tell(inbox: &Inbox, event: notify::Result<Event>) {
     match event {
-        Ok(event) if event.need_rescan() => inbox.post(ServerState::all_is_stale),
+        Ok(event) if event.need_rescan() => inbox.post(ServerState::mark_all_stale),
         Ok(event) => {
             let Some(change) = change(event.kind) else { return };
             let paths = event.paths.into_iter().filter_map(|path| Utf8PathBuf::from_path_buf(path).ok());

@@ -27,7 +27,7 @@ pub(crate) fn folders_changed(server: &mut ServerState, params: DidChangeWorkspa
     if server.watcher.is_some() {
         watching::start(server);
     }
-    server.all_is_stale();
+    server.mark_all_stale();
 }
 
 /// Handles changed editor settings. Clients that support `workspace/configuration` send nothing usable here, so the

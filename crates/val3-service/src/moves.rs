@@ -17,6 +17,14 @@ use crate::units::MM;
 /// Coordinate limit for tools, frames and destinations, in mm: 1 km. No arm reaches larger coordinates.
 const MOST_COORDINATE: f64 = 1e6;
 
+/// A position in a request.
+#[derive(Clone, Copy)]
+pub(crate) struct PositionElement<'a> {
+    /// Name of the element, for messages.
+    pub(crate) name: &'a str,
+    pub(crate) matrix: &'a Matrix,
+}
+
 /// Frames that a move descriptor selects.
 pub(crate) struct MoveFrames {
     /// Tool centre point on the flange.
@@ -32,12 +40,12 @@ impl MoveFrames {
         Ok(Self { tool, origin: origin_of_positions(description.kind, frame, flange * tool) })
     }
 
-    /// Converts a matrix in a request to a pose in `world`. `name` is the element's name for messages.
+    /// Converts a position in a request to a pose in `world`.
     ///
     /// # Errors
     /// The matrix is no frame.
-    pub(crate) fn in_world(&self, name: &str, matrix: &Matrix) -> Result<IsometryMatrix3<f64>, String> {
-        Ok(self.origin * valid_pose(name, matrix)?)
+    pub(crate) fn in_world(&self, position: PositionElement<'_>) -> Result<IsometryMatrix3<f64>, String> {
+        Ok(self.origin * valid_pose(position.name, position.matrix)?)
     }
 }
 
@@ -87,12 +95,12 @@ impl Context<'_, '_> {
         instruction: &'static str,
         robot: i32,
         description: &MotionDescription,
-        (name, destination): (&str, &Matrix),
+        destination: PositionElement<'_>,
         path: impl FnOnce(&MoveFrames, MoveTarget) -> Result<MovePath, String>,
     ) -> Result<MoveAnswer, SoapFault> {
         let configuration = requested(self.controller().arm().model(), &description.config)?;
         self.record_move(instruction, robot, description, |frames, _| {
-            path(frames, MoveTarget { pose: frames.in_world(name, destination)?, configuration })
+            path(frames, MoveTarget { pose: frames.in_world(destination)?, configuration })
         })
     }
 

@@ -118,6 +118,14 @@ pub(super) struct Program {
     pub(super) lines: Vec<String>,
 }
 
+/// A project that another project uses: the name of a user type or the identifier of a library, and its folder below
+/// `usrapp`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct ReferencedProject {
+    pub(super) name: &'static str,
+    pub(super) folder: &'static str,
+}
+
 /// An application, a library or a user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Project {
@@ -126,10 +134,8 @@ pub(super) struct Project {
     pub(super) folder: String,
     pub(super) data: Vec<Data>,
     pub(super) programs: Vec<Program>,
-    /// Library identifiers and their folders below `usrapp`.
-    pub(super) libraries: Vec<(&'static str, &'static str)>,
-    /// User types and their folders below `usrapp`.
-    pub(super) types: Vec<(&'static str, &'static str)>,
+    pub(super) libraries: Vec<ReferencedProject>,
+    pub(super) types: Vec<ReferencedProject>,
 }
 
 impl Project {

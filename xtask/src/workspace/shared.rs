@@ -1,13 +1,13 @@
 //! Parts that all applications share: inputs and outputs, a user type, and a library with programs.
 
-use super::model::{Container, Data, Parameter, Program, Project, Signature, Type, Variable};
+use super::model::{Container, Data, Parameter, Program, Project, ReferencedProject, Signature, Type, Variable};
 
-/// Name and folder of the user type.
-pub(super) const SLOT: (&str, &str) = ("Slot", "types/Slot");
-/// Identifier and folder of the inputs and outputs.
-pub(super) const IO: (&str, &str) = ("io", "io");
-/// Identifier and folder of the library with programs.
-pub(super) const LOGBOOK: (&str, &str) = ("logbook", "logbook");
+/// The user type.
+pub(super) const SLOT: ReferencedProject = ReferencedProject { name: "Slot", folder: "types/Slot" };
+/// The inputs and outputs.
+pub(super) const IO: ReferencedProject = ReferencedProject { name: "io", folder: "io" };
+/// The library with programs.
+pub(super) const LOGBOOK: ReferencedProject = ReferencedProject { name: "logbook", folder: "logbook" };
 
 /// Number of digital signals in each direction.
 pub(super) const SIGNALS: usize = 16;
@@ -80,10 +80,10 @@ fn program(signature: Signature, lines: &[&str]) -> Program {
     Program { signature, public: true, locals: Vec::new(), lines }
 }
 
-fn project((name, folder): (&str, &str), data: Vec<Data>, programs: Vec<Program>) -> Project {
+fn project(reference: ReferencedProject, data: Vec<Data>, programs: Vec<Program>) -> Project {
     Project {
-        name: name.to_owned(),
-        folder: folder.to_owned(),
+        name: reference.name.to_owned(),
+        folder: reference.folder.to_owned(),
         data,
         programs,
         libraries: Vec::new(),

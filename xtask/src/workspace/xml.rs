@@ -1,7 +1,7 @@
 //! Files of a project in the format of the Robotics Suite.
 
 use super::GeneratedFile;
-use super::model::{Container, Data, Parameter, Program, Project, Type, Variable};
+use super::model::{Container, Data, Parameter, Program, Project, ReferencedProject, Type, Variable};
 
 const NAMESPACE: &str = "http://www.staubli.com/robotics/VAL3";
 const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
@@ -33,9 +33,8 @@ fn project_file(project: &Project) -> String {
     let programs = programs.iter().map(|name| format!("    <Program file=\"{name}.pgx\" />\n"));
     text += &list("Programs", programs);
     text += &list("Database", std::iter::once(format!("    <Data file=\"{}.dtx\" />\n", project.name)));
-    text +=
-        &list("Libraries", project.libraries.iter().map(|(alias, folder)| reference("Library alias", alias, folder)));
-    text += &list("Types", project.types.iter().map(|(name, folder)| reference("Type name", name, folder)));
+    text += &list("Libraries", project.libraries.iter().map(|library| reference("Library alias", library)));
+    text += &list("Types", project.types.iter().map(|ty| reference("Type name", ty)));
     text + "</Project>"
 }
 
@@ -47,7 +46,8 @@ fn list(element: &str, entries: impl Iterator<Item = String>) -> String {
     format!("  <{element}>\n{entries}  </{element}>\n")
 }
 
-fn reference(head: &str, name: &str, folder: &str) -> String {
+fn reference(head: &str, project: &ReferencedProject) -> String {
+    let ReferencedProject { name, folder } = project;
     let file = folder.rsplit('/').next().unwrap_or(folder);
     format!("    <{head}=\"{name}\" path=\"Disk://{folder}/{file}.pjx\" />\n")
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use camino::Utf8PathBuf;
 
-use crate::import_circles::modules::{Crate, Module, ModuleId, Segments};
+use crate::modules::{Crate, Module, ModuleId, Segments};
 
 /// For each file, the files whose items it names, with the paths by which it names them.
 pub(crate) type Edges = BTreeMap<Utf8PathBuf, BTreeMap<Utf8PathBuf, BTreeSet<String>>>;

@@ -30,12 +30,12 @@ impl ServerState {
         self.checks.all();
     }
 
-    fn read_again(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
-        let mut errors = self.refresh(is_stale);
+    fn read_again(&mut self, mark_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
+        let mut errors = self.refresh(mark_stale);
         let detached = detached::documents(&self.documents, &self.workspace.db, &self.detached);
         if detached != self.detached {
             self.detached = detached;
-            errors = self.refresh(is_stale);
+            errors = self.refresh(mark_stale);
         }
         self.projects = Arc::new(self.workspace.projects.clone());
         errors.extend(self.configure());
@@ -51,13 +51,13 @@ impl ServerState {
         self.checks.forget();
     }
 
-    fn refresh(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
+    fn refresh(&mut self, mark_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
         let overlay = overlay::files(&self.documents, &self.detached);
         let folders = &self.session.folders;
         let above = self.documents.iter().filter_map(|document| project_above(&overlay, document, folders));
         let given = self.detached.iter().map(|path| detached::manifest_path(path));
         let asked: Vec<Utf8PathBuf> = folders.iter().cloned().chain(above).chain(given).collect();
-        let errors = self.workspace.refresh(&overlay, &asked, is_stale);
+        let errors = self.workspace.refresh(&overlay, &asked, mark_stale);
         for (path, reason) in self.workspace.unreadable.clone() {
             self.warn(&format!("cannot read `{path}`: {reason}"));
         }

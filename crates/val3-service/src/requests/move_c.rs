@@ -5,11 +5,14 @@ use val3_soap::SoapFault;
 use val3_soap::v3::{MoveAnswer, MoveC};
 
 use crate::context::Context;
+use crate::moves::PositionElement;
 
 /// Answers the request.
 pub(super) fn answer(request: &MoveC, context: &mut Context<'_, '_>) -> Result<MoveAnswer, SoapFault> {
     let MoveC { robot, intermediate, destination, description } = request;
-    context.record_move_to("moveC", *robot, description, ("frameC", destination), |frames, target| {
-        Ok(MovePath::Circle(frames.in_world("frameB", intermediate)?, target))
+    let intermediate = PositionElement { name: "frameB", matrix: intermediate };
+    let destination = PositionElement { name: "frameC", matrix: destination };
+    context.record_move_to("moveC", *robot, description, destination, |frames, target| {
+        Ok(MovePath::Circle(frames.in_world(intermediate)?, target))
     })
 }

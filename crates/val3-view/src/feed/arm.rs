@@ -38,24 +38,24 @@ impl Feed {
         let (sample, limit) = (*arm.sample(), arm.speed_limit());
         let is_new = self.last.is_none_or(|(_, (last, _), _)| last.joints != sample.joints || last.pose != sample.pose);
         if is_new {
-            if let Some((resting, before, false)) = self.last {
-                self.add(resting, &before, controller);
+            if let Some((resting, (before, before_limit), false)) = self.last {
+                self.add(resting, &before, before_limit, controller);
             }
-            self.add(time, &(sample, limit), controller);
+            self.add(time, &sample, limit, controller);
         }
         let ends_motion =
             !is_new && self.last.is_some_and(|(_, (last, _), is_known)| is_known && last.phase != sample.phase);
         if ends_motion {
-            self.add(time, &(sample, limit), controller);
+            self.add(time, &sample, limit, controller);
         }
         self.last = Some((time, (sample, limit), is_new || ends_motion));
     }
 
-    fn add(&mut self, time: Time, (sample, limit): &(Sample, SpeedLimit), controller: &Controller) {
+    fn add(&mut self, time: Time, sample: &Sample, limit: SpeedLimit, controller: &Controller) {
         if self.batch.is_full(time) {
             self.flush_samples();
         }
-        let origin = self.origin(sample, *limit, controller);
+        let origin = self.origin(sample, limit, controller);
         self.batch.add(time, sample, origin);
     }
 

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use cargo_metadata::{Metadata, TargetKind};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 
@@ -36,6 +37,13 @@ pub(crate) struct Import {
     pub(crate) name: String,
     pub(crate) path: Segments,
     pub(crate) is_exported: bool,
+}
+
+/// Returns the roots of all crates: libraries and binaries.
+pub(crate) fn roots(metadata: &Metadata) -> impl Iterator<Item = &Utf8Path> {
+    let targets = metadata.workspace_packages().into_iter().flat_map(|package| &package.targets);
+    let built = |kind: &TargetKind| matches!(kind, TargetKind::Lib | TargetKind::Bin);
+    targets.filter(move |target| target.kind.iter().any(built)).map(|target| target.src_path.as_path())
 }
 
 /// Reads the crate with the root `file`.
