@@ -7,12 +7,13 @@ mod logs;
 mod outcome;
 mod removal;
 
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 
 use chrono::DateTime;
 use val3_controller::{
-    ControllerError, ControllerPath, FileDifference, LockOwner, ProjectStatus, PushPlan, PushRequest, is_protected,
-    push,
+    ControllerError, ControllerPath, ControllerProject, FileDifference, LockOwner, ProjectStatus, PushPlan,
+    PushRequest, is_protected, push,
 };
 
 use self::loaded::LoadEvidence;
@@ -43,50 +44,20 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if session.identity.serial.is_empty() && !args.new_controller {
         return Err(ControllerError::NoSerial.into());
     }
-    let status = ProjectStatus::read(&session.project, &mut *session.files, &folders, &mut session.observer);
-    let plan = status.and_then(|status| Ok((PushPlan::new(&session.project, &status, &selection)?, status)));
-    session.observer.end();
-    let (plan, status) = match plan {
-        Ok(planned) => planned,
-        Err(
-            error @ (ControllerError::Conflicts(_)
-            | ControllerError::Outdated(_)
-            | ControllerError::NoApplicationLeft(_)
-            | ControllerError::RemovesSettings(_)),
-        ) => {
-            return Ok(refused(&UserError::from(error)));
-        }
-        Err(ControllerError::Interrupted) => return Ok(interrupted(&session)),
-        Err(error) => return Err(error.into()),
+    let (plan, status) = match plan_push(&mut session, &folders, &selection)? {
+        ControlFlow::Continue(planned) => planned,
+        ControlFlow::Break(code) => return Ok(code),
     };
     check_selection(&selection, &status)?;
-    if !plan.unselected.is_empty() {
-        note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
-    }
-    let newer = newer_on_controller(&status);
-    if !newer.is_empty() {
-        note(&format!(
-            "note: changed on the controller, and not pulled, so that the check uses the versions here: {}",
-            listed_files(&newer)
-        ));
-    }
+    note_omitted(&plan, &status);
     let removal = Removal::new(&plan, &args.remove)?;
     if plan.changes.is_empty() {
         print(&plan, args.format, color)?;
         note("nothing to push");
         return Ok(ExitCode::SUCCESS);
     }
-    let faults = contents::faults(&session.project, &plan)?;
-    if !faults.is_empty() {
-        faults.iter().for_each(report_error);
-        note("nothing was pushed");
-        return Ok(ExitCode::FAILURE);
-    }
-    if check_new_tree(&session.project, &status, &plan, &args.ignore, color)? == CheckOutcome::Errors {
-        return Ok(refused(
-            &UserError::new("the check has found errors, so nothing was pushed")
-                .with_help("repair them, or name rules whose errors do not matter with --ignore"),
-        ));
+    if let Some(code) = content_refusal(args, &session.project, &status, &plan, color)? {
+        return Ok(code);
     }
     print(&plan, args.format, color)?;
     if args.dry_run {
@@ -96,19 +67,88 @@ pub(crate) fn run(args: &PushArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(reason) = removal.refusal()? {
         return Ok(refused(&reason));
     }
-    let evidence = match &args.soap {
-        _ if args.unloaded || plan.applications().is_empty() => LoadEvidence::Statement,
-        Some(target) => LoadEvidence::Interface(target),
-        None => LoadEvidence::Log,
-    };
-    let loaded = loaded::refusal(&mut *session.files, &plan, &mut session.observer, evidence);
-    session.observer.end();
-    if let Some(reason) = loaded? {
+    if let Some(reason) = load_refusal(args, &mut session, &plan)? {
         return Ok(refused(&reason));
     }
     // The check and the question may have taken longer than an idle connection lasts.
     session.files.reconnect().map_err(ControllerError::from)?;
     execute(&mut session, &plan)
+}
+
+/// Compares the project with the controller, and plans the push. Breaks with the exit code if the push is refused.
+fn plan_push(
+    session: &mut ControllerSession,
+    folders: &[ControllerPath],
+    selection: &[ControllerPath],
+) -> Result<ControlFlow<ExitCode, (PushPlan, ProjectStatus)>, UserError> {
+    let status = ProjectStatus::read(&session.project, &mut *session.files, folders, &mut session.observer);
+    let plan = status.and_then(|status| Ok((PushPlan::new(&session.project, &status, selection)?, status)));
+    session.observer.end();
+    match plan {
+        Ok(planned) => Ok(ControlFlow::Continue(planned)),
+        Err(
+            error @ (ControllerError::Conflicts(_)
+            | ControllerError::Outdated(_)
+            | ControllerError::NoApplicationLeft(_)
+            | ControllerError::RemovesSettings(_)),
+        ) => Ok(ControlFlow::Break(refused(&UserError::from(error)))),
+        Err(ControllerError::Interrupted) => Ok(ControlFlow::Break(interrupted(session))),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Prints notes on files that the push does not transfer, and that differ from those on the controller.
+fn note_omitted(plan: &PushPlan, status: &ProjectStatus) {
+    if !plan.unselected.is_empty() {
+        note(&format!("note: local changes that are not selected stay here: {}", counted_files(plan.unselected.len())));
+    }
+    let newer = newer_on_controller(status);
+    if !newer.is_empty() {
+        note(&format!(
+            "note: changed on the controller, and not pulled, so that the check uses the versions here: {}",
+            listed_files(&newer)
+        ));
+    }
+}
+
+/// Checks the planned files, and the applications as they will be on the controller. Returns the exit code if there are
+/// errors, which are printed.
+fn content_refusal(
+    args: &PushArgs,
+    project: &ControllerProject,
+    status: &ProjectStatus,
+    plan: &PushPlan,
+    color: Color,
+) -> Result<Option<ExitCode>, UserError> {
+    let faults = contents::faults(project, plan)?;
+    if !faults.is_empty() {
+        faults.iter().for_each(report_error);
+        note("nothing was pushed");
+        return Ok(Some(ExitCode::FAILURE));
+    }
+    if check_new_tree(project, status, plan, &args.ignore, color)? == CheckOutcome::Errors {
+        return Ok(Some(refused(
+            &UserError::new("the check has found errors, so nothing was pushed")
+                .with_help("repair them, or name rules whose errors do not matter with --ignore"),
+        )));
+    }
+    Ok(None)
+}
+
+/// Returns the reason for a refusal if a planned application is loaded on the controller.
+fn load_refusal(
+    args: &PushArgs,
+    session: &mut ControllerSession,
+    plan: &PushPlan,
+) -> Result<Option<UserError>, UserError> {
+    let evidence = match &args.soap {
+        _ if args.unloaded || plan.applications().is_empty() => LoadEvidence::Statement,
+        Some(target) => LoadEvidence::Interface(target),
+        None => LoadEvidence::Log,
+    };
+    let refusal = loaded::refusal(&mut *session.files, plan, &mut session.observer, evidence);
+    session.observer.end();
+    refusal
 }
 
 /// Files that are not selected, and whose versions on the controller the project does not have.

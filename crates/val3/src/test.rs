@@ -109,24 +109,12 @@ fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode
 /// Executes the tests and writes their results.
 fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) -> Result<ExitCode, UserError> {
     let paths = Paths::new(&args.paths, current).within(repository(current));
-    if args.list && args.format == TestFormat::Json {
-        let listed = Listed::all(args, current)?;
-        return to_stdout_as(OutputContent::Json, color, |out| json::list(&listed, &paths, out))
-            .map(|()| ExitCode::SUCCESS);
+    if args.list {
+        return list(args, current, &paths, color);
     }
     let Suites { opened: suites, mut refused } = suites(args, current)?;
     let tests = chosen(args, &suites, &mut refused)?;
     note_unlisted(&suites, &paths);
-    if args.list {
-        to_stdout(color, |out| {
-            tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.shown_name())))
-        })?;
-        let is_complete = refused.is_empty();
-        for error in refused.into_iter().map(UserError::from) {
-            to_stderr(|out| writeln!(out, "{error}"));
-        }
-        return Ok(if is_complete { ExitCode::SUCCESS } else { ExitCode::from(EXIT_USAGE) });
-    }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let bar = progress::DelayedProgress::new("testing", repeated.len(), args.format == TestFormat::Human);
@@ -152,20 +140,43 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     golden::report(&results.tested, &paths);
     sockets.report();
     note_times(&results.tested);
+    write_results(args, &results, &paths, color)?;
+    let written = write_reports(args, &results, &paths);
+    let is_covered = coverage::report(args, counted, &paths, color)?;
+    written.map(|()| exit_code(&results, is_covered))
+}
+
+/// Lists the chosen tests without their execution.
+fn list(args: &TestArgs, current: &Utf8Path, paths: &Paths, color: Color) -> Result<ExitCode, UserError> {
+    if args.format == TestFormat::Json {
+        let listed = Listed::all(args, current)?;
+        to_stdout_as(OutputContent::Json, color, |out| json::list(&listed, paths, out))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let Suites { opened: suites, mut refused } = suites(args, current)?;
+    let tests = chosen(args, &suites, &mut refused)?;
+    note_unlisted(&suites, paths);
+    to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.shown_name()))))?;
+    let is_complete = refused.is_empty();
+    for error in refused.into_iter().map(UserError::from) {
+        to_stderr(|out| writeln!(out, "{error}"));
+    }
+    Ok(if is_complete { ExitCode::SUCCESS } else { ExitCode::from(EXIT_USAGE) })
+}
+
+/// Writes the results, or their summary in formats whose lines are written during the execution.
+fn write_results(args: &TestArgs, results: &Results, paths: &Paths, color: Color) -> Result<(), UserError> {
     to_stdout_as(args.format.content(), color, |out| match args.format {
-        // All other lines were written during the execution.
         TestFormat::Human => {
-            human::slowest(&results, args.durations as usize, out).and_then(|()| human::summary(&results, &paths, out))
+            human::slowest(results, args.durations as usize, out).and_then(|()| human::summary(results, paths, out))
         }
-        TestFormat::JsonLines => json_lines::summary(&results, &paths, out),
-        format => write(format, &results, &paths, out),
+        TestFormat::JsonLines => json_lines::summary(results, paths, out),
+        format => write(format, results, paths, out),
     })?;
     if args.format == TestFormat::Human {
         to_stderr(|out| writeln!(out, "finished in {:.2} s", results.wall.as_secs_f64()));
     }
-    let written = write_reports(args, &results, &paths);
-    let is_covered = coverage::report(args, counted, &paths, color)?;
-    written.map(|()| exit_code(&results, is_covered))
+    Ok(())
 }
 
 /// Writes the report files.
