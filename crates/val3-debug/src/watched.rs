@@ -256,8 +256,8 @@ impl WatchedData {
         }
         // The next iteration in a `for` is a separate operation.
         let op = if program.code.get(op as usize).is_some_and(|step| step.mark.begins_line()) { op } else { line };
-        let reads =
-            |memory: &Memory| ExecutedLine { instance: &instance, program, frame: &frame, op, memory }.reads(&extent);
+        let (instance, frame) = (&instance, &frame);
+        let reads = |memory: &Memory| ExecutedLine { instance, program, frame, op, memory }.reads(&extent);
         vm.with_stack(task, |memory| reads(memory)).unwrap_or_else(|| reads(&vm.space.memory))
     }
 
