@@ -6,16 +6,11 @@ pub mod cell;
 pub mod fixing;
 pub mod running;
 
+use val3_check::testing::{CheckedFinding, check_files};
+
 /// Every finding in a cell.
 pub fn check(cell: &cell::Cell) -> Vec<Finding> {
-    let found = val3_check::testing::check_files(cell);
-    let finding = |found: val3_check::testing::CheckedFinding| Finding {
-        code: found.code.to_owned(),
-        file: found.file,
-        line: found.line,
-        message: found.message,
-    };
-    found.into_iter().map(finding).collect()
+    check_files(cell).into_iter().map(Finding::from).collect()
 }
 
 /// A finding of a check.
@@ -29,6 +24,13 @@ pub struct Finding {
     pub line: usize,
     /// Message.
     pub message: String,
+}
+
+impl From<CheckedFinding> for Finding {
+    fn from(checked: CheckedFinding) -> Self {
+        let CheckedFinding { file, line, message, .. } = checked;
+        Self { code: checked.code.to_owned(), file, line, message }
+    }
 }
 
 impl Finding {

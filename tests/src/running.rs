@@ -140,13 +140,7 @@ impl Running {
     /// Returns the output of `?` in lines, and the numbers of run-time errors.
     #[must_use]
     pub fn printed(&self) -> String {
-        let line = |event: &Event| match &event.kind {
-            EventKind::Print { text } => Some(format!("{text}\n")),
-            EventKind::Error { code, .. } => Some(format!("error {code}\n")),
-            EventKind::Lacking { instruction, line, .. } => Some(format!("line {line}: no {instruction}\n")),
-            _ => None,
-        };
-        self.events.iter().filter_map(line).collect()
+        self.events.iter().filter_map(|event| printed_line(&event.kind)).collect()
     }
 
     /// Returns the record without events of tasks and `?`, in lines.
@@ -186,4 +180,14 @@ pub fn application(listing: &str) -> Application {
 #[track_caller]
 fn image(listing: &str, form: CodeForm) -> Arc<Image> {
     application(listing).compile_as(form).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Line for the output of `?`, a run-time error or a missing instruction.
+fn printed_line(event: &EventKind) -> Option<String> {
+    match event {
+        EventKind::Print { text } => Some(format!("{text}\n")),
+        EventKind::Error { code, .. } => Some(format!("error {code}\n")),
+        EventKind::Lacking { instruction, line, .. } => Some(format!("line {line}: no {instruction}\n")),
+        _ => None,
+    }
 }

@@ -137,6 +137,12 @@ impl Program {
         lines.min_by_key(|(_, line)| (line.row, line.op)).map(|(number, _)| number)
     }
 
+    /// Returns the first operation of the lines at a row of the file.
+    #[must_use]
+    pub fn first_op_at(&self, row: u32) -> Option<u32> {
+        self.lines.iter().filter(|line| line.row == row).map(|line| line.op).min()
+    }
+
     /// Returns the first line or closing keyword at or after a row of the file, before which tasks can stop.
     #[must_use]
     pub fn halt_from(&self, row: u32) -> Option<SourceLine> {
@@ -196,6 +202,12 @@ mod tests {
         let program = program("line 5 Line line 8 Line line 8 Line line 6 Return");
         let found = |row| program.line_from(row).map(|line| program.lines[line].op);
         assert_eq!([1, 5, 6, 7, 9].map(found), [Some(0), Some(0), Some(3), Some(1), None]);
+    }
+
+    #[test]
+    fn a_row_begins_with_the_first_operation_of_its_lines() {
+        let program = program("line 5 Line line 8 Line line 8 Line line 6 Return");
+        assert_eq!([5, 6, 7, 8].map(|row| program.first_op_at(row)), [Some(0), Some(3), None, Some(1)]);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Pairs of bodies that may touch.
+//! Exceptions in a cell file: pairs of bodies that may touch, and the patterns for body names.
 
 use globset::{GlobBuilder, GlobMatcher};
 
@@ -22,6 +22,7 @@ impl Allowed {
         pairs.collect::<Result<_, _>>().map(Self)
     }
 
+    /// Whether two bodies, in any order, may touch.
     pub(crate) fn contains(&self, first: &str, second: &str) -> bool {
         self.0.iter().any(|[one, other]| {
             let are = |first: &str, second: &str| is_named(one, first) && is_named(other, second);
@@ -58,6 +59,7 @@ fn pattern(name: &str) -> Option<GlobMatcher> {
     Some(GlobBuilder::new(&text).build().ok()?.compile_matcher())
 }
 
+/// Whether a pattern matches a body's name. `arm` matches the base and all links.
 pub(crate) fn is_named(matcher: &GlobMatcher, body: &str) -> bool {
     matcher.is_match(body) || (matcher.is_match("arm") && (body == "base" || body.starts_with("link")))
 }

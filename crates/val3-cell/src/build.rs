@@ -28,7 +28,7 @@ use crate::surroundings::{ArmBase, Surroundings};
 pub struct Cell {
     /// Distance in mm below which two things are too near to each other, unless one of them has its own clearance.
     pub clearance: f64,
-    /// The things.
+    /// Objects of the file, then the conveyor belts.
     pub things: Vec<Thing>,
     /// The parts.
     pub parts: Vec<Part>,
@@ -40,7 +40,7 @@ pub struct Cell {
     pub conveyors: Vec<Conveyor>,
     /// Names of the entries that were omitted because the application has no such frame, tool or signal.
     pub missing: Vec<String>,
-    /// Shapes of the base and the links in place of the capsules of the arm's description; `None` keeps the capsules.
+    /// Hulls of the base and the links, which replace the capsules in the arm's description; `None` keeps the capsules.
     pub(crate) links: Vec<Option<LinkHull>>,
     pub(crate) allowed: Allowed,
 }
@@ -52,7 +52,7 @@ pub struct Thing {
     pub name: String,
     /// Carrier, relative to which the pose is constant.
     pub carrier: Carrier,
-    /// Pose of the thing in the frame of the carrier.
+    /// Pose of the thing in the carrier's frame.
     pub pose: IsometryMatrix3<f64>,
     /// Shapes.
     pub solids: Vec<Solid>,
@@ -95,27 +95,26 @@ impl Cell {
         Ok(Self { clearance, things, parts, grippers, sensors, conveyors, missing, links: Vec::new(), allowed })
     }
 
-    /// Returns the cell with these shapes of the base and the links. `None` keeps the capsules of the arm's
-    /// description.
+    /// Returns the cell with these hulls of the base and the links. `None` keeps the capsules in the arm's description.
     #[must_use]
     pub fn with_links(self, links: Vec<Option<LinkHull>>) -> Self {
         Self { links, ..self }
     }
 
-    /// Names of the things, then of the parts.
+    /// Returns the names of the things, then of the parts.
     pub(crate) fn body_names(&self) -> impl Iterator<Item = &str> {
         let things = self.things.iter().map(|thing| thing.name.as_str());
         things.chain(self.parts.iter().map(|part| part.name.as_str()))
     }
 
-    /// Index of the part with a name.
+    /// Returns the index of the part with a name.
     #[must_use]
     pub fn part(&self, name: &str) -> Option<usize> {
         self.parts.iter().position(|part| part.name == name)
     }
 }
 
-/// Context in which parts, grippers and sensors are built.
+/// Context in which parts, grippers, sensors and conveyors are built.
 pub(crate) struct CellMaker<'m> {
     carriers: &'m Carriers<'m>,
     surroundings: &'m mut dyn Surroundings,
@@ -135,10 +134,11 @@ fn check_names(file: &CellFile) -> Result<(), CellError> {
 fn thing(
     entry: &ObjectEntry,
     key: &str,
-    (carrier, pose): Carried,
+    carried: Carried,
     surroundings: &mut dyn Surroundings,
 ) -> Result<Thing, CellError> {
     let ObjectEntry { name, clearance, colour, shapes, shape, .. } = entry;
+    let Carried { carrier, pose } = carried;
     let maker = SolidMaker { surroundings, is_carried: carrier.is_arm() };
     let solids = solids(ShapedEntry { name, shapes, shape }, key, maker)?;
     let clearance = clearance.map(|least| distance(least, &format!("{key}.clearance"))).transpose()?;

@@ -25,8 +25,8 @@ pub enum Carrier {
     Tool(String),
 }
 
-/// Position of a body in the arm's chain: 0 for the base, the number of a link, the number of axes + 1 for bodies on
-/// the flange; `None` for stationary bodies.
+/// Position of a body in the arm's chain: 0 for the base, the link number for a link, the number of axes + 1 for bodies
+/// on the flange; `None` for stationary bodies.
 pub(crate) type Chain = Option<usize>;
 
 impl Carrier {
@@ -36,7 +36,7 @@ impl Carrier {
         matches!(self, Self::Link(_) | Self::Flange | Self::Tool(_))
     }
 
-    /// Position in the arm's chain for bodies with this carrier, on an arm with `axes` axes.
+    /// Returns the position in the arm's chain for bodies with this carrier, on an arm with `axes` axes.
     pub(crate) fn chain(&self, axes: usize) -> Chain {
         match self {
             Self::World | Self::Frame(_) => None,
@@ -46,7 +46,7 @@ impl Carrier {
     }
 }
 
-/// Resolved carrier name of the file.
+/// Meaning of a carrier's name in the file.
 enum Named {
     Carrier(Carrier),
     Object(usize),
@@ -54,10 +54,14 @@ enum Named {
     Missing,
 }
 
-/// A carrier, and a pose in its frame.
-pub(crate) type Carried = (Carrier, IsometryMatrix3<f64>);
+/// Carrier of an entry, and the entry's pose in the carrier's frame.
+#[derive(Debug, Clone)]
+pub(crate) struct Carried {
+    pub(crate) carrier: Carrier,
+    pub(crate) pose: IsometryMatrix3<f64>,
+}
 
-/// The keys `in` and `at` of an entry.
+/// Keys `in` and `at` with the key of their entry, which error messages contain.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CarriedKeys<'k> {
     /// Name of the carrier.
@@ -92,13 +96,12 @@ impl<'o> Carriers<'o> {
         Ok(Self { names, objects, arm })
     }
 
-    /// Carrier of an object, and the object's pose in it; `None` if the application does not have the carrier.
+    /// Returns the carrier of the object with this index; `None` if the application does not have the carrier.
     pub(crate) fn of_object(&self, index: usize) -> Option<Carried> {
         self.objects.get(index).cloned().flatten()
     }
 
-    /// Carrier of an entry that is no object, and the entry's pose in it; `None` if the application does not have the
-    /// carrier.
+    /// Returns the carrier for the keys in any other entry; `None` if the application does not have the carrier.
     pub(crate) fn of(
         &self,
         keys: CarriedKeys<'_>,
@@ -106,15 +109,17 @@ impl<'o> Carriers<'o> {
     ) -> Result<Option<Carried>, CellError> {
         let (named, pose) = CarrierNames { names: &self.names, arm: self.arm, surroundings }.find(keys)?;
         Ok(match named {
-            Named::Carrier(carrier) => Some((carrier, pose)),
+            Named::Carrier(carrier) => Some(Carried { carrier, pose }),
             Named::Missing => None,
-            Named::Object(number) => self.of_object(number).map(|(carrier, object)| (carrier, object * pose)),
+            Named::Object(number) => {
+                self.of_object(number).map(|object| Carried { pose: object.pose * pose, ..object })
+            }
         })
     }
 }
 
-/// Returns the carrier of an object, through all objects that carry it; `None` if the application does not have the
-/// carrier.
+/// Follows the objects that carry the object with this index, up to a carrier that is no object; `None` if the
+/// application does not have this carrier.
 fn resolve(
     index: usize,
     named: &[(Named, IsometryMatrix3<f64>)],
@@ -126,7 +131,7 @@ fn resolve(
     while let Some((carrier, in_carrier)) = named.get(next).filter(|_| passed.insert(next)) {
         pose = in_carrier * pose;
         match carrier {
-            Named::Carrier(carrier) => return Ok(Some((carrier.clone(), pose))),
+            Named::Carrier(carrier) => return Ok(Some(Carried { carrier: carrier.clone(), pose })),
             Named::Missing => return Ok(None),
             Named::Object(number) => next = *number,
         }
@@ -144,7 +149,7 @@ struct CarrierNames<'n> {
 }
 
 impl CarrierNames<'_> {
-    /// Returns the carrier of an entry, and the entry's pose in it.
+    /// Returns the carrier or object that the keys name, and the entry's pose in its frame.
     fn find(
         &self,
         CarriedKeys { carrier, at, key }: CarriedKeys<'_>,
@@ -153,7 +158,7 @@ impl CarrierNames<'_> {
         Ok((named, face * pose(at, &format!("{key}.at"))?))
     }
 
-    /// Returns the carrier with a name, and the pose of the named frame in it.
+    /// Returns the carrier or object with a name, and the pose of the named frame relative to it.
     fn named(&self, name: &str, key: &str) -> Result<(Named, IsometryMatrix3<f64>), CellError> {
         let here = IsometryMatrix3::identity();
         let fixed = |carrier| Ok((Named::Carrier(carrier), here));

@@ -24,7 +24,7 @@ pub struct Contacts {
     pairs: Vec<Pair>,
 }
 
-/// A contact of two bodies.
+/// A contact between a moving body and a stationary object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// Names of both bodies, the moving one first.
@@ -56,8 +56,8 @@ impl Contacts {
         contacts.collect()
     }
 
-    /// Returns the first contact of each pair on a path, in path order. The joints move linearly between two positions,
-    /// and contacts between the positions are found as well.
+    /// Returns the first contacts of all pairs on a path, in path order. The joints move linearly between two
+    /// positions, and contacts between the positions are found as well.
     #[must_use]
     pub fn along(&self, path: &[Joints]) -> Vec<Contact> {
         let mut open: Vec<(&Pair, Track)> = self.pairs.iter().map(|pair| (pair, Track::default())).collect();
@@ -101,7 +101,7 @@ mod tests {
     use crate::testing::{arm, scene, sight};
     use crate::watch::{EncounterState, Watch};
 
-    /// A thin wall beside the arm, a post that may be touched, and a rod at the flange.
+    /// A thin wall next to the arm, a post that may be touched, and a rod at the flange.
     const CELL: &str = "allow = [[\"rod\", \"post\"]]\n[[object]]\nname = \"wall\"\nbox = [2000, 1, 2000]\nat = [0, 500, 0]\n\
         [[object]]\nname = \"post\"\nbox = [100, 100, 2000]\nat = [500, 0, 0]\n\
         [[object]]\nname = \"elsewhere\"\nbox = [5000, 5000, 5000]\nin = \"fTable\"\n\

@@ -7,14 +7,14 @@ use crate::carriers::Carrier;
 use crate::file::ConveyorEnd;
 use crate::gripper::SignalWrite;
 
-/// A conveyor. Its belt is the thing with the same name.
+/// A conveyor. The thing with the same name is the belt.
 #[derive(Debug, Clone)]
 pub struct Conveyor {
     /// Name in messages.
     pub name: String,
     /// Signal values at which the conveyor runs; empty if it always runs.
     pub when: Vec<SignalWrite>,
-    /// Speed of the parts, in mm/s.
+    /// Speed of the belt, in mm/s.
     pub speed: f64,
     /// Effect on a part that reaches the end of the belt.
     pub end: ConveyorEnd,

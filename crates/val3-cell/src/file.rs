@@ -64,7 +64,7 @@ pub struct CellFile {
 }
 
 impl CellFile {
-    /// Paths of all meshes, in file order.
+    /// Returns the paths of all meshes, in file order.
     pub fn meshes(&self) -> impl Iterator<Item = &Utf8Path> {
         let objects = self.objects.iter().flat_map(|object| meshes_of(&object.shape, &object.shapes));
         let parts = self.parts.iter().flat_map(|part| meshes_of(&part.shape, &part.shapes));
@@ -73,7 +73,7 @@ impl CellFile {
     }
 }
 
-/// Paths of an entry's meshes.
+/// Returns the paths of the meshes in an entry.
 fn meshes_of<'k>(shape: &'k ShapeKeys, shapes: &'k [ShapeEntry]) -> impl Iterator<Item = &'k Utf8Path> {
     let several = shapes.iter().map(|entry| &entry.shape);
     std::iter::once(shape).chain(several).filter_map(|keys| keys.mesh.as_deref())

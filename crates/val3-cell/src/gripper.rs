@@ -7,7 +7,7 @@ use crate::carriers::Carrier;
 /// A gripper.
 #[derive(Debug, Clone)]
 pub struct Gripper {
-    /// Name in messages: the tool's name.
+    /// Name in messages: the tool's name, or for example `gripper 1` without a tool.
     pub name: String,
     /// Output that controls the gripper.
     pub control: GripperControl,

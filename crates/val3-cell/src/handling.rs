@@ -1,7 +1,7 @@
 //! Parts while an application runs: conveyors and grippers move parts, sensors detect them.
 //!
-//! [`Handling`] is part of the controller's state. The caller calls [`Handling::see`] at the end of each cycle, and
-//! then writes the values of [`Handling::take_writes`] to the signals.
+//! [`Handling`] is part of the controller's state. The controller calls [`Handling::see`] when a cycle ends, and writes
+//! the values of [`Handling::take_writes`] to the signals when the next cycle begins.
 
 mod below;
 mod convey;
@@ -47,7 +47,7 @@ pub enum HandlingEvent {
         /// Height in mm above the body below it; `None` unless the part hangs in the air.
         above: Option<f64>,
     },
-    /// A part has arrived on a conveyor, or a script has placed or removed it.
+    /// A conveyor or a script has placed or removed a part.
     Part {
         /// The part.
         part: String,
@@ -111,7 +111,7 @@ impl Handling {
         }
     }
 
-    /// Holders and poses of the parts, in the order of the cell.
+    /// Returns the holders and poses of the parts, in the order of the cell.
     #[must_use]
     pub fn parts(&self) -> &Arc<Vec<PartPlace>> {
         &self.parts
@@ -144,17 +144,22 @@ impl Handling {
     /// Whether [`Self::see`] at this time in seconds would have no effect, even if the arm or a frame has moved.
     #[must_use]
     pub fn is_idle(&self, outputs: &CellOutputs, time: f64) -> bool {
-        let CellOutputs { grippers, conveyors } = outputs;
-        let follows = |(state, command): (&GripperState, &Option<GripperCommand>)| match command {
-            Some(command) => state.follows(*command),
-            None => true,
-        };
-        let are_conveyors_idle = || {
-            let mut conveyors = self.conveyors.iter().zip(conveyors);
-            !self.has_part_moved && conveyors.all(|(state, runs)| state.is_idle(*runs, time))
-        };
-        let is_controlled = self.sensors.is_empty() && self.grippers.iter().zip(grippers).all(follows);
-        self.has_begun && is_controlled && (self.conveyors.is_empty() || are_conveyors_idle())
+        self.has_begun
+            && self.sensors.is_empty()
+            && self.are_grippers_idle(&outputs.grippers)
+            && self.are_conveyors_idle(&outputs.conveyors, time)
+    }
+
+    /// Whether all grippers have executed their commands.
+    fn are_grippers_idle(&self, commands: &[Option<GripperCommand>]) -> bool {
+        let mut grippers = self.grippers.iter().zip(commands);
+        grippers.all(|(state, command)| command.is_none_or(|command| state.follows(command)))
+    }
+
+    /// Whether no conveyor moves a part, starts, stops, or receives a part at this time in seconds.
+    fn are_conveyors_idle(&self, runs: &[Option<bool>], time: f64) -> bool {
+        let mut conveyors = self.conveyors.iter().zip(runs);
+        self.conveyors.is_empty() || !self.has_part_moved && conveyors.all(|(state, runs)| state.is_idle(*runs, time))
     }
 
     /// Updates conveyors, grippers and sensors at the end of a cycle with this duration in seconds.
@@ -193,7 +198,7 @@ impl Handling {
         Some(HandlingEvent::Part { part: name, is_gone: pose.is_none() })
     }
 
-    /// Pose of a part in `world`; `None` if the part was removed or its frame has no pose.
+    /// Returns the pose of a part in `world`; `None` if the part was removed or its frame has no pose.
     #[must_use]
     pub fn part_in_world(&self, scene: &Scene, sight: &Sight<'_>, part: usize) -> Option<IsometryMatrix3<f64>> {
         let position = scene.position(&sight.joints);
@@ -205,7 +210,7 @@ impl Handling {
         std::mem::take(&mut self.writes)
     }
 
-    /// Time in seconds of the next change without an external cause; 0 if signal values are pending.
+    /// Returns the time in seconds of the next change without an external cause; 0 if signal values are pending.
     #[must_use]
     pub fn next_due(&self) -> Option<f64> {
         if !self.writes.is_empty() {
@@ -228,12 +233,12 @@ struct HandlingView<'v> {
 }
 
 impl HandlingView<'_> {
-    /// Pose of a carrier in `world`; `None` if it has no pose.
+    /// Returns the pose of a carrier in `world`; `None` if it has no pose.
     fn place(&self, carrier: &Carrier) -> Option<IsometryMatrix3<f64>> {
         self.position.carrier(self.scene.carrier(carrier), self.sight.places())
     }
 
-    /// Pose of a body in `world`, for these part places.
+    /// Returns the pose of a body in `world`, with parts at `parts`.
     fn body(&self, carrier: BodyCarrier, parts: &[PartPlace]) -> Option<IsometryMatrix3<f64>> {
         self.position.carrier(carrier, Places { data: &self.sight.places, parts })
     }

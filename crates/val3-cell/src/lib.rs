@@ -1,5 +1,5 @@
-//! Surroundings of an arm: the file `cell.toml`, the poses of its things, and their distances to the arm and to the
-//! bodies that it carries.
+//! The cell around an arm: the file `cell.toml`, the poses of the described things, and their distances to the arm and
+//! to carried bodies.
 //!
 //! Lengths are in mm, angles in degrees, times in seconds. The crate depends on arms, but neither on VAL 3 nor on the
 //! file system: the caller reads meshes, and supplies the poses of a program's frames and tools.

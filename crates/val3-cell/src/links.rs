@@ -11,7 +11,8 @@ use crate::mesh::Mesh;
 use crate::names::body_names;
 use crate::solids::{UnitDoubt, unit_doubt};
 
-/// Distance in mm between a mesh at joint position zero and the capsules of its link, above which its origin is wrong.
+/// Largest plausible distance in mm between a link's mesh and the link's capsules. A mesh that is farther away has a
+/// wrong `origin`.
 const ASTRAY: f64 = 100.0;
 
 /// Advice for a mesh that cannot be used.
@@ -39,7 +40,7 @@ pub struct LinkCoordinates {
 }
 
 impl LinkFile<'_> {
-    /// Returns the coordinates of a file for the base (0) or a link of an arm.
+    /// Returns the coordinates for a link of the arm, or for the base if `link` is 0.
     #[must_use]
     pub fn coordinates(&self, arm: &Arm, link: usize) -> LinkCoordinates {
         let unit = self.unit.unwrap_or_else(|| MeshUnit::of(self.path).length());
@@ -50,7 +51,7 @@ impl LinkFile<'_> {
         LinkCoordinates { unit, pose }
     }
 
-    /// Returns the hull of the file's mesh for the base (0) or a link of an arm.
+    /// Returns the hull of the file's mesh for a link of the arm, or for the base if `link` is 0.
     ///
     /// # Errors
     /// The points have no volume, their size suggests another unit, or the mesh is far from its link.
@@ -79,7 +80,7 @@ impl LinkFile<'_> {
     }
 }
 
-/// Returns the distance in mm between a hull and the capsules of its link; `None` without capsules.
+/// Returns the distance in mm between a hull and the nearest capsule; `None` without capsules.
 fn distance(hull: &Shape, capsules: &[LinkCapsule]) -> Option<f64> {
     let here = IsometryMatrix3::identity();
     let shapes = capsules.iter().filter_map(|capsule| Shape::capsule(capsule.from, capsule.to, capsule.radius).ok());
@@ -98,7 +99,7 @@ fn distance(hull: &Shape, capsules: &[LinkCapsule]) -> Option<f64> {
 #[derive(Debug, Clone)]
 pub struct LinkHull(pub(crate) Shape);
 
-/// Reason why a file is no mesh of a link.
+/// Reason why a file cannot be used as the mesh of a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LinkError {
     /// One sentence that describes the error.
@@ -113,7 +114,7 @@ impl From<String> for LinkError {
     }
 }
 
-/// Returns the names of the base and the links of an arm with this number of axes.
+/// Returns the names of the base and the links for this number of axes.
 pub fn link_names(axes: usize) -> impl Iterator<Item = String> {
     body_names(std::iter::empty(), axes)
 }
@@ -121,7 +122,7 @@ pub fn link_names(axes: usize) -> impl Iterator<Item = String> {
 /// Checks that an arm with this number of axes has all links that `[run] shapes` names.
 ///
 /// # Errors
-/// The error is about the first name without a link.
+/// A name has no link; the error contains the first such name.
 pub fn check_link_names<'n>(mut names: impl Iterator<Item = &'n String>, axes: usize) -> Result<(), CellError> {
     let unknown = names.find(|name| link_names(axes).all(|link| link != **name));
     unknown.map_or(Ok(()), |name| {
@@ -209,8 +210,8 @@ mod tests {
         "#]].assert_eq(&refused);
     }
 
-    /// Hulls of cubes at all links: in the frames of the links, and in metres in a frame that is parallel to `world`
-    /// while all joints are 0.
+    /// Returns the hulls of cubes at all links, from two kinds of files: in the link's frame, and in metres in a frame
+    /// that is parallel to `world` while all joints are 0.
     fn hulls_in_both_frames(arm: &Arm) -> [Vec<Option<LinkHull>>; 2] {
         let origin = [120.0, -30.0, 410.0];
         let frame = Trsf::new([origin[0], origin[1], origin[2] - arm.height()], [0.0; 3]).isometry();

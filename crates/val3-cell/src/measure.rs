@@ -13,8 +13,8 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Converts the distance between the cores of two bodies to the distance between the bodies. `touch` is the sum of
-    /// the depths in mm by which the cores are smaller.
+    /// Converts the distance between cores to the distance between the bodies. `touch` is the sum of the depths in mm
+    /// by which both cores are smaller.
     pub(crate) fn without(self, touch: f64) -> Self {
         Self { distance: self.distance - touch, ..self }
     }
@@ -30,7 +30,7 @@ pub(crate) enum Reading {
 }
 
 impl Reading {
-    /// The distance, or its lower bound, in mm.
+    /// Returns the distance or its lower bound, in mm.
     pub(crate) fn at_least(&self) -> f64 {
         match self {
             Self::Beyond(bound) => *bound,
@@ -72,6 +72,7 @@ pub(crate) fn measure(a: &Placed<'_>, b: &Placed<'_>, limit: f64) -> Reading {
     reading
 }
 
+/// Measures the distance between two shapes.
 fn between(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Reading {
     // Overlaps are measured even if the limit is negative: the deepest overlap is the result.
     match nearest(a, b, limit.max(0.0)) {

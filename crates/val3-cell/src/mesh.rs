@@ -21,7 +21,7 @@ const TRIANGLE: usize = 50;
 pub struct Mesh {
     /// Corners without duplicates.
     pub points: Vec<Vector3<f64>>,
-    /// Triangles, each as the indexes of its corners.
+    /// Triangles, each as three indexes in [`Self::points`].
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -55,7 +55,8 @@ impl fmt::Display for MeshError {
 impl std::error::Error for MeshError {}
 
 impl Mesh {
-    /// Returns the mesh, smaller by `depth` mm on each side. At least the fraction `least` of each extent remains.
+    /// Returns the mesh, smaller by `depth` mm on each side of the bounding box, but with at least the fraction `least`
+    /// of all extents.
     pub(crate) fn shrunk(&self, depth: f64, least: f64) -> Self {
         let mut points = self.points.iter();
         let first = points.next().copied().unwrap_or_default();
@@ -79,21 +80,13 @@ impl Mesh {
             Some(corners) => corners?,
             None => text(bytes)?,
         };
-        let mut mesh = Self::default();
-        let mut numbers = BTreeMap::new();
-        for triangle in corners.as_chunks::<3>().0 {
-            let number = |corner: &Vector3<f64>| {
-                *numbers.entry([corner.x.to_bits(), corner.y.to_bits(), corner.z.to_bits()]).or_insert_with(|| {
-                    mesh.points.push(*corner);
-                    u32::try_from(mesh.points.len() - 1).unwrap_or(u32::MAX)
-                })
-            };
-            let triangle = triangle.each_ref().map(number);
-            mesh.triangles.push(triangle);
-        }
-        mesh.checked()
+        let mut unique = UniquePoints::default();
+        let triangles = corners.as_chunks::<3>().0.iter();
+        let triangles = triangles.map(|corners| corners.map(|corner| unique.index(corner))).collect();
+        Self { points: unique.points, triangles }.checked()
     }
 
+    /// Rejects a mesh without triangles.
     fn checked(self) -> Result<Self, MeshError> {
         if self.triangles.is_empty() { Err(MeshError::Empty) } else { Ok(self) }
     }
@@ -104,18 +97,36 @@ impl Mesh {
         self
     }
 
-    /// Returns the mesh in the frame in which its own frame has this pose.
+    /// Returns the mesh in the frame relative to which the mesh's frame has this pose.
     pub(crate) fn placed(mut self, pose: &IsometryMatrix3<f64>) -> Self {
         self.points.iter_mut().for_each(|point| *point = pose.rotation * *point + pose.translation.vector);
         self
     }
 
-    /// Length of the bounding box diagonal.
+    /// Returns the length of the bounding box diagonal.
     pub(crate) fn extent(&self) -> f64 {
         let Some(start) = self.points.first() else { return 0.0 };
         let (min, max) =
             self.points.iter().fold((*start, *start), |(min, max), point| (min.inf(point), max.sup(point)));
         (max - min).norm()
+    }
+}
+
+/// Points without duplicates, in the order of their first occurrences.
+#[derive(Default)]
+struct UniquePoints {
+    points: Vec<Vector3<f64>>,
+    /// Index of each point, by the bits of its coordinates.
+    indexes: BTreeMap<[u64; 3], u32>,
+}
+
+impl UniquePoints {
+    /// Returns the index of a point. A new point is added.
+    fn index(&mut self, point: Vector3<f64>) -> u32 {
+        *self.indexes.entry([point.x, point.y, point.z].map(f64::to_bits)).or_insert_with(|| {
+            self.points.push(point);
+            u32::try_from(self.points.len() - 1).unwrap_or(u32::MAX)
+        })
     }
 }
 

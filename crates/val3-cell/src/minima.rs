@@ -13,7 +13,7 @@ use crate::track::{EXACT, Track, Wanted};
 /// Distance in mm above which nothing is recorded.
 const FAR: f64 = 500.0;
 
-/// The smallest distance of a pair or of a key.
+/// Smallest distance of a pair, or for a key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Minimum {
     /// Names of both things.
@@ -26,8 +26,8 @@ pub struct Minimum {
     pub has_part: bool,
 }
 
-/// Records the smallest distance of each pair, and over all pairs for each key. A key is the program line that has
-/// requested a move. Distances above 500 mm are omitted, and all distances between links and bodies on the arm.
+/// Recorder of the smallest distances, by pair, and over all pairs by key. A key identifies a move, for example by the
+/// program line that has requested it. Distances above 500 mm and between bodies that move with the arm are omitted.
 #[derive(Debug, Clone)]
 pub struct Minima<K> {
     observation: Observation,
@@ -49,7 +49,7 @@ impl<K: Ord + Clone> Minima<K> {
         }
     }
 
-    /// The scene.
+    /// Returns the scene, with the current arm model.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.observation.scene
@@ -89,7 +89,7 @@ impl<K: Ord + Clone> Minima<K> {
         self.observation.record(sight);
     }
 
-    /// Smallest distances of all pairs that came within 500 mm, smallest first.
+    /// Returns the smallest distances of all pairs that came within 500 mm, smallest first.
     #[must_use]
     pub fn of_pairs(&self) -> Vec<&Minimum> {
         let mut minima: Vec<&Minimum> = self.pairs.iter().flatten().collect();
@@ -97,7 +97,7 @@ impl<K: Ord + Clone> Minima<K> {
         minima
     }
 
-    /// The smallest distance for a key, if it is within 500 mm.
+    /// Returns the smallest distance for a key, if it is within 500 mm.
     #[must_use]
     pub fn of(&self, key: &K) -> Option<&Minimum> {
         self.keys.get(key)

@@ -4,18 +4,18 @@ use std::collections::BTreeSet;
 
 use crate::error::CellError;
 
-/// Names of all bodies: base, links, things and parts.
+/// Returns the names of all bodies: the base, the links, and these things and parts.
 pub(crate) fn body_names<'n>(things: impl Iterator<Item = &'n str>, axes: usize) -> impl Iterator<Item = String> {
     let links = (1..=axes).map(|link| format!("link{link}"));
     std::iter::once("base".to_owned()).chain(links).chain(things.map(str::to_owned))
 }
 
-/// Number of the link with a name such as `link2`.
+/// Returns the number of the link with a name such as `link2`; `None` for any other name.
 pub(crate) fn link_number(name: &str) -> Option<usize> {
     name.strip_prefix("link")?.parse().ok().filter(|_| name.len() == "link".len() + 1)
 }
 
-/// Names of the entries that were checked so far.
+/// Names of the checked entries.
 #[derive(Debug, Default)]
 pub(crate) struct GivenNames(BTreeSet<String>);
 

@@ -1,4 +1,4 @@
-//! A scene with its last sight.
+//! The last sight of a scene, for observers that evaluate each step.
 
 use std::sync::Arc;
 
@@ -27,8 +27,8 @@ impl Observation {
         self.has_arm(sight) && self.past.as_ref().is_some_and(|past| past.is_same(sight))
     }
 
-    /// Replaces the arm model if it has changed. Returns whether earlier distances are no longer bounds, because the
-    /// links have other lengths or the arm was placed elsewhere without a motion.
+    /// Replaces the arm model if it has changed. Returns whether earlier distances are invalid, because the links have
+    /// other lengths or the arm was placed elsewhere without a motion.
     pub(crate) fn adopt(&mut self, sight: &Sight<'_>) -> bool {
         let is_other = !self.has_arm(sight);
         if is_other {
@@ -37,7 +37,7 @@ impl Observation {
         is_other || self.past.as_ref().is_some_and(|past| past.has_jumped(sight))
     }
 
-    /// The step from the last sight to this one.
+    /// Returns the step from the last sight to this one.
     pub(crate) fn step<'s>(&'s self, sight: &'s Sight<'_>) -> Step<'s> {
         Step::new(&self.scene, self.past.as_ref(), sight)
     }

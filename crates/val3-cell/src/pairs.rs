@@ -5,10 +5,11 @@ use crate::carriers::Chain;
 use crate::names::body_names;
 use crate::part::Part;
 
-/// Minimum distance in the arm's chain between two bodies that are compared. Nearer bodies always touch, or never do.
+/// Smallest difference between the chain positions of compared bodies. Nearer bodies always touch, or can never touch.
 const APART: usize = 3;
 
-/// The same minimum for bodies on the flange, because the capsules of wrist and forearm extend beyond the flange.
+/// Smallest difference for bodies on the flange. It is greater because the capsules of wrist and forearm extend beyond
+/// the flange.
 const CARRIED_APART: usize = 4;
 
 /// Pairs of links that are far enough apart in the chain but cannot touch each other on any arm.
@@ -49,7 +50,8 @@ pub(crate) enum Comparison {
     Arm,
 }
 
-/// Returns the kind of comparison for two bodies of an arm with `axes` axes; `None` if they are not compared.
+/// Returns the kind of comparison for bodies at two positions in the chain of the arm, which has `axes` axes; `None` if
+/// the bodies are not compared.
 pub(crate) fn comparison(first: Chain, second: Chain, axes: usize) -> Option<Comparison> {
     match (first, second) {
         (Some(a), Some(b)) => {
@@ -62,8 +64,8 @@ pub(crate) fn comparison(first: Chain, second: Chain, axes: usize) -> Option<Com
     }
 }
 
-/// Returns the pairs of a cell around an arm with `axes` axes. The bodies are the base, the links, the things and the
-/// parts.
+/// Returns the compared pairs of a cell's bodies. The bodies are the base, the links of an arm with `axes` axes, the
+/// things and the parts.
 pub(crate) fn pairs(cell: &Cell, axes: usize) -> Vec<Pair> {
     let count = axes + 1 + cell.things.len() + cell.parts.len();
     let names: Vec<String> = body_names(cell.body_names(), axes).collect();

@@ -15,7 +15,7 @@ pub struct Part {
     pub name: String,
     /// Carrier at the start: `world` or a frame.
     pub carrier: Carrier,
-    /// Pose in this carrier of the frame that the key `in` names: an object, or the base of the arm.
+    /// Pose in this carrier of the frame that the key `in` names, for example of an object.
     pub origin: IsometryMatrix3<f64>,
     /// Pose of the part in this carrier.
     pub pose: IsometryMatrix3<f64>,
@@ -43,16 +43,16 @@ impl Part {
 pub struct PartPlace {
     /// Holder.
     pub holder: PartHolder,
-    /// Pose of the part in the frame of its holder.
+    /// Pose of the part in the holder's frame.
     pub pose: IsometryMatrix3<f64>,
 }
 
 /// Holder of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PartHolder {
-    /// `world`, in which the part stands.
+    /// `world`: the part is stationary.
     World,
-    /// The frame with this index in [`crate::Scene::data`], in which the part stands.
+    /// The frame with this index in [`crate::Scene::data`]: the part moves only with the frame.
     Frame(usize),
     /// The gripper with this index. The pose is relative to `flange`.
     Gripper(usize),

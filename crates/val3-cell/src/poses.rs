@@ -15,6 +15,7 @@ pub(crate) fn check_size(number: f64, key: &str) -> Result<(), CellError> {
     Err(CellError::new(key, "a number of this shape is too large", format!("{GREATEST} mm are the limit")))
 }
 
+/// Returns a distance that is neither negative nor larger than any cell.
 pub(crate) fn distance(length: f64, key: &str) -> Result<f64, CellError> {
     if (0.0..=GREATEST).contains(&length) {
         return Ok(length);
@@ -47,6 +48,7 @@ pub(crate) fn triple(numbers: &[f64], key: &str) -> Result<[f64; 3], CellError> 
     })
 }
 
+/// Checks that a colour has the form `#d9a400`.
 pub(crate) fn check_colour(colour: &str, key: &str) -> Result<String, CellError> {
     let is_code =
         colour.strip_prefix('#').is_some_and(|code| code.len() == 6 && code.bytes().all(|c| c.is_ascii_hexdigit()));

@@ -11,11 +11,11 @@ use crate::step::Sight;
 /// Distance in mm above which the smallest distance is not reported.
 const FAR: f64 = 500.0;
 
-/// Distance in mm by which measurements exceed the smallest distance. The results then remain lower bounds for some
-/// cycles.
+/// Distance in mm beyond the smallest distance up to which pairs are measured. The results then remain useful lower
+/// bounds for some cycles.
 const AHEAD: f64 = 50.0;
 
-/// The smallest distance at one time.
+/// Smallest distance at the end of a cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proximity {
     /// Names of both things.
@@ -26,17 +26,17 @@ pub struct Proximity {
     pub clearance: f64,
 }
 
-/// Computes the smallest distance in each cycle. Parts are ignored because they touch their supports, and so are pairs
-/// within the arm and the bodies on it.
+/// Computes the smallest distance in each cycle. Parts are ignored because they touch their supports. Pairs of bodies
+/// that move with the arm are ignored as well.
 #[derive(Debug, Clone)]
 pub struct Profile {
     observation: Observation,
-    /// Pairs with lower bounds of their distances.
+    /// Index of each pair in the scene, and a lower bound of its distance in mm.
     bounds: Vec<(usize, f64)>,
 }
 
 impl Profile {
-    /// Creates the profile of a scene.
+    /// Creates a profile without measured distances.
     #[must_use]
     pub fn new(scene: Arc<Scene>) -> Self {
         let pairs = scene.pairs.iter().enumerate().filter(|(_, pair)| !pair.is_arm() && !pair.has_part());
@@ -44,7 +44,7 @@ impl Profile {
         Self { observation: Observation::new(scene), bounds }
     }
 
-    /// The scene.
+    /// Returns the scene, with the current arm model.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.observation.scene

@@ -1,4 +1,4 @@
-//! Largest distances from the arm's axes to its bodies, which bound the movement of each body.
+//! Upper bounds for the movement of bodies, from the largest distances between consecutive axes of the arm.
 
 use val3_kinematics::{Arm, Joints};
 
@@ -28,8 +28,8 @@ impl Reach {
         Self { links: links.collect() }
     }
 
-    /// Upper bound in mm for the movement of a point within `radius` of a link's frame, while each axis moves by
-    /// `moved` degrees or mm.
+    /// Returns an upper bound in mm for the movement of a point within `radius` of a link's frame, while each axis
+    /// moves by `moved` degrees or mm.
     pub(crate) fn way(&self, link: usize, radius: f64, moved: &Joints) -> f64 {
         let mut arm = radius;
         let mut way = 0.0;

@@ -38,6 +38,15 @@ pub(crate) struct Body {
     pub(crate) shapes: Vec<(Shape, IsometryMatrix3<f64>)>,
 }
 
+impl Body {
+    /// Radius in mm of the sphere that contains all shapes: around the origin of the frame in which the carrier's frame
+    /// has this pose. For a part, the pose is the part's own.
+    pub(crate) fn reach(&self, pose: &IsometryMatrix3<f64>) -> f64 {
+        let reaches = self.shapes.iter().map(|(shape, own)| (pose * own).translation.vector.norm() + shape.reach());
+        reaches.fold(0.0, f64::max)
+    }
+}
+
 /// Carrier of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BodyCarrier {
@@ -105,13 +114,13 @@ impl Scene {
             .any(|[a, b]| (&a, &b) == (first, second) || (&b, &a) == (first, second))
     }
 
-    /// Whether [`crate::Minima`] records the distance between two bodies of which none is a part.
+    /// Whether [`crate::Minima`] records any distance between bodies that are no parts.
     #[must_use]
     pub fn compares_standing_things(&self) -> bool {
         self.pairs.iter().any(|pair| !pair.is_arm() && !pair.has_part())
     }
 
-    /// Names of the base, the links, the things and the parts.
+    /// Returns the names of the base, the links, the things and the parts.
     pub fn body_names(&self) -> impl Iterator<Item = &str> {
         self.bodies.iter().map(|body| body.name.as_str())
     }
@@ -122,57 +131,58 @@ impl Scene {
         self.body_names().any(|known| known == name)
     }
 
-    /// Frames and tools that are carriers. [`crate::Sight::places`] contains their poses in the same order.
+    /// Returns the frames and tools that are carriers. [`crate::Sight::places`] contains their poses in the same order.
     pub fn data(&self) -> impl Iterator<Item = &Carrier> {
         self.data.iter()
     }
 
-    /// Index of the first thing among the bodies, which is the first body after the links.
+    /// Returns the body index of the first thing. The base and the links precede the things.
     pub(crate) fn first_thing(&self) -> usize {
         self.arm.axes() + 1
     }
 
-    /// Body index of a part.
+    /// Returns the body index of a part.
     pub(crate) fn part_body(&self, part: usize) -> usize {
         self.first_thing() + self.cell.things.len() + part
     }
 
-    /// The carrier of a thing, a sensor or a gripper.
+    /// Returns the carrier with the index of its frame or tool.
     pub(crate) fn carrier(&self, carrier: &Carrier) -> BodyCarrier {
         body_carrier(carrier, &self.data)
     }
 
-    /// Kind of comparison for the pair, with parts at `parts`; `None` if the pair is not compared.
+    /// Returns the kind of comparison for the pair, with parts at `parts`; `None` if the pair is not compared.
     pub(crate) fn comparison(&self, pair: &Pair, parts: &[PartPlace]) -> Option<Comparison> {
         if pair.comparison.is_some() {
             return pair.comparison;
         }
-        let axes = self.arm.axes();
-        let chain = |number: usize| {
-            let body = self.bodies.get(number)?;
-            let BodyCarrier::Part(part) = body.carrier else { return Some(body.chain) };
-            match parts.get(part)?.holder {
-                PartHolder::World | PartHolder::Frame(_) => Some(None),
-                PartHolder::Gripper(_) => Some(Some(axes + 1)),
-                PartHolder::Gone => None,
-            }
-        };
-        comparison(chain(pair.first)?, chain(pair.second)?, axes)
+        comparison(self.chain(pair.first, parts)?, self.chain(pair.second, parts)?, self.arm.axes())
     }
 
-    /// Names of both bodies of a pair.
+    /// Returns the position of a body in the arm's chain, with parts at `parts`; `None` for a removed part.
+    fn chain(&self, body: usize, parts: &[PartPlace]) -> Option<Chain> {
+        let body = self.bodies.get(body)?;
+        let BodyCarrier::Part(part) = body.carrier else { return Some(body.chain) };
+        match parts.get(part)?.holder {
+            PartHolder::World | PartHolder::Frame(_) => Some(None),
+            PartHolder::Gripper(_) => Some(Some(self.arm.axes() + 1)),
+            PartHolder::Gone => None,
+        }
+    }
+
+    /// Returns the names of both bodies in a pair.
     pub(crate) fn names(&self, pair: &Pair) -> [String; 2] {
         [pair.first, pair.second].map(|body| self.bodies.get(body).map(|body| body.name.clone()).unwrap_or_default())
     }
 
-    /// Poses of the arm's links and of the flange at a joint position.
+    /// Computes the poses of the arm's links and of the flange at a joint position.
     pub(crate) fn position(&self, joints: &Joints) -> Position {
         let parts = self.arm.parts(joints);
         let flange = parts.last().copied().unwrap_or_default() * self.flange;
         Position { parts, flange }
     }
 
-    /// Distance in mm between the flange and the frame of the last link.
+    /// Returns the distance in mm between the flange and the frame of the last link.
     pub(crate) fn flange_offset(&self) -> f64 {
         self.flange.translation.vector.norm()
     }
@@ -207,7 +217,7 @@ fn body_carrier(carrier: &Carrier, data: &[Carrier]) -> BodyCarrier {
     }
 }
 
-/// Frames and tools that are carriers, without duplicates.
+/// Returns the frames and tools that are carriers, without duplicates.
 fn data(cell: &Cell) -> Vec<Carrier> {
     let things = cell.things.iter().map(|thing| &thing.carrier);
     let parts = cell.parts.iter().map(|part| &part.carrier);
@@ -236,12 +246,12 @@ pub(crate) struct Position {
 }
 
 impl Position {
-    /// Pose of the flange in `world`.
+    /// Returns the pose of the flange in `world`.
     pub(crate) fn flange(&self) -> &IsometryMatrix3<f64> {
         &self.flange
     }
 
-    /// Pose of a carrier in `world`; `None` for a frame or tool without a pose, and for a removed part.
+    /// Returns the pose of a carrier in `world`; `None` for a frame or tool without a pose, and for a removed part.
     pub(crate) fn carrier(&self, carrier: BodyCarrier, places: Places<'_>) -> Option<IsometryMatrix3<f64>> {
         let place = |number: usize| places.data.get(number).copied().flatten();
         match carrier {

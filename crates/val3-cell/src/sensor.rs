@@ -16,7 +16,7 @@ pub struct Sensor {
     pub is_inverted: bool,
     /// Delay in seconds between the detection and the change of the input.
     pub delay: f64,
-    /// Carrier.
+    /// Carrier of the beam or zone.
     pub carrier: Carrier,
     /// Beam or zone.
     pub(crate) shape: Shape,
@@ -24,7 +24,7 @@ pub struct Sensor {
     pub(crate) pose: IsometryMatrix3<f64>,
     /// Bodies that the sensor detects.
     pub(crate) detects: Detects,
-    /// The beam or zone for pictures.
+    /// Form of the beam or zone, for pictures.
     pub form: SensorForm,
 }
 
@@ -35,11 +35,11 @@ pub(crate) enum Detects {
     Named(Vec<globset::GlobMatcher>),
 }
 
-/// The beam or zone of a sensor, for pictures.
+/// Form of a sensor's beam or zone, for pictures.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SensorForm {
     /// Ends of a beam.
     Beam([[f64; 3]; 2]),
-    /// A zone.
+    /// Form of a zone.
     Zone(crate::solids::SolidForm),
 }

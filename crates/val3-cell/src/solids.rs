@@ -21,11 +21,12 @@ const HUGE: f64 = 50_000.0;
 pub(crate) enum UnitDoubt {
     Metres,
     Millimetres,
-    /// Every unit yields a size that things in a cell do not have.
+    /// No unit yields a plausible size.
     Neither,
 }
 
-/// Returns the likely unit of a mesh if its diagonal, in mm, suggests another unit than the one with this length in mm.
+/// Returns the likely unit of a mesh if the assumed unit yields an implausible size. `unit` is the assumed unit's length,
+/// and `extent` the resulting diagonal of the mesh, both in mm.
 pub(crate) fn unit_doubt(unit: f64, extent: f64) -> Option<UnitDoubt> {
     let is_long = unit > 1.0;
     match extent {
@@ -79,7 +80,7 @@ pub(crate) struct SolidMaker<'s> {
     pub(crate) is_carried: bool,
 }
 
-/// Shape keys of an entry with one or several shapes.
+/// Shape keys in an entry with one or several shapes.
 #[derive(Clone, Copy)]
 pub(crate) struct ShapedEntry<'e> {
     pub(crate) name: &'e str,
@@ -87,7 +88,7 @@ pub(crate) struct ShapedEntry<'e> {
     pub(crate) shape: &'e ShapeKeys,
 }
 
-/// Builds the shapes of an entry.
+/// Builds all shapes that an entry describes.
 pub(crate) fn solids(entry: ShapedEntry<'_>, key: &str, mut maker: SolidMaker<'_>) -> Result<Vec<Solid>, CellError> {
     let ShapedEntry { name, shapes, shape } = entry;
     match solid(shape, &[], key, &mut maker)? {
@@ -170,7 +171,7 @@ pub(crate) fn solid(
     Ok(Some(Solid { shape, pose, form }))
 }
 
-/// Replaces a mesh by its hull if the hull is compared.
+/// Returns the form for pictures: a mesh is replaced by its hull if the hull is compared.
 fn drawn(form: SolidForm, shape: &Shape) -> SolidForm {
     match (form, shape.hull_triangles()) {
         (SolidForm::Mesh(_), Some((points, triangles))) => SolidForm::Mesh(Mesh { points, triangles }),
@@ -178,7 +179,7 @@ fn drawn(form: SolidForm, shape: &Shape) -> SolidForm {
     }
 }
 
-/// Size and centre of a box.
+/// Returns the size and the centre of a box.
 fn sides(cuboid: &BoxKey, key: &str) -> Result<([f64; 3], [f64; 3]), CellError> {
     match cuboid {
         BoxKey::Size(size) => Ok((triple(size, key)?, [0.0; 3])),
@@ -213,7 +214,7 @@ fn mesh_in_mm(
 }
 
 impl Solid {
-    /// Returns the shape smaller by `depth` mm on each side; at least a tenth of each length remains.
+    /// Returns the shape, smaller by `depth` mm on each side, but with at least a tenth of all lengths.
     pub(crate) fn core(&self, depth: f64) -> Shape {
         shape_of(&self.form.core(depth), true).unwrap_or_else(|_| self.shape.clone())
     }
@@ -223,7 +224,7 @@ impl Solid {
 const CORE: f64 = 0.1;
 
 impl SolidForm {
-    /// Lengths and coordinates in mm, without those of a mesh.
+    /// Returns the lengths and coordinates in mm; none for a mesh.
     fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Box(size) => size.to_vec(),

@@ -82,10 +82,11 @@ pub(crate) struct Step<'s> {
     has_part_moved: Vec<bool>,
     /// For each frame or tool, whether its pose differs from the last sight.
     has_moved: Vec<bool>,
+    /// Movement of each axis, in degrees or mm.
     moved: Joints,
     /// Positions at fractions of the step. The searches of different pairs divide the step at the same fractions.
     positions: RefCell<Vec<(f64, Rc<Position>)>>,
-    /// Greatest way of each body.
+    /// Results of [`Self::way`] for all bodies.
     ways: OnceCell<Vec<Option<f64>>>,
 }
 
@@ -109,30 +110,27 @@ impl<'s> Step<'s> {
         }
     }
 
-    /// Upper bound in mm for the sum of both bodies' movements; `None` if the pose of one of their carriers has
-    /// changed.
+    /// Returns an upper bound in mm for the sum of both bodies' movements; `None` if a body was placed elsewhere.
     pub(crate) fn travel(&self, pair: &Pair) -> Option<f64> {
-        // Each body belongs to many pairs.
+        // The results are stored because each body belongs to many pairs.
         let ways = self.ways.get_or_init(|| self.scene.bodies.iter().map(|body| self.way(body)).collect());
         let way = |number: usize| ways.get(number).copied().flatten();
         Some(way(pair.first)? + way(pair.second)?)
     }
 
+    /// Returns an upper bound in mm for the movement of a body with the arm; `None` if the body, its frame or its tool
+    /// was placed elsewhere.
     fn way(&self, body: &Body) -> Option<f64> {
-        let radius = |pose: &IsometryMatrix3<f64>| {
-            let reaches = body.shapes.iter().map(|(shape, own)| (pose * own).translation.vector.norm() + shape.reach());
-            reaches.fold(0.0, f64::max)
-        };
         let here = IsometryMatrix3::identity();
         let (reach, axes) = (&self.scene.reach, self.scene.arm.axes());
         match body.carrier {
             BodyCarrier::World => Some(0.0),
             BodyCarrier::Frame(number) => self.has_moved.get(number).is_some_and(|moved| !moved).then_some(0.0),
-            BodyCarrier::Link(link) => Some(reach.way(link, radius(&here), &self.moved)),
-            BodyCarrier::Flange => Some(reach.way(axes, self.scene.flange_offset() + radius(&here), &self.moved)),
+            BodyCarrier::Link(link) => Some(reach.way(link, body.reach(&here), &self.moved)),
+            BodyCarrier::Flange => Some(reach.way(axes, self.scene.flange_offset() + body.reach(&here), &self.moved)),
             BodyCarrier::Tool(number) if self.has_moved.get(number).is_some_and(|moved| !moved) => {
                 let tool = self.places.data.get(number).copied().flatten()?;
-                Some(reach.way(axes, self.scene.flange_offset() + radius(&tool), &self.moved))
+                Some(reach.way(axes, self.scene.flange_offset() + body.reach(&tool), &self.moved))
             }
             BodyCarrier::Tool(_) => None,
             BodyCarrier::Part(number) if self.has_part_moved.get(number).is_some_and(|moved| !moved) => {
@@ -141,7 +139,7 @@ impl<'s> Step<'s> {
                     PartHolder::World => Some(0.0),
                     PartHolder::Frame(number) => self.has_moved.get(*number).is_some_and(|moved| !moved).then_some(0.0),
                     PartHolder::Gripper(_) => {
-                        Some(reach.way(axes, self.scene.flange_offset() + radius(pose), &self.moved))
+                        Some(reach.way(axes, self.scene.flange_offset() + body.reach(pose), &self.moved))
                     }
                     PartHolder::Gone => None,
                 }
@@ -164,7 +162,7 @@ impl<'s> Step<'s> {
         }
     }
 
-    /// Kind of comparison for a pair at the end of the step; `None` if the pair is not compared.
+    /// Returns the kind of comparison for a pair at the end of the step; `None` if the pair is not compared.
     pub(crate) fn comparison(&self, pair: &Pair) -> Option<Comparison> {
         self.scene.comparison(pair, self.places.parts)
     }
@@ -176,20 +174,23 @@ impl<'s> Step<'s> {
 
     /// Whether a body has a pose at the end of the step, or was removed.
     pub(crate) fn has_place(&self, body: usize) -> bool {
-        let part = |number: usize| self.places.parts.get(number).map(|place| place.holder);
-        let is_gone =
-            |body: &Body| matches!(body.carrier, BodyCarrier::Part(number) if part(number) == Some(PartHolder::Gone));
-        self.body(body).is_some_and(is_gone) || self.placed(body, &self.position(1.0)).is_some()
+        self.is_removed(body) || self.placed(body, &self.position(1.0)).is_some()
     }
 
-    /// Shapes and pose of a body for a position of the arm; `None` if the body has no pose.
+    /// Whether a body is a removed part.
+    fn is_removed(&self, body: usize) -> bool {
+        let Some(BodyCarrier::Part(part)) = self.body(body).map(|body| body.carrier) else { return false };
+        self.places.parts.get(part).is_some_and(|place| place.holder == PartHolder::Gone)
+    }
+
+    /// Returns the shapes and the pose of a body for a position of the arm; `None` if the body has no pose.
     fn placed(&self, number: usize, position: &Position) -> Option<Placed<'s>> {
         let body = self.body(number)?;
         let pose = position.carrier(body.carrier, self.places)?;
         is_usable(&pose).then_some(Placed { shapes: &body.shapes, pose })
     }
 
-    /// Position at a fraction of the step, 0 to 1.
+    /// Returns the position at a fraction of the step, from 0 to 1.
     fn position(&self, fraction: f64) -> Rc<Position> {
         let known = self.positions.borrow().iter().find(|(at, _)| *at == fraction).map(|(_, known)| Rc::clone(known));
         known.unwrap_or_else(|| {
@@ -200,25 +201,26 @@ impl<'s> Step<'s> {
         })
     }
 
-    /// Joint position at a fraction of the step.
+    /// Returns the joint position at a fraction of the step.
     pub(crate) fn joints(&self, fraction: f64) -> Joints {
         std::array::from_fn(|axis| {
             self.from.get(axis).copied().unwrap_or_default() + fraction * difference(&self.to, &self.from, axis)
         })
     }
 
-    /// Time at a fraction of the step, in seconds.
+    /// Returns the time at a fraction of the step, in seconds.
     pub(crate) fn time(&self, fraction: f64) -> f64 {
         self.start + fraction * (self.end - self.start)
     }
 }
 
-/// Whether distances can be computed with a pose. A program can write any numbers into a frame.
+/// Whether distances can be computed with a pose: a program can write any numbers into a frame.
 fn is_usable(pose: &IsometryMatrix3<f64>) -> bool {
     pose.rotation.matrix().iter().all(|number| number.is_finite())
         && pose.translation.vector.iter().all(|length| length.abs() < FARTHEST)
 }
 
+/// Returns for each part whether its pose differs from the last sight.
 fn moved_parts(past: Option<&Past>, sight: &Sight<'_>) -> Vec<bool> {
     match past {
         Some(past) if Arc::ptr_eq(&past.parts, &sight.parts) => vec![false; sight.parts.len()],

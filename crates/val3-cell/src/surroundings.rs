@@ -60,7 +60,7 @@ impl DataKind {
     }
 }
 
-/// Properties of an input or output.
+/// Class and direction of a signal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KnownSignal {
     /// Kind of the values.

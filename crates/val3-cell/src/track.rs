@@ -7,7 +7,7 @@ use crate::step::Step;
 /// Tolerance of a smallest distance, in mm.
 pub(crate) const EXACT: f64 = 0.1;
 
-/// Last known distance of a pair.
+/// Last distance of a pair.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Track {
     /// Distance after the last step; `None` before the first step.
@@ -42,8 +42,8 @@ pub(crate) struct Found {
 }
 
 impl Track {
-    /// Lower bound of the distance after the last step; the distance itself if it is below the limit of
-    /// [`Self::follow`].
+    /// Returns a lower bound of the distance after the last step. Below the limit of [`Self::follow`], it is the
+    /// distance itself.
     pub(crate) fn at_least(&self) -> f64 {
         self.last.map_or(0.0, |known| known.at_least)
     }
@@ -57,7 +57,7 @@ impl Track {
             self.last = Some(Known { at_least: known.at_least - way, is_measured: false });
             return None;
         }
-        // A limit with which the next steps at the same speed need no measurement.
+        // With this limit, the next steps at the same speed need no measurement.
         let far = wanted.limit + if way.is_finite() { 8.0 * way } else { 0.0 } + 5.0;
         let end = step.measure(pair, 1.0, far);
         self.last = Some(Known { at_least: end.at_least(), is_measured: true });
@@ -87,11 +87,11 @@ struct Search<'s> {
     found: Option<Found>,
 }
 
-/// Known distance at a fraction of the step.
+/// Distance at a fraction of the step.
 #[derive(Clone, Copy)]
 struct StepDistance {
     fraction: f64,
-    /// In mm; the distance is at least this.
+    /// The distance in mm, or a lower bound.
     distance: f64,
 }
 
@@ -100,11 +100,13 @@ impl<'s> Search<'s> {
         Self { step, pair, way, best: wanted.threshold, wanted, found: None }
     }
 
+    /// Evaluates only the end of the step.
     fn begin(mut self, end: Reading) -> Option<Found> {
         self.take(end, 1.0);
         self.found
     }
 
+    /// Records a distance that is smaller than all earlier distances.
     fn take(&mut self, reading: Reading, fraction: f64) {
         if let Reading::Measured(measured) = reading
             && measured.distance < self.best
@@ -114,8 +116,8 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// Searches between two known distances, as long as the way between them permits a smaller one. The depth of an
-    /// overlap is known only at the ends of steps.
+    /// Searches between two distances, as long as the movement between them permits a smaller distance. A contact ends
+    /// the search, so the depth of overlaps is exact only at the ends of steps.
     fn divide(&mut self, from: StepDistance, to: StepDistance) {
         let mut open = vec![(from, to)];
         while let Some((from, to)) = open.pop() {

@@ -21,10 +21,9 @@ pub struct Encounter<T> {
     pub state: EncounterState,
     /// Names of both things.
     pub names: [String; 2],
-    /// Distance between both things: the first distance below the clearance, or at the end of the encounter the
-    /// smallest one.
+    /// Distance with which the state begins; for [`EncounterState::Clear`], the smallest distance of the encounter.
     pub measured: Measured,
-    /// Time of this distance, in seconds.
+    /// Time at which the things have this distance, in seconds.
     pub time: f64,
     /// Joint position at this time, in degrees or mm.
     pub joints: Joints,
@@ -34,7 +33,7 @@ pub struct Encounter<T> {
     pub at_start: bool,
 }
 
-/// State of an encounter.
+/// Nearness of the things in an encounter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EncounterState {
     /// The distance is below the clearance.
@@ -46,7 +45,7 @@ pub enum EncounterState {
 }
 
 impl EncounterState {
-    /// Name of the state in event records.
+    /// Returns the state's name in event records.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -95,14 +94,14 @@ impl<T: Clone> Watch<T> {
         Self { observation: Observation::new(Arc::new(scene)), pairs, unplaced }
     }
 
-    /// The scene.
+    /// Returns the scene, with the current arm model.
     #[must_use]
     pub fn scene(&self) -> &Arc<Scene> {
         &self.observation.scene
     }
 
-    /// Names of the things that had no pose while the arm moved, because their frame or tool has no father or
-    /// impossible values. Their distances were not measured.
+    /// Returns the names of things that had no pose while the arm moved, because their frame or tool has no father or
+    /// impossible values. The distances to these things were not measured.
     pub fn unplaced(&self) -> impl Iterator<Item = &str> {
         let bodies = self.scene().body_names().zip(&self.unplaced);
         bodies.filter(|(_, is_unplaced)| **is_unplaced).map(|(name, _)| name)
@@ -137,7 +136,7 @@ impl<T: Clone> Watch<T> {
     }
 }
 
-/// A cycle as all pairs evaluate it.
+/// Inputs with which all pairs are evaluated in a cycle.
 struct Present<'p, T> {
     step: &'p Step<'p>,
     label: &'p T,

@@ -5,7 +5,7 @@ use val3_geometry::Vector3;
 
 use crate::convert;
 
-/// A bounding box of a shape.
+/// Bounding box of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Corner with the smallest coordinates.
@@ -19,15 +19,15 @@ impl Bounds {
         Self { min: convert::back(bounds.mins), max: convert::back(bounds.maxs) }
     }
 
-    /// Returns the distance to another box; 0 if they overlap. The distance of the enclosed shapes is at least as
-    /// large.
+    /// Returns the distance to another box; 0 if they overlap. It is a lower bound of the distance between the enclosed
+    /// shapes.
     #[must_use]
     pub fn distance(&self, other: &Self) -> f64 {
         let gap = (other.min - self.max).sup(&(self.min - other.max));
         gap.map(|length| length.max(0.0)).norm()
     }
 
-    /// Returns the centre of the overlap of both boxes, or of the gap between them.
+    /// Returns the centre of the overlap, or of the gap between the boxes.
     #[must_use]
     pub fn between(&self, other: &Self) -> Vector3<f64> {
         (self.min.sup(&other.min) + self.max.inf(&other.max)) / 2.0

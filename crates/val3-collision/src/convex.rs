@@ -33,12 +33,12 @@ pub(crate) struct ConvexPair<'s> {
     pub(crate) second: &'s dyn SupportMap,
     /// Pose of the second shape in the common frame.
     pub(crate) pose: &'s Pose,
-    /// Direction from the first shape to the second one, as far as it is known. A search begins with it.
+    /// Estimated direction from the first shape to the second, with any length. Searches start in this direction.
     pub(crate) towards: Vector,
 }
 
 impl ConvexPair<'_> {
-    /// Returns the nearest points of both shapes, or their overlap.
+    /// Returns the nearest points or the overlap of the shapes. Pairs whose gap is greater than `limit` are beyond it.
     pub(crate) fn nearest(&self, limit: f64) -> Found {
         let mut best: Option<Proof> = None;
         for direction in self.directions() {
@@ -52,14 +52,14 @@ impl ConvexPair<'_> {
             best = Some(best.filter(|best| best.gap >= proof.gap).unwrap_or(proof));
         }
         match best {
-            // Not exact, but never greater than the actual distance.
+            // The gap is inexact, but never greater than the actual distance.
             Some(proof) if proof.gap > 0.0 => proof.shortened().found(),
             _ => Found::Overlap,
         }
     }
 
-    /// Returns the depth of an overlap: the length of the shortest shift that separates the shapes, with its end
-    /// points.
+    /// Returns the depth of the overlap, which is the length of the shortest separating shift, and the extreme points
+    /// of both shapes along this shift.
     pub(crate) fn overlap(&self) -> (f64, [Vector; 2]) {
         let found = self.directions().filter_map(|direction| self.penetration(direction));
         let shifts = self.directions().chain(found);
@@ -67,7 +67,7 @@ impl ConvexPair<'_> {
         (-self.gap(normal), self.extremes(normal))
     }
 
-    /// Returns unit vectors as start directions of a search: from shape to shape, and along the axes of both frames.
+    /// Returns the start directions of searches, as unit vectors: from shape to shape, and along the axes of both frames.
     fn directions(&self) -> impl Iterator<Item = Vector> {
         let axes = [Vector::X, Vector::Y, Vector::Z];
         let axes = axes.into_iter().chain(axes.map(|axis| self.pose.rotation * axis));

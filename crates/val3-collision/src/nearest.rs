@@ -39,7 +39,7 @@ pub struct Closest {
     pub points: [Vector3<f64>; 2],
 }
 
-/// Overlap of two shapes.
+/// Depth and location of an overlap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
     /// Length in mm of the shortest shift that separates the shapes; `None` for surfaces, which have no inside.
@@ -49,7 +49,7 @@ pub struct Overlap {
 }
 
 /// Returns the distance or overlap between two shapes. Pairs beyond `limit` (in mm) are detected quickly: for surfaces
-/// with many triangles, a limit of 10 mm makes a query a hundred times as fast.
+/// with many triangles, a query with a limit of 10 mm is a hundred times as fast as without a limit.
 #[must_use]
 pub fn nearest(a: PlacedShape<'_>, b: PlacedShape<'_>, limit: f64) -> Nearness {
     if let (Form::Capsule(first), Form::Capsule(second)) = (&a.shape.form, &b.shape.form) {
@@ -107,8 +107,8 @@ fn are_solid(a: PlacedShape<'_>, b: PlacedShape<'_>) -> bool {
     !a.shape.is_surface() && !b.shape.is_surface()
 }
 
-/// Returns the nearest points or the overlap of two cores. `relative` is the pose of the second core in the frame of
-/// the first.
+/// Returns the nearest points or the overlap of the cores, with points in the first core's frame. `relative` is the
+/// second core's pose in this frame.
 fn between(first: &Core, second: &Core, relative: &Pose, limit: f64) -> Found {
     if let Some(surface) = first.shape.as_trimesh() {
         return surfaces::nearest(surface, &second.shape, relative, limit);
@@ -127,7 +127,7 @@ fn between(first: &Core, second: &Core, relative: &Pose, limit: f64) -> Found {
     }
 }
 
-/// Returns the distance or overlap between two shapes whose cores have these nearest points.
+/// Returns the distance or overlap between shapes whose cores have these nearest points.
 fn rounded(cores: [Vector3<f64>; 2], radii: [f64; 2], are_solid: bool, limit: f64) -> Nearness {
     let between = cores[1] - cores[0];
     let length = between.norm();
@@ -144,7 +144,7 @@ fn rounded(cores: [Vector3<f64>; 2], radii: [f64; 2], are_solid: bool, limit: f6
     }
 }
 
-/// Returns the depth and a common point of two shapes whose cores overlap or touch.
+/// Returns the depth and a common point of shapes whose cores overlap or touch.
 fn overlap(a: PlacedShape<'_>, b: PlacedShape<'_>) -> Overlap {
     let (first, second) = (Core::whole(a), Core::whole(b));
     match (first.shape.as_support_map(), second.shape.as_support_map()) {
@@ -166,7 +166,7 @@ mod tests {
     use super::*;
     use crate::testing::{convex, corners, hull, outside, pose};
 
-    /// Distance; negative for the depth of an overlap.
+    /// Returns the distance of disjoint shapes, and the negative depth of overlapping shapes.
     fn signed(nearness: Nearness) -> f64 {
         match nearness {
             Nearness::Beyond => f64::INFINITY,
@@ -234,11 +234,11 @@ mod tests {
                 .collect();
             let deepest = gaps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let apart = gaps.iter().map(|gap| gap.max(0.0).powi(2)).sum::<f64>().sqrt();
-            let wanted = if deepest < 0.0 { deepest } else { apart };
+            let expected = if deepest < 0.0 { deepest } else { apart };
             let aside = IsometryMatrix3::translation(offset[0], offset[1], offset[2]);
             for place in [IsometryMatrix3::identity(), turned] {
                 let found = signed(between(&a, &place, &b, &(place * aside)));
-                prop_assert!((found - wanted).abs() < 1e-3, "{found} instead of {wanted}");
+                prop_assert!((found - expected).abs() < 1e-3, "{found} instead of {expected}");
             }
         }
 

@@ -1,4 +1,4 @@
-//! Nearest points of a line segment and another segment or a triangle, in closed form.
+//! Nearest points between a line segment and another segment or a triangle, in closed form.
 
 use val3_geometry::Vector3;
 
@@ -13,7 +13,7 @@ pub(crate) struct LineSegment {
 }
 
 impl LineSegment {
-    /// Returns the nearest points of both segments.
+    /// Returns the nearest points: one on this segment, one on the other.
     pub(crate) fn nearest(&self, other: &Self) -> [Vector3<f64>; 2] {
         let (along, across) = (self.to - self.from, other.to - other.from);
         let offset = self.from - other.from;
@@ -35,27 +35,24 @@ impl LineSegment {
         (self.from + along * s - point).norm()
     }
 
-    /// Returns the nearest points of the segment and a triangle; `None` if they have a common point.
+    /// Returns the nearest points: one on this segment, one on the triangle; `None` if both have a common point.
     ///
-    /// The nearest points are on an edge of the triangle, or one is an end of the segment.
+    /// The point on the triangle is on an edge, or the point on the segment is an end.
     pub(crate) fn nearest_of_triangle(&self, corners: &[Vector3<f64>; 3]) -> Option<[Vector3<f64>; 2]> {
-        let [a, b, c] = *corners;
-        let normal = (b - a).cross(&(c - a));
-        let is_above = |point: &Vector3<f64>| {
-            let is_left = |from: Vector3<f64>, to: Vector3<f64>| (to - from).cross(&(point - from)).dot(&normal) >= 0.0;
-            is_left(a, b) && is_left(b, c) && is_left(c, a)
-        };
-        let heights = [self.from, self.to].map(|end| normal.dot(&(end - a)));
+        let prism = Prism::new(corners);
+        let normal = prism.normal;
+        let heights = [self.from, self.to].map(|end| normal.dot(&(end - corners[0])));
         // A triangle without an area has only edges.
         let area = normal.norm_squared();
         if area > 0.0 && heights[0] * heights[1] < 0.0 {
             let crossing = self.from + (self.to - self.from) * (heights[0] / (heights[0] - heights[1]));
-            if is_above(&crossing) {
+            if prism.contains(&crossing) {
                 return None;
             }
         }
-        let on_edges = [(a, b), (b, c), (c, a)].map(|(from, to)| self.nearest(&Self { from, to }));
-        let on_face = [self.from, self.to].into_iter().zip(heights).filter(|(end, _)| area > 0.0 && is_above(end));
+        let on_edges = prism.edges.map(|edge| self.nearest(&edge));
+        let on_face =
+            [self.from, self.to].into_iter().zip(heights).filter(|(end, _)| area > 0.0 && prism.contains(end));
         let on_face = on_face.map(|(end, height)| [end, end - normal * (height / area)]);
         let length = |[on_segment, other]: &[Vector3<f64>; 2]| (other - on_segment).norm_squared();
         let nearest = on_edges.into_iter().chain(on_face).min_by(|one, other| length(one).total_cmp(&length(other)));
@@ -63,7 +60,27 @@ impl LineSegment {
     }
 }
 
-/// Fraction of a length, limited to the length; 0 for a point.
+/// The infinite prism over a triangle: the points whose perpendicular onto the triangle's plane ends in the triangle.
+struct Prism {
+    edges: [LineSegment; 3],
+    /// Normal of the triangle's plane, whose length is twice the area.
+    normal: Vector3<f64>,
+}
+
+impl Prism {
+    fn new(corners: &[Vector3<f64>; 3]) -> Self {
+        let [a, b, c] = *corners;
+        let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| LineSegment { from, to });
+        Self { edges, normal: (b - a).cross(&(c - a)) }
+    }
+
+    fn contains(&self, point: &Vector3<f64>) -> bool {
+        let is_left = |edge: &LineSegment| (edge.to - edge.from).cross(&(point - edge.from)).dot(&self.normal) >= 0.0;
+        self.edges.iter().all(is_left)
+    }
+}
+
+/// Returns `of` as a fraction of a length, limited to the range from 0 to 1; 0 if the length is 0.
 fn share(of: f64, length: f64) -> f64 {
     if length > 0.0 { (of / length).clamp(0.0, 1.0) } else { 0.0 }
 }
@@ -87,7 +104,7 @@ mod tests {
         (points[1] - points[0]).norm()
     }
 
-    /// Distance by the library's search; 0 for a common point.
+    /// Returns the distance that the library's search finds; 0 for a common point.
     fn searched(segment: &LineSegment, corners: &[Vector3<f64>; 3]) -> f64 {
         let [from, to] = [&segment.from, &segment.to].map(convert::vector);
         let [a, b, c] = corners.each_ref().map(convert::vector);
@@ -156,6 +173,23 @@ mod tests {
             let found = segment.nearest_of_triangle(&corners).map_or(0.0, distance);
             prop_assert!(found <= distance([on_segment, on_triangle]) + 1e-9);
             prop_assert!(segment.distance_to(&on_triangle) >= found - 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_prism_contains_the_points_over_its_triangle() {
+        let corners = [Vector3::zeros(), Vector3::x() * 10.0, Vector3::y() * 10.0];
+        for corners in [corners, [corners[1], corners[0], corners[2]]] {
+            let prism = Prism::new(&corners);
+            for height in [-500.0, 0.0, 500.0] {
+                assert!(
+                    prism.contains(&Vector3::new(2.0, 7.0, height)) && prism.contains(&Vector3::new(5.0, 5.0, height))
+                );
+                assert!(
+                    !prism.contains(&Vector3::new(6.0, 5.0, height))
+                        && !prism.contains(&Vector3::new(2.0, -0.1, height))
+                );
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-//! Shapes, and errors in their values.
+//! Shapes, and the values that describe no shape.
 
 use parry3d_f64::math::{Pose, Rotation, Vector};
 use parry3d_f64::shape::{Cylinder, SharedShape, TriMesh};
@@ -8,7 +8,7 @@ use crate::bounds::Bounds;
 use crate::capsules::Capsule;
 use crate::convert;
 
-/// Points, and triangles as indexes of three points.
+/// Points, and triangles as three indexes of points each.
 pub type Triangles = (Vec<Vector3<f64>>, Vec<[u32; 3]>);
 
 /// A shape in its own frame.
@@ -83,7 +83,7 @@ impl Shape {
     pub fn cylinder(radius: f64, length: f64) -> Result<Self, ShapeError> {
         positive(radius)?;
         positive(length)?;
-        // The library's cylinders are around the y axis. A quarter turn around x makes z the axis.
+        // The library's cylinders are around the y axis. A quarter turn around x turns the y axis to the z axis.
         let half = std::f64::consts::FRAC_1_SQRT_2;
         let turn = Pose::from_rotation(Rotation::from_xyzw(half, 0.0, 0.0, half));
         let shape = SharedShape::new(Cylinder::new(length / 2.0, radius));
@@ -135,7 +135,7 @@ impl Shape {
         Ok(Self { form: Form::Surface(SharedShape::new(mesh)), reach: reach(points) })
     }
 
-    /// Corners and triangles of a convex hull; `None` for other shapes.
+    /// Returns the corners and triangles of a convex hull; `None` for other shapes.
     #[must_use]
     pub fn hull_triangles(&self) -> Option<Triangles> {
         let Form::Convex(shape, _) = &self.form else { return None };
@@ -183,26 +183,30 @@ fn reach(points: &[Vector3<f64>]) -> f64 {
     points.iter().map(Vector3::norm).fold(0.0, f64::max)
 }
 
-/// Points have a volume if one of them is farther from the plane through three other points than this fraction of their
-/// extent.
+/// Points are in one line or plane if their width or height is at most this fraction of their extent.
 const FLAT: f64 = 1e-9;
 
 /// Whether points have a volume.
 fn encloses(points: &[Vector3<f64>]) -> bool {
-    let Some((first, others)) = points.split_first() else { return false };
-    let farthest = |distance: &dyn Fn(&Vector3<f64>) -> f64| {
-        others
-            .iter()
-            .copied()
-            .map(|point| (distance(&point), point))
-            .fold((0.0, *first), |best, next| if next.0 > best.0 { next } else { best })
-    };
-    let (extent, second) = farthest(&|point| (point - first).norm());
+    let Some(first) = points.first() else { return false };
+    let (extent, second) = farthest(points, |point| (point - first).norm());
     let line = second - first;
-    let (width, third) = farthest(&|point| (point - first).cross(&line).norm() / extent);
+    let (width, third) = farthest(points, |point| (point - first).cross(&line).norm() / extent);
     let normal = line.cross(&(third - first));
-    let (height, _) = farthest(&|point| (point - first).dot(&normal).abs() / normal.norm());
+    let (height, _) = farthest(points, |point| (point - first).dot(&normal).abs() / normal.norm());
     extent > 0.0 && width > FLAT * extent && height > FLAT * extent
+}
+
+/// Returns the greatest distance and the first point that has it; 0 and the origin if no distance is positive.
+fn farthest(points: &[Vector3<f64>], distance: impl Fn(&Vector3<f64>) -> f64) -> (f64, Vector3<f64>) {
+    let mut best = (0.0, Vector3::zeros());
+    for point in points {
+        let distance = distance(point);
+        if distance > best.0 {
+            best = (distance, *point);
+        }
+    }
+    best
 }
 
 #[cfg(test)]

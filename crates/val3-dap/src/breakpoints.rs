@@ -364,9 +364,11 @@ fn hits(text: Option<&str>) -> Result<Option<HitCondition>, Unverified> {
 /// Parses the condition of an exception filter: run-time error numbers.
 fn numbers(text: &str) -> Result<BTreeSet<u16>, Unverified> {
     let parts = text.split([',', ' ', ';']).filter(|part| !part.is_empty());
-    let number =
-        |part: &str| part.parse().map_err(|_| Unverified(format!("`{part}` is not the number of a run-time error")));
-    parts.map(number).collect()
+    parts.map(error_number).collect()
+}
+
+fn error_number(text: &str) -> Result<u16, Unverified> {
+    text.parse().map_err(|_| Unverified(format!("`{text}` is not the number of a run-time error")))
 }
 
 fn program(id: BreakpointId, wanted: &FunctionBreakpoint) -> Result<ProgramBreakpoint, Unverified> {

@@ -15,7 +15,7 @@ use crate::protocol::{
     LoadedSourceEvent, LoadedSourceEventReason, Module, ModuleEvent, ModuleEventReason, OutputEvent,
     OutputEventCategory, Source, StandardEvent, ThreadEvent, ThreadEventReason,
 };
-use crate::screen_text::ScreenText;
+use crate::screen_text::{PutText, ScreenText};
 use crate::stop_event::cause;
 
 /// Tasks and libraries that were reported to the client.
@@ -67,7 +67,8 @@ impl Notices {
     ) -> Option<OutputEvent> {
         let (output, category) = match &event.kind {
             EventKind::Put { screen, x, y, text, ends_line } => {
-                (self.screen.put(screen, (*x, *y), text, *ends_line, event.t)?, OutputEventCategory::Stdout)
+                let put = PutText { x: *x, y: *y, text, ends_line: *ends_line, time: event.t };
+                (self.screen.put(screen, put)?, OutputEventCategory::Stdout)
             }
             EventKind::Cls { screen } => {
                 self.screen.clear(screen, event.t);
@@ -123,10 +124,7 @@ impl Notices {
 
     /// Returns the events for the end of all reported tasks, because the application is opened again.
     pub(crate) fn forget_tasks(&mut self) -> Vec<StandardEvent> {
-        let reason = ThreadEventReason::Exited;
-        let ended =
-            |task: &TaskNumber| StandardEvent::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) });
-        let ended = self.tasks.iter().map(ended).collect();
+        let ended = self.tasks.iter().map(|task| thread_event(ThreadEventReason::Exited, *task)).collect();
         self.tasks.clear();
         ended
     }

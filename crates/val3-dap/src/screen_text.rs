@@ -21,6 +21,20 @@ pub(crate) struct ScreenText {
     unchanged: Option<Piece>,
 }
 
+/// Text that an instruction writes on a page.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PutText<'t> {
+    /// Column of the first character.
+    pub(crate) x: u8,
+    /// Row.
+    pub(crate) y: u8,
+    pub(crate) text: &'t str,
+    /// Whether the cursor is at the beginning of the next row afterwards.
+    pub(crate) ends_line: bool,
+    /// Time in seconds.
+    pub(crate) time: f64,
+}
+
 /// Page and cell (column, row).
 type Position = (String, usize, u8);
 
@@ -33,20 +47,14 @@ struct Piece {
 }
 
 impl ScreenText {
-    /// Returns the output for text that is written at a cell (column, row), at a time in seconds. `None` if the text
-    /// does not change the page. Text that does not directly follow the last output begins a new line.
-    pub(crate) fn put(
-        &mut self,
-        page: &str,
-        (x, y): (u8, u8),
-        text: &str,
-        ends_line: bool,
-        time: f64,
-    ) -> Option<String> {
+    /// Returns the output for text on a page; `None` if the text does not change the page. Text that does not directly
+    /// follow the last output begins a new line.
+    pub(crate) fn put(&mut self, page: &str, put: PutText<'_>) -> Option<String> {
+        let PutText { x, y, text, ends_line, .. } = put;
         if self.is_hidden {
             return None;
         }
-        let is_changed = self.pages.entry(page.to_owned()).or_default().write((x, y), text, ends_line, time);
+        let is_changed = self.pages.entry(page.to_owned()).or_default().write(put);
         let begin = (page.to_owned(), usize::from(x), y);
         let end = (page.to_owned(), usize::from(x) + text.chars().count(), y);
         let before = self.unchanged.take().filter(|piece| piece.end == begin);
@@ -81,8 +89,9 @@ impl ScreenText {
 mod tests {
     use super::*;
 
-    fn put(screen: &mut ScreenText, page: &str, at: (u8, u8), text: &str, ends_line: bool) -> Option<String> {
-        screen.put(page, at, text, ends_line, 0.0)
+    fn put(screen: &mut ScreenText, page: &str, cell: (u8, u8), text: &str, ends_line: bool) -> Option<String> {
+        let (x, y) = cell;
+        screen.put(page, PutText { x, y, text, ends_line, time: 0.0 })
     }
 
     #[test]
@@ -112,15 +121,16 @@ mod tests {
     /// A page that is cleared and drawn again has not changed, but text that appears after a while is new.
     #[test]
     fn a_redrawn_page_is_no_output() {
+        let ready = |time| PutText { x: 0, y: 0, text: "ready", ends_line: true, time };
         let mut screen = ScreenText::default();
         let mut draw = |time: f64| {
             screen.clear("", time);
-            screen.put("", (0, 0), "ready", true, time + 0.01)
+            screen.put("", ready(time + 0.01))
         };
         assert!(draw(1.0).is_some());
         assert_eq!(draw(2.0), None);
         screen.clear("", 3.0);
-        assert!(screen.put("", (0, 0), "ready", true, 9.0).is_some());
+        assert!(screen.put("", ready(9.0)).is_some());
     }
 
     /// The last line scrolls after `putln`.

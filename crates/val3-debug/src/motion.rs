@@ -86,10 +86,12 @@ impl Debugger {
     /// Returns the task that can continue only after the arm has moved, if the arm waits for a release.
     fn task_that_awaits_arm(&self) -> Option<TaskNumber> {
         let controller = &self.controller;
-        let mut tasks = controller.vm.tasks().iter().filter(|task| !task.is_held).map(|task| task.id);
-        let is_asked =
-            |task: &TaskNumber| self.step.is_none_or(|step| step.task == *task) && controller.awaits_arm(*task);
-        controller.arm().motion().waits_for_release().then(|| tasks.find(is_asked)).flatten()
+        if !controller.arm().motion().waits_for_release() {
+            return None;
+        }
+        let tasks = controller.vm.tasks().iter().filter(|task| !task.is_held).map(|task| task.id);
+        let mut tasks = tasks.filter(|task| self.step.is_none_or(|step| step.task == *task));
+        tasks.find(|task| controller.awaits_arm(*task))
     }
 
     fn travel(&mut self, travel: Travel) {

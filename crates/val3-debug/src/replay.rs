@@ -91,9 +91,7 @@ impl Debugger {
         if Moment::of(&self.controller) >= end {
             return None;
         }
-        let has_fault =
-            |debugger: &Self| debugger.errors.contain_path_faults() && debugger.controller.motion_fault().is_some();
-        let had_fault = has_fault(self);
+        let had_path_fault = self.has_path_fault();
         self.controller.watch(watch);
         let begins = !self.data.is_empty() && !self.controller.is_within_cycle();
         self.controller.set_limit(Some(if begins { self.controller.now() } else { end.time }));
@@ -101,7 +99,7 @@ impl Debugger {
         self.controller.set_limit(None);
         let events = self.controller.devices.take_events();
         let contacts = if self.errors.contacts { Contact::all(&events) } else { Vec::new() };
-        let is_path_fault = !had_fault && has_fault(self);
+        let is_path_fault = !had_path_fault && self.has_path_fault();
         if let RunStatus::Waiting(wake) = status
             && !is_path_fault
             && contacts.is_empty()
@@ -109,6 +107,11 @@ impl Debugger {
             self.pass_idle_time(wake, end.time);
         }
         Some(Replayed { status, contacts, is_path_fault, is_change: false })
+    }
+
+    /// Whether the motion has a fault, and the debugger stops at such faults.
+    fn has_path_fault(&self) -> bool {
+        self.errors.contain_path_faults() && self.controller.motion_fault().is_some()
     }
 
     /// Skips the time without any activity. If a waiting line may receive external input, no time is skipped, so that

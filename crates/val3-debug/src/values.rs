@@ -306,9 +306,9 @@ pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> Str
         ContainerShape::Collection(keys) => keys.values().copied().take(SHOWN_VALUES as usize).collect(),
         ContainerShape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
     };
-    let text =
-        |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number), DisplayFormat::EXACT);
-    listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
+    let places = numbers.into_iter().map(|number| store.place(view.store, number));
+    let texts = places.map(|place| text_of(memory, devices, &store.kind, place, DisplayFormat::EXACT));
+    listed(&texts.collect::<Vec<String>>(), count)
 }
 
 /// Formats the type of a container, with its sizes: `num[4]`. The type of an array with one element has no size.

@@ -230,25 +230,13 @@ impl WatchedData {
     /// output; otherwise an empty list.
     pub(crate) fn ports(&self, controller: &mut Controller) -> Vec<(BaseType, LinkPlace)> {
         let ports = self.look(controller, |memory, _, found| {
-            let link = |kind: &ValueType, place: Place| match kind.base {
-                KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
-                    Some((base, memory.link(place, 0).ok()?))
-                }
-                KindBase::Builtin(base @ BaseType::Tool, arm) => {
-                    // The output of the gripper.
-                    let field = types::fields(base, arm).iter().find(|field| field.ty == BaseType::Dio)?;
-                    let link = memory.link(place.after(field_offset(base, arm, field.name)?), 0).ok()?;
-                    Some((BaseType::Dio, link))
-                }
-                _ => None,
-            };
             Some(match found {
-                ValueLocation::One(kind, place) => link(&kind, place).into_iter().collect(),
+                ValueLocation::One(kind, place) => port_link(memory, &kind, place).into_iter().collect(),
                 ValueLocation::All(view) => {
                     let store = memory.store(view.store).ok()?;
                     let numbers = store.shape.numbers().into_iter().skip(view.start as usize);
                     let places = numbers.map(|number| store.place(view.store, number));
-                    places.filter_map(|place| link(&store.kind, place)).collect()
+                    places.filter_map(|place| port_link(memory, &store.kind, place)).collect()
                 }
             })
         });
@@ -268,8 +256,8 @@ impl WatchedData {
         }
         // The next iteration in a `for` is a separate operation.
         let op = if program.code.get(op as usize).is_some_and(|step| step.mark.begins_line()) { op } else { line };
-        let reads =
-            |memory: &Memory| ExecutedLine { instance: &instance, program, frame: &frame, op, memory }.reads(&extent);
+        let (instance, frame) = (&instance, &frame);
+        let reads = |memory: &Memory| ExecutedLine { instance, program, frame, op, memory }.reads(&extent);
         vm.with_stack(task, |memory| reads(memory)).unwrap_or_else(|| reads(&vm.space.memory))
     }
 
@@ -494,6 +482,22 @@ impl Digest {
                     .try_for_each(|number| self.add(memory, devices, &store.kind, store.place(view.store, number)))
             }
         }
+    }
+}
+
+/// Returns the link of an input, output or serial line, or of a tool's gripper output; `None` for a value of any other
+/// type.
+fn port_link(memory: &Memory, kind: &ValueType, place: Place) -> Option<(BaseType, LinkPlace)> {
+    match kind.base {
+        KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
+            Some((base, memory.link(place, 0).ok()?))
+        }
+        KindBase::Builtin(base @ BaseType::Tool, arm) => {
+            let field = types::fields(base, arm).iter().find(|field| field.ty == BaseType::Dio)?;
+            let link = memory.link(place.after(field_offset(base, arm, field.name)?), 0).ok()?;
+            Some((BaseType::Dio, link))
+        }
+        _ => None,
     }
 }
 

@@ -6,6 +6,7 @@ use camino::Utf8Path;
 use val3_analysis::placement::shown;
 
 use crate::read::data::{self, DataVersion};
+use crate::read::entries::XmlEntry;
 use crate::read::program::ProgramVersion;
 use crate::read::project::ProjectVersion;
 use crate::read::settings;
@@ -25,13 +26,15 @@ pub fn listing(path: &Utf8Path, bytes: &[u8]) -> Result<String, String> {
     } else if has_extension(path, &["pjx"]) {
         ProjectVersion::read(&text).map(|project| of_project(&project))
     } else if has_extension(path, &["cfx", "cf"]) {
-        settings::read(&text).map(|entries| {
-            entries.iter().fold(String::new(), |out, (entry, value)| out + &format!("{entry} = {value}\n"))
-        })
+        settings::read(&text).map(|entries| entries.iter().map(entry_line).collect())
     } else {
         None
     };
     Ok(read.unwrap_or_else(|| text.to_string()))
+}
+
+fn entry_line(entry: &XmlEntry) -> String {
+    format!("{} = {}\n", entry.path, entry.value)
 }
 
 fn of_program(program: &ProgramVersion) -> String {

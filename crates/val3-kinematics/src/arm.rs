@@ -257,13 +257,12 @@ impl Arm {
     /// more entry than the arm has axes. The frame of a link has its own axis as z and moves with its joint.
     #[must_use]
     pub fn parts(&self, joints: &Joints) -> Vec<IsometryMatrix3<f64>> {
-        let moved = |(axis, before): (usize, IsometryMatrix3<f64>)| {
-            let joint = joints.get(axis).copied().unwrap_or_default();
-            let (stroke, angle) = if self.is_stroke(axis) { (joint, 0.0) } else { (0.0, joint) };
-            before * Trsf::new([0.0, 0.0, stroke], [0.0, 0.0, angle]).isometry()
-        };
-        let links = self.links(joints).into_iter().take(self.axes()).enumerate().map(moved);
-        std::iter::once(IsometryMatrix3::identity()).chain(links).collect()
+        let mut parts = vec![IsometryMatrix3::identity()];
+        for (axis, (before, joint)) in self.links(joints).into_iter().zip(joints).enumerate().take(self.axes()) {
+            let (stroke, angle) = if self.is_stroke(axis) { (*joint, 0.0) } else { (0.0, *joint) };
+            parts.push(before * Trsf::new([0.0, 0.0, stroke], [0.0, 0.0, angle]).isometry());
+        }
+        parts
     }
 
     /// Returns the capsules around the base and around each link; empty if the arm's file has no `[shapes]`.

@@ -255,9 +255,7 @@ impl ArmTableReader<'_> {
         let columns = file.axes.get_ref();
         let count = file.kind.axes();
         let read = |name: &str, column: &Spanned<Vec<f64>>, sign| self.column(file.kind, name, column, sign);
-        let optional = |name, column: &Option<Spanned<Vec<f64>>>| {
-            column.as_ref().map(|column| read(name, column, Sign::Positive)).transpose()
-        };
+        let optional = |name, column: &Option<_>| self.optional_column(file.kind, name, column.as_ref());
         let min = read("min", &columns.min, Sign::Any)?;
         let max = read("max", &columns.max, Sign::Any)?;
         let maximum_speed = read("maximum_speed", &columns.maximum_speed, Sign::Positive)?;
@@ -284,6 +282,16 @@ impl ArmTableReader<'_> {
             axes.push(axis);
         }
         Ok(axes)
+    }
+
+    /// Reads a column of positive numbers that a file may omit.
+    fn optional_column(
+        &self,
+        kind: ArmKind,
+        name: &str,
+        column: Option<&Spanned<Vec<f64>>>,
+    ) -> Result<Option<Vec<f64>>, ArmError> {
+        column.map(|column| self.column(kind, name, column, Sign::Positive)).transpose()
     }
 
     fn check_axis(&self, columns: &ArmTableColumns, number: usize, axis: &AxisLimits) -> Result<(), ArmError> {

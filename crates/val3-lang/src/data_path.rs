@@ -147,7 +147,8 @@ mod tests {
         (name(), prop::option::of("[0-9]{1,3}(,[0-9]{1,3}){0,2}"))
     }
 
-    fn step_text((name, index): &(String, Option<String>)) -> String {
+    fn step_text(step: &(String, Option<String>)) -> String {
+        let (name, index) = step;
         index.as_ref().map_or_else(|| name.clone(), |index| format!("{name}[{index}]"))
     }
 

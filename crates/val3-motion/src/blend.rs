@@ -299,10 +299,9 @@ fn weight_of_arcs(cosine: f64) -> f64 {
 /// point.
 fn check_orientations(model: &Model<'_>, [from, to]: [&BlendEnd; 2]) -> Result<(), Cause> {
     let start = from.pose_before_corner(model, 1.0).rotation.inverse();
-    let parts =
-        |end: BlendEnd| (0..=ORIENTATIONS).map(move |part| (end.clone(), f64::from(part) / f64::from(ORIENTATIONS)));
-    let there = parts(from.clone()).map(|(end, part)| end.pose_before_corner(model, 1.0 - part));
-    let back = parts(to.clone()).map(|(end, part)| end.pose_before_corner(model, part));
+    let parts = || (0..=ORIENTATIONS).map(|part| f64::from(part) / f64::from(ORIENTATIONS));
+    let there = parts().map(|part| from.pose_before_corner(model, 1.0 - part));
+    let back = parts().map(|part| to.pose_before_corner(model, part));
     let turns: Vec<_> = there.chain(back).map(|pose| rotation::to_vector(&(start * pose.rotation))).collect();
     let turns_too_far = turns.iter().any(|turn| turn.norm().to_degrees() >= HALF_TURN);
     // Beyond half a turn, the shortest rotation has the opposite direction.

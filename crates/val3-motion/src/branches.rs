@@ -145,39 +145,48 @@ impl Branches {
             return;
         }
         let branch = self.at(from);
-        let other = part.changed(branch);
-        let distance = |sigma| {
-            axes_on_either(&solve, [branch, other], sigma, near).map_or(f64::INFINITY, |axes| part.distance(arm, &axes))
-        };
-        let change = lowest(from, to, distance);
-        if distance(change) < SINGULAR && continues_on_other(&solve, [branch, other], change, near) {
-            self.changes.push((change, other));
+        let search = ChangeSearch { part, arm, solve, near, branch, other: part.changed(branch) };
+        let change = lowest(from, to, |sigma| search.distance(sigma));
+        if search.distance(change) < SINGULAR && search.continues_on_other(change) {
+            self.changes.push((change, search.other));
         }
     }
 }
 
-/// Axes at σ on the first branch, or on the second where the first has none.
-fn axes_on_either(
-    solve: impl Solve,
-    [first, second]: [Configuration; 2],
-    sigma: f64,
-    near: &Axes,
-) -> Result<Axes, Cause> {
-    solve(first, sigma, near).or_else(|_| solve(second, sigma, near))
+/// Search for a singular position at which the path changes from one branch to another.
+struct ChangeSearch<'s, S> {
+    /// Part in which the branches differ.
+    part: ConfigurationPart,
+    arm: &'s Arm,
+    solve: S,
+    /// Axes at the start of the searched section.
+    near: &'s Axes,
+    branch: Configuration,
+    other: Configuration,
 }
 
-/// Whether the axes continue smoothly beyond a singular position on the second branch rather than on the first.
-fn continues_on_other(solve: impl Solve, [branch, other]: [Configuration; 2], change: f64, near: &Axes) -> bool {
-    let after = change + PROBE;
-    let expected = if change < 2.0 * PROBE {
-        Ok(*near)
-    } else {
-        let [first, second] = [change - 2.0 * PROBE, change - PROBE].map(|sigma| solve(branch, sigma, near));
-        first.and_then(|first| second.map(|second| second + (second - first) * 2.0))
-    };
-    let Ok(expected) = expected else { return false };
-    let bend = |branch| solve(branch, after, &expected).map_or(f64::INFINITY, |axes| (axes - expected).amax());
-    after <= 1.0 && bend(other) < BEND.min(bend(branch) / 2.0)
+impl<S: Solve> ChangeSearch<'_, S> {
+    /// Distance from the singular position at σ; infinite if the axes have no solution on either branch.
+    fn distance(&self, sigma: f64) -> f64 {
+        let Self { part, arm, solve, near, branch, other } = self;
+        let axes = solve(*branch, sigma, near).or_else(|_| solve(*other, sigma, near));
+        axes.map_or(f64::INFINITY, |axes| part.distance(arm, &axes))
+    }
+
+    /// Whether the axes continue smoothly beyond the singular position on the other branch, and not on the present one.
+    fn continues_on_other(&self, change: f64) -> bool {
+        let Self { solve, near, branch, other, .. } = self;
+        let after = change + PROBE;
+        let expected = if change < 2.0 * PROBE {
+            Ok(**near)
+        } else {
+            let [first, second] = [change - 2.0 * PROBE, change - PROBE].map(|sigma| solve(*branch, sigma, near));
+            first.and_then(|first| second.map(|second| second + (second - first) * 2.0))
+        };
+        let Ok(expected) = expected else { return false };
+        let bend = |branch| solve(branch, after, &expected).map_or(f64::INFINITY, |axes| (axes - expected).amax());
+        after <= 1.0 && bend(*other) < BEND.min(bend(*branch) / 2.0)
+    }
 }
 
 /// Minimum point of a function that decreases and then increases (golden-section search).

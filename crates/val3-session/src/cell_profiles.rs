@@ -1,5 +1,7 @@
 //! Profiles in the files of a cell (`usr/configs/profiles`).
 
+use std::fmt;
+
 use camino::Utf8Path;
 use val3_analysis::system::System;
 use val3_files::FileClass;
@@ -45,28 +47,36 @@ pub(crate) fn read(system: &dyn System, disk: &Utf8Path) -> Result<Vec<CellProfi
     if system.kind(&folder).is_none() {
         return Ok(Vec::new());
     }
-    let unreadable = |file: &Utf8Path, reason: String| SessionError::UnreadableFile { file: file.to_owned(), reason };
-    let names = system.list(&folder).map_err(|error| unreadable(&folder, error.to_string()))?;
-    let profiles = names.iter().filter_map(|name| name.strip_suffix(".cfx").map(|profile| (name, profile)));
-    let profile = |(name, profile): (&String, &str)| {
-        let file = folder.join(name);
-        let bytes = system.read(&file, FileClass::Cell).map_err(|error| unreadable(&file, error.to_string()))?;
-        let text = document::text(bytes).map_err(|fault| unreadable(&file, fault.to_string()))?;
-        Ok(CellProfile { name: profile.to_owned(), rights: rights(&text) })
-    };
-    profiles.map(profile).collect()
+    let files = system.list(&folder).map_err(|error| unreadable(&folder, &error))?;
+    let names = files.iter().filter_map(|file| file.strip_suffix(".cfx"));
+    names.map(|name| profile(system, &folder, name)).collect()
+}
+
+/// Reads the profile with this name from the folder of all profiles.
+fn profile(system: &dyn System, folder: &Utf8Path, name: &str) -> Result<CellProfile, SessionError> {
+    let file = folder.join(format!("{name}.cfx"));
+    let bytes = system.read(&file, FileClass::Cell).map_err(|error| unreadable(&file, &error))?;
+    let text = document::text(bytes).map_err(|fault| unreadable(&file, &fault))?;
+    Ok(CellProfile { name: name.to_owned(), rights: rights(&text) })
+}
+
+fn unreadable(file: &Utf8Path, reason: &dyn fmt::Display) -> SessionError {
+    SessionError::UnreadableFile { file: file.to_owned(), reason: reason.to_string() }
 }
 
 /// Rights in a profile's file. A right that the file does not name is denied. Writing implies reading.
 fn rights(text: &str) -> ProfileRights {
     let parse = val3_syntax::parse(text);
     let entries: Vec<XmlElement<'_>> = xml::root(parse.view()).into_iter().flat_map(XmlElement::elements).collect();
-    let has = |right: &str| {
-        let entry = entries.iter().find(|entry| entry.value("name").as_deref() == Some(right));
-        entry.and_then(|entry| entry.value("value")).is_some_and(|value| matches!(value.trim(), "true" | "1"))
-    };
-    let write = has("writeAccess");
-    ProfileRights { read: write || has("readAccess"), write, write_io: has("ioWriteAccess") }
+    let write = is_granted(&entries, "writeAccess");
+    let read = write || is_granted(&entries, "readAccess");
+    ProfileRights { read, write, write_io: is_granted(&entries, "ioWriteAccess") }
+}
+
+/// Whether the entries of a profile's file grant a right. The first entry with the name counts.
+fn is_granted(entries: &[XmlElement<'_>], right: &str) -> bool {
+    let entry = entries.iter().find(|entry| entry.value("name").as_deref() == Some(right));
+    entry.and_then(|entry| entry.value("value")).is_some_and(|value| matches!(value.trim(), "true" | "1"))
 }
 
 #[cfg(test)]

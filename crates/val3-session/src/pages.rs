@@ -1,6 +1,5 @@
 //! HTML user pages (s8): the files in an application's folder `interface`.
 
-use smol_str::SmolStr;
 use val3_analysis::db::{Database, Project};
 use val3_analysis::pages::{self, BINDINGS, Bindings, BoundName, bindings, page_name};
 use val3_lang::tasks;
@@ -11,16 +10,17 @@ const PRIORITY: u32 = 10;
 
 /// Pages of an application.
 pub(crate) fn of(db: &Database, project: Project) -> Vec<HtmlPage> {
-    let page = |name: SmolStr| {
-        let file = pages::binding_files(db, project).find(|file| {
-            let own = file.path(db).file_name().and_then(|own| page_name(own, BINDINGS));
-            own.is_some_and(|own| own.eq_ignore_ascii_case(&name))
-        });
-        let mut page = file.map(|file| page_of(bindings(db, file))).unwrap_or_default();
-        page.name = name.to_string();
-        page
-    };
-    pages::names(db, project).into_iter().map(page).collect()
+    pages::names(db, project).iter().map(|name| page(db, project, name)).collect()
+}
+
+/// Returns the page with this name, with the bindings of its file, if there is one.
+fn page(db: &Database, project: Project, name: &str) -> HtmlPage {
+    let file = pages::binding_files(db, project).find(|file| {
+        let own = file.path(db).file_name().and_then(|own| page_name(own, BINDINGS));
+        own.is_some_and(|own| own.eq_ignore_ascii_case(name))
+    });
+    let page = file.map(|file| page_of(bindings(db, file))).unwrap_or_default();
+    HtmlPage { name: name.to_owned(), ..page }
 }
 
 fn page_of(bindings: &Bindings) -> HtmlPage {

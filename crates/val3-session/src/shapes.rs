@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_cell::{LinkCoordinates, LinkFile, LinkHull, Mesh, check_link_names, link_names};
+use val3_cell::{LinkCoordinates, LinkError, LinkFile, LinkHull, Mesh, check_link_names, link_names};
 use val3_config::{ConfigFile, LengthUnit};
 use val3_files::FileClass;
 use val3_kinematics::Arm;
@@ -21,13 +21,15 @@ pub(crate) fn read(file: &ConfigFile, arm: &Arm) -> Result<Vec<Option<LinkShape>
     }
     check_link_names(shapes.keys(), arm.axes())
         .map_err(|error| refused(file, &error.key, error.message, &error.help))?;
-    let shape = |(link, name): (usize, String)| {
-        let Some(of) = link_file(file, &name) else { return Ok(None) };
-        let (format, bytes) = content(file, &name, &of)?;
-        let LinkCoordinates { unit, pose } = of.coordinates(arm, link);
-        Ok(Some(LinkShape { format, bytes, unit, pose }))
-    };
-    link_names(arm.axes()).enumerate().map(shape).collect()
+    link_names(arm.axes()).enumerate().map(|(link, name)| shape(file, arm, link, &name)).collect()
+}
+
+/// Reads the shape of the base (0) or a link; `None` without a file.
+fn shape(file: &ConfigFile, arm: &Arm, link: usize, name: &str) -> Result<Option<LinkShape>, SessionError> {
+    let Some(of) = link_file(file, name) else { return Ok(None) };
+    let (format, bytes) = content(file, name, &of)?;
+    let LinkCoordinates { unit, pose } = of.coordinates(arm, link);
+    Ok(Some(LinkShape { format, bytes, unit, pose }))
 }
 
 /// Convex hulls of the shapes, for distances.
@@ -39,13 +41,19 @@ pub(crate) fn hulls(
     shapes: &[Option<LinkShape>],
     arm: &Arm,
 ) -> Result<Vec<Option<LinkHull>>, SessionError> {
-    let hull = |(link, (name, shape)): (usize, (String, &Option<LinkShape>))| {
-        let Some((shape, of)) = shape.as_ref().zip(link_file(file, &name)) else { return Ok(None) };
-        let mesh = Mesh::read(&shape.bytes).map_err(|error| format!("cannot use `{}`: {error}", of.path).into());
-        let hull = mesh.and_then(|mesh| of.hull(mesh, arm, link));
-        hull.map(Some).map_err(|error| refused(file, &format!("run.shapes.{name}"), error.message, &error.help))
-    };
-    link_names(arm.axes()).zip(shapes).enumerate().map(hull).collect()
+    let mut hulls = Vec::new();
+    for (link, (name, shape)) in link_names(arm.axes()).zip(shapes).enumerate() {
+        let shape = shape.as_ref().zip(link_file(file, &name));
+        let hull = shape.map(|(shape, of)| hull(shape, &of, arm, link)).transpose();
+        hulls.push(hull.map_err(|error| refused(file, &format!("run.shapes.{name}"), error.message, &error.help))?);
+    }
+    Ok(hulls)
+}
+
+/// Computes the convex hull of the shape that a file contains for the base (0) or a link.
+fn hull(shape: &LinkShape, file: &LinkFile<'_>, arm: &Arm, link: usize) -> Result<LinkHull, LinkError> {
+    let mesh = Mesh::read(&shape.bytes).map_err(|error| format!("cannot use `{}`: {error}", file.path))?;
+    file.hull(mesh, arm, link)
 }
 
 /// Returns the file that the settings name for the base or a link.

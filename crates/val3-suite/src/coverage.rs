@@ -83,15 +83,16 @@ fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
         let count: &mut u64 = lines.entry(row).or_default();
         *count = hits(counter).max(*count);
     }
-    let side = |side: &val3_bytecode::BranchSide| Side { name: side.name.clone(), hits: hits(side.counter) };
-    let branch =
-        |branch: &val3_bytecode::Branch| Branch { line: branch.row, sides: branch.sides.iter().map(side).collect() };
+    let branches = program.counters.branches.iter().map(|branch| {
+        let sides = branch.sides.iter().map(|side| Side { name: side.name.clone(), hits: hits(side.counter) });
+        Branch { line: branch.row, sides: sides.collect() }
+    });
     ProgramCoverage {
         project: image.name.clone(),
         project_file: image.path.clone(),
         program: program.name.clone(),
         lines,
-        branches: program.counters.branches.iter().map(branch).collect(),
+        branches: branches.collect(),
         source: Vec::new(),
     }
 }

@@ -24,23 +24,25 @@ fn object(thing: &Thing) -> CellObject {
 
 /// Returns the parts of a cell.
 pub(crate) fn parts(cell: &Cell) -> Vec<CellPart> {
-    let part = |part: &Part| CellPart {
+    cell.parts.iter().map(part).collect()
+}
+
+fn part(part: &Part) -> CellPart {
+    CellPart {
         name: part.name.clone(),
         colour: part.colour.clone(),
         shapes: part.solids.iter().map(|solid| shape(&IsometryMatrix3::identity(), solid)).collect(),
-    };
-    cell.parts.iter().map(part).collect()
+    }
 }
 
 /// Returns the message with the carriers and poses of all parts; `None` without parts.
 pub(crate) fn places(t: f64, controller: &Controller) -> Option<PartsMessage> {
-    let place = |part: PartState| PartPlace {
-        carrier: part.carrier.as_ref().map(carrier),
-        pose: coordinates(&part.pose),
-        name: part.name,
-    };
     let parts: Vec<PartPlace> = controller.parts().into_iter().map(place).collect();
     (!parts.is_empty()).then_some(PartsMessage { t, parts })
+}
+
+fn place(part: PartState) -> PartPlace {
+    PartPlace { carrier: part.carrier.as_ref().map(carrier), pose: coordinates(&part.pose), name: part.name }
 }
 
 fn carrier(carrier: &Carrier) -> ObjectCarrier {

@@ -103,10 +103,7 @@ impl Feed {
         if events.iter().any(|event| matches!(event.kind, EventKind::Io { .. })) {
             self.see_signals(controller.now(), controller);
         }
-        let moves_parts = |event: &Event| {
-            matches!(event.kind, EventKind::Grip { .. } | EventKind::Release { .. } | EventKind::Part { .. })
-        };
-        if events.iter().any(moves_parts) {
+        if events.iter().any(|event| moves_part(&event.kind)) {
             self.see_parts(controller);
         }
     }
@@ -282,6 +279,11 @@ impl Feed {
             self.tell(&wire::Message::Io(changes));
         }
     }
+}
+
+/// Whether the event may have moved a part.
+fn moves_part(event: &EventKind) -> bool {
+    matches!(event, EventKind::Grip { .. } | EventKind::Release { .. } | EventKind::Part { .. })
 }
 
 /// Values that differ from all known values. A value includes its name.

@@ -45,7 +45,7 @@ fn message(t: f64, image: &Image, replaced: &ReplacedLines, lines: &mut Lines) -
         let code = lines.text(file).filter(|_| !own.is_empty()).map(codes);
         if let Some(mut code) = code {
             lines.replaced(file).for_each(|(row, line)| code.iter_mut().for_each(|code| code.replace(*row, line)));
-            programs.extend(of_file(file, &code, &own));
+            programs.extend(own.iter().filter_map(|program| program_code(program, file, &code)));
         }
     }
     (!programs.is_empty()).then(|| ProgramsMessage { t, application: image.name.clone(), programs })
@@ -58,12 +58,10 @@ fn reload(file: &str, replaced: &ReplacedLines, lines: &mut Lines) -> bool {
     lines.reload(file) || is_replaced
 }
 
-fn of_file(file: &str, codes: &[Code], programs: &[&Program]) -> Vec<ProgramCode> {
-    let code = |program: &&Program| {
-        let Code { line, lines } = of_program(program, codes)?.clone();
-        Some(ProgramCode { name: program.name.clone(), file: file.to_owned(), line, code: lines })
-    };
-    programs.iter().filter_map(code).collect()
+/// Returns a program with its code, for pages; `None` if no code in the file contains the first line of the program.
+fn program_code(program: &Program, file: &str, codes: &[Code]) -> Option<ProgramCode> {
+    let Code { line, lines } = of_program(program, codes)?.clone();
+    Some(ProgramCode { name: program.name.clone(), file: file.to_owned(), line, code: lines })
 }
 
 /// Returns the code with the first line of a program.

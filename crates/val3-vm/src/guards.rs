@@ -74,6 +74,13 @@ pub struct GuardedOp {
     pub op: u32,
 }
 
+impl GuardedOp {
+    /// Whether a frame executes the program of this operation, and `op` is the operation's number.
+    fn is_at(self, frame: &Frame, op: usize) -> bool {
+        self.op as usize == op && self.program == frame.program && self.instance == frame.instance
+    }
+}
+
 /// Condition whose operations only read values and compute with numbers.
 #[derive(Debug, Clone)]
 struct PureCondition {
@@ -173,11 +180,7 @@ impl GuardedReason {
 impl Space {
     /// Whether the task with this name passes a stop mark because the mark's guard excludes a stop.
     pub(crate) fn passes_stop(&mut self, instance: &Instance, frame: &Frame, op: usize, task: &str) -> bool {
-        let here = |guard: &&StopGuard| {
-            let GuardedOp { instance, program, op: guarded } = guard.place;
-            guarded as usize == op && program == frame.program && instance == frame.instance
-        };
-        self.guards.iter().find(here).is_some_and(|guard| {
+        self.guards.iter().find(|guard| guard.place.is_at(frame, op)).is_some_and(|guard| {
             Arc::ptr_eq(&guard.image, &instance.image)
                 && guard.passes(&self.memory, &mut self.hit_counters, instance, frame, task)
         })
@@ -349,24 +352,27 @@ impl Registers<'_> {
 
 /// Whether a condition may contain the operation.
 fn is_supported(op: Op) -> bool {
-    let is_known = |container: ContainerRef| is_known(container.kind());
-    let is_read = |text: TextOperand| match text.source() {
-        TextSource::First(kind) => self::is_known(kind),
-        TextSource::Place(_) | TextSource::Constant(_) => true,
-        TextSource::Register(_) => false,
-    };
     match op {
         Op::LoadFirst { container, .. }
         | Op::LoadElement { container, .. }
         | Op::LocateFirst { container, .. }
         | Op::Locate { container, .. }
         | Op::FirstField { container, .. }
-        | Op::ElementField { container, .. } => is_known(container),
+        | Op::ElementField { container, .. } => is_known(container.kind()),
         Op::TextEqual { a, b, .. } | Op::IfTextEqual { a, b, .. } | Op::UnlessTextEqual { a, b, .. } => {
-            is_read(a) && is_read(b)
+            is_readable_text(a) && is_readable_text(b)
         }
         Op::Load { .. } | Op::Field { .. } => true,
         op => is_computation(op),
+    }
+}
+
+/// Whether a condition may read the string.
+fn is_readable_text(text: TextOperand) -> bool {
+    match text.source() {
+        TextSource::First(kind) => is_known(kind),
+        TextSource::Place(_) | TextSource::Constant(_) => true,
+        TextSource::Register(_) => false,
     }
 }
 

@@ -9,7 +9,7 @@ use val3_lang::ports::{CodePlace, TaskNumber};
 use val3_lang::values::Text;
 
 use crate::task::{Base, Thread};
-use crate::{Host, ProgramId, Task, Vm};
+use crate::{Frame, Host, ProgramId, Task, Vm};
 
 /// New code of a program in memory, which differs from the present code in one line.
 #[derive(Debug, Clone)]
@@ -36,13 +36,10 @@ pub struct MovedCode {
 
 impl MovedCode {
     fn new(replacement: &LineReplacement, before: &Program, after: &Program) -> Self {
-        let first = |program: &Program| {
-            program.lines.iter().filter(|line| line.row == replacement.row).map(|line| line.op).min()
-        };
-        let (at, is_new) = match (first(before), first(after)) {
-            (Some(at), _) => (at, false),
-            (None, Some(at)) => (at, true),
-            (None, None) => (u32::MAX, false),
+        let (at, is_new) = match [before, after].map(|program| program.first_op_at(replacement.row)) {
+            [Some(at), _] => (at, false),
+            [None, Some(at)] => (at, true),
+            [None, None] => (u32::MAX, false),
         };
         let sizes = [before, after].map(|program| u32::try_from(program.code.len()).unwrap_or(u32::MAX));
         Self { program: replacement.program, at, is_new, sizes }
@@ -77,6 +74,26 @@ struct MovedStack {
     growth: FrameSize,
 }
 
+impl MovedStack {
+    /// Returns the moved lanes of one kind, frame by frame. `start` and `size` select the kind.
+    fn runs(&self, start: fn(&Base) -> u32, size: fn(&FrameSize) -> u32) -> Vec<LaneRun> {
+        let runs = self.frames.iter().map(|frame| LaneRun {
+            from: start(&frame.from) as usize,
+            to: start(&frame.to) as usize,
+            size: size(&frame.size) as usize,
+        });
+        runs.collect()
+    }
+}
+
+/// Consecutive lanes that are moved to another start.
+#[derive(Debug, Clone, Copy)]
+struct LaneRun {
+    from: usize,
+    to: usize,
+    size: usize,
+}
+
 impl Vm {
     /// Returns a task that executes a program, or a program that it has called.
     #[must_use]
@@ -89,15 +106,18 @@ impl Vm {
     pub fn task_within(&self, program: ProgramId, row: u32) -> Option<TaskNumber> {
         let image = &self.space.instance(program.instance)?.image;
         let lines = &image.programs.get(usize::from(program.number))?.lines;
-        let is_line = |op: u32| lines.iter().any(|line| line.row == row && line.op == op);
-        let is_within = |task: &Task| {
-            let thread = &task.thread;
-            frames_of(thread, program).any(|depth| match thread.frames.get(depth + 1) {
-                Some(called) => is_line(called.back_line),
-                None => is_line(thread.line) && (thread.waiting.is_some() || self.is_within_line(task.id)),
-            })
-        };
-        self.roster.tasks.iter().find(|task| is_within(task)).map(|task| task.id)
+        let starts: Vec<u32> = lines.iter().filter(|line| line.row == row).map(|line| line.op).collect();
+        self.roster.tasks.iter().find(|task| self.has_begun_line(task, program, &starts)).map(|task| task.id)
+    }
+
+    /// Whether a task has begun and not ended a line of a program, in any frame of the program. `starts` are the first
+    /// operations of the lines.
+    fn has_begun_line(&self, task: &Task, program: ProgramId, starts: &[u32]) -> bool {
+        let thread = &task.thread;
+        frames_of(thread, program).any(|depth| match thread.frames.get(depth + 1) {
+            Some(called) => starts.contains(&called.back_line),
+            None => starts.contains(&thread.line) && (thread.waiting.is_some() || self.is_within_line(task.id)),
+        })
     }
 
     /// Replaces a line of a program in memory. No task may be [within](Self::task_within) the line. Returns where the
@@ -139,7 +159,7 @@ impl Vm {
             let mut end = to;
             let mut frames = Vec::with_capacity(task.thread.frames.len());
             for frame in &task.thread.frames {
-                let is_replaced = (frame.instance, frame.program) == (id.instance, id.number);
+                let is_replaced = executes(frame, id);
                 let instance = self.space.instance(frame.instance);
                 let program = instance.and_then(|instance| instance.program(frame.program));
                 let program = program.ok_or(Fault::INTERPRETER)?;
@@ -160,19 +180,15 @@ impl Vm {
         let Some(task) = self.roster.tasks.get_mut(at) else { return };
         let stack = &mut task.thread.stack;
         let FrameSize { lanes, places, views } = moved.growth;
-        let of = |from: fn(&Base) -> u32, size: fn(&FrameSize) -> u32| {
-            let span = move |frame: &MovedFrame| [from(&frame.from), from(&frame.to), size(&frame.size)];
-            moved.frames.iter().map(span).collect::<Vec<_>>()
-        };
-        spread(&mut stack.nums, &of(|base| base.num, |size| size.lanes.num), lanes.num, 0.0);
-        spread(&mut stack.texts, &of(|base| base.text, |size| size.lanes.text), lanes.text, Text::new());
-        spread(&mut stack.links, &of(|base| base.link, |size| size.lanes.link), lanes.link, LinkPlace::None);
+        spread(&mut stack.nums, &moved.runs(|base| base.num, |size| size.lanes.num), lanes.num, 0.0);
+        spread(&mut stack.texts, &moved.runs(|base| base.text, |size| size.lanes.text), lanes.text, Text::new());
+        spread(&mut stack.links, &moved.runs(|base| base.link, |size| size.lanes.link), lanes.link, LinkPlace::None);
         let nowhere = Place::first(StoreId::STACK);
-        spread(&mut stack.places, &of(|base| base.place, |size| size.places), places, nowhere);
-        spread(&mut stack.views, &of(|base| base.view, |size| size.views), views, View::whole(StoreId::STACK));
+        spread(&mut stack.places, &moved.runs(|base| base.place, |size| size.places), places, nowhere);
+        spread(&mut stack.views, &moved.runs(|base| base.view, |size| size.views), views, View::whole(StoreId::STACK));
         for (frame, MovedFrame { to, size, .. }) in task.thread.frames.iter_mut().zip(&moved.frames) {
             frame.base = *to;
-            if (frame.instance, frame.program) == (id.instance, id.number) {
+            if executes(frame, id) {
                 let known = size.lanes.num as usize;
                 let constants = new.nums.get(known..).unwrap_or_default();
                 let start = to.num as usize + known;
@@ -187,15 +203,17 @@ impl Vm {
 
 /// Returns the indexes of a program's frames, from the outermost.
 fn frames_of(thread: &Thread, id: ProgramId) -> impl Iterator<Item = usize> {
-    let is_frame =
-        move |(_, frame): &(usize, &crate::Frame)| (frame.instance, frame.program) == (id.instance, id.number);
-    thread.frames.iter().enumerate().filter(is_frame).map(|(depth, _)| depth)
+    thread.frames.iter().enumerate().filter(move |(_, frame)| executes(frame, id)).map(|(depth, _)| depth)
+}
+
+/// Whether a frame belongs to a call of the program.
+fn executes(frame: &Frame, program: ProgramId) -> bool {
+    (frame.instance, frame.program) == (program.instance, program.number)
 }
 
 /// Moves the positions of a task in the program.
 fn move_positions(thread: &mut Thread, moved: MovedCode) {
-    let is_replaced =
-        |frame: &crate::Frame| (frame.instance, frame.program) == (moved.program.instance, moved.program.number);
+    let is_replaced = |frame: &Frame| executes(frame, moved.program);
     if thread.frames.last().is_some_and(is_replaced) {
         (thread.next, thread.line) = (moved.op(thread.next), moved.op(thread.line));
     }
@@ -244,22 +262,25 @@ fn moved_place(place: Place, frames: &[MovedFrame]) -> Place {
     if place.store != StoreId::STACK {
         return place;
     }
-    let moved = |lane: u32, start: fn(&Base) -> u32| {
-        let frame = frames.iter().rev().find(|frame| start(&frame.from) <= lane);
-        frame.map_or(lane, |frame| lane - start(&frame.from) + start(&frame.to))
-    };
     let mut target = place;
-    target.num = moved(place.num, |base| base.num);
-    target.text = moved(place.text, |base| base.text);
-    target.link = moved(place.link, |base| base.link);
-    target.part = moved(place.part, |base| base.part);
+    target.num = moved_lane(place.num, frames, |base| base.num);
+    target.text = moved_lane(place.text, frames, |base| base.text);
+    target.link = moved_lane(place.link, frames, |base| base.link);
+    target.part = moved_lane(place.part, frames, |base| base.part);
     target
 }
 
-/// Moves runs of lanes, each from a start to another start with a length, to lanes of this additional size.
-fn spread<T: Copy>(lanes: &mut Vec<T>, runs: &[[u32; 3]], growth: u32, filler: T) {
+/// Returns the new number of a lane on the stack, which moves with its frame. `start` selects the kind of lane. Lanes
+/// below all frames stay.
+fn moved_lane(lane: u32, frames: &[MovedFrame], start: fn(&Base) -> u32) -> u32 {
+    let frame = frames.iter().rev().find(|frame| start(&frame.from) <= lane);
+    frame.map_or(lane, |frame| lane - start(&frame.from) + start(&frame.to))
+}
+
+/// Adds lanes, and moves runs of lanes to their new starts. The lanes between the runs get the filler.
+fn spread<T: Copy>(lanes: &mut Vec<T>, runs: &[LaneRun], growth: u32, filler: T) {
     let mut moved = vec![filler; lanes.len() + growth as usize];
-    for [from, to, size] in runs.iter().map(|run| run.map(|at| at as usize)) {
+    for LaneRun { from, to, size } in runs.iter().copied() {
         if let (Some(source), Some(target)) = (lanes.get(from..from + size), moved.get_mut(to..to + size)) {
             target.copy_from_slice(source);
         }
@@ -280,4 +301,26 @@ fn difference(before: &Base, after: &Base) -> FrameSize {
 
 fn bytes(size: &FrameSize) -> u64 {
     size.lanes.bytes() + bytes_of::<Place>(size.places as usize) + bytes_of::<View>(size.views as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_move_with_their_frame() {
+        let at = |num| Base { num, ..Base::default() };
+        let frame = |from, to| MovedFrame { from: at(from), to: at(to), size: FrameSize::default() };
+        let frames = [frame(2, 2), frame(4, 7)];
+        let moved = [0, 2, 3, 4, 9].map(|lane| moved_lane(lane, &frames, |base| base.num));
+        assert_eq!(moved, [0, 2, 3, 7, 12]);
+    }
+
+    #[test]
+    fn lanes_between_runs_are_filled() {
+        let mut lanes = vec![1, 2, 3, 4];
+        let runs = [LaneRun { from: 0, to: 0, size: 2 }, LaneRun { from: 2, to: 3, size: 2 }];
+        spread(&mut lanes, &runs, 1, 0);
+        assert_eq!(lanes, [1, 2, 0, 3, 4]);
+    }
 }

@@ -135,13 +135,12 @@ impl Space {
         let (before, stores, libraries) =
             (Arc::clone(&instance.image), Arc::clone(&instance.data), instance.libraries.clone());
         let old = by_name(&before.data, &stores);
-        let kept =
-            |data: &DataDef| old.get(data.name.as_str()).filter(|(same, _)| *same == data).map(|(_, store)| *store);
         let owner = |data: &DataDef| Owner::Project { number: id.0, public: data.public };
-        let added = image.data.iter().filter(|data| kept(data).is_none());
+        let added = image.data.iter().filter(|data| kept_store(&old, data).is_none());
         let added = self.memory.create_all(added, |memory, data| memory.create_for(owner(data), &data.init))?;
         let mut added = added.into_iter();
-        let data: Arc<[StoreId]> = image.data.iter().filter_map(|data| kept(data).or_else(|| added.next())).collect();
+        let data = image.data.iter().filter_map(|data| kept_store(&old, data).or_else(|| added.next()));
+        let data: Arc<[StoreId]> = data.collect();
         let new = by_name(&image.data, &data);
         let gone = old.iter().filter(|(name, (_, store))| new.get(*name).is_none_or(|(_, same)| same != store));
         gone.for_each(|(_, (_, store))| self.memory.remove(*store));
@@ -183,9 +182,10 @@ impl Space {
             .filter(|(_, import)| of_alias(import))
             .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import, &instance.image))))
             .collect();
-        let promised =
-            |at: usize| instance.image.imports.get(at).is_some_and(|import| import.kind != ImportKind::Missing);
-        let complete = found.iter().all(|(at, item)| item.is_some() || !promised(*at));
+        let complete = found.iter().all(|(at, item)| {
+            let import = instance.image.imports.get(*at);
+            item.is_some() || import.is_none_or(|import| import.kind == ImportKind::Missing)
+        });
         if let Some(instance) = self.instance_mut(user) {
             if let Some(slot) = instance.libraries.get_mut(usize::from(alias)) {
                 *slot = Some(library);
@@ -302,7 +302,15 @@ fn builtin(name: &str) -> Option<StoreId> {
     })
 }
 
+type NamedData<'d> = BTreeMap<&'d str, (&'d DataDef, StoreId)>;
+
 /// Returns data definitions with their containers, by name.
-fn by_name<'d>(data: &'d [DataDef], stores: &[StoreId]) -> BTreeMap<&'d str, (&'d DataDef, StoreId)> {
+fn by_name<'d>(data: &'d [DataDef], stores: &[StoreId]) -> NamedData<'d> {
     data.iter().zip(stores).map(|(data, store)| (data.name.as_str(), (data, *store))).collect()
+}
+
+/// Returns the container of data that were declared equally before.
+fn kept_store(old: &NamedData<'_>, data: &DataDef) -> Option<StoreId> {
+    let (before, store) = old.get(data.name.as_str())?;
+    (*before == data).then_some(*store)
 }

@@ -143,7 +143,8 @@ macro_rules! tuples {
         impl<$($form: ListingForm),+> ListingForm for ($($form),+) {
             type Value = ($($form::Value),+);
 
-            fn write(($($value),+): &Self::Value, to: &mut Writer<'_>) {
+            fn write(values: &Self::Value, to: &mut Writer<'_>) {
+                let ($($value),+) = values;
                 $(to.part(|to| $form::write($value, to));)+
             }
 

@@ -47,9 +47,7 @@ impl ListingForm for Library {
     }
 
     fn read(from: &mut ListingReader<'_>) -> Result<u16> {
-        let aliases =
-            |from: &ListingReader<'_>| from.image.libraries.iter().map(|library| library.alias.clone()).collect();
-        from.item("library", aliases)
+        from.item("library", |from| from.image.libraries.iter().map(|library| library.alias.clone()).collect())
     }
 }
 

@@ -81,7 +81,8 @@ struct TypedValue;
 impl ListingForm for TypedValue {
     type Value = (Operand, BaseType);
 
-    fn write((operand, base): &Self::Value, to: &mut Writer<'_>) {
+    fn write(value: &Self::Value, to: &mut Writer<'_>) {
+        let (operand, base) = value;
         to.put(&format!("{} ", base.name()));
         write_operand(*operand, ValueType::builtin(*base, None).size, to);
     }

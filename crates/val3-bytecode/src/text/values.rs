@@ -162,9 +162,11 @@ impl ListingForm for PartInit {
                 _ => return from.fail("one to three sizes are expected here"),
             }
         };
-        let value =
-            |from: &mut ListingReader<'_>| if from.accept("_") { Ok(None) } else { value(&kind, from).map(Some) };
-        let values = if from.accept("{") { from.list(",", "}", value)? } else { Vec::new() };
+        let values = if from.accept("{") {
+            from.list(",", "}", |from| if from.accept("_") { Ok(None) } else { value(&kind, from).map(Some) })?
+        } else {
+            Vec::new()
+        };
         Ok(Self { kind, shape, values })
     }
 }

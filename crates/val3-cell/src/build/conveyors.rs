@@ -3,7 +3,7 @@
 use val3_geometry::{IsometryMatrix3, Trsf, Vector3, set_frame};
 
 use crate::build::{CellMaker, Thing};
-use crate::carriers::CarriedKeys;
+use crate::carriers::{Carried, CarriedKeys};
 use crate::conveyor::{Conveyor, Feed};
 use crate::error::CellError;
 use crate::file::{CellFile, ConveyorEntry, FeedKeys, PartEntry, ShapeKeys};
@@ -33,11 +33,11 @@ pub(super) struct FedParts<'p> {
     pub(super) parts: &'p [Part],
 }
 
-/// Names of the part entries that feeds add to the cell.
+/// Returns the names of the part entries that feeds add to the cell.
 ///
 /// # Errors
 ///
-/// A feed names an unknown part, the part of another feed, or a part with its own `in`, `at` or `step`.
+/// A feed names an unknown part, a part that another feed adds, or a part with its own `in`, `at` or `step`.
 pub(super) fn fed_parts(file: &CellFile) -> Result<Vec<&str>, CellError> {
     let mut names: Vec<&str> = Vec::new();
     let feeds = file.conveyors.iter().enumerate().filter_map(|(index, entry)| Some((index, entry.feed.as_ref()?)));
@@ -79,7 +79,7 @@ impl CellMaker<'_> {
         Ok(conveyors)
     }
 
-    /// Builds a conveyor; `None` if the application does not have its frame or one of its signals.
+    /// Builds a conveyor; `None` if the application does not have the frame or one of the signals.
     fn conveyor(&mut self, entry: &ConveyorEntry, key: &str, parts: FedParts<'_>) -> Result<Option<Built>, CellError> {
         let ConveyorEntry { name, carrier, at, when, end, clearance, colour, .. } = entry;
         let belt = self.belt(entry, key)?;
@@ -93,7 +93,8 @@ impl CellMaker<'_> {
             Some(when) => self.compared(&when.io, &format!("{key}.when.io"))?,
         };
         let keys = CarriedKeys { carrier: carrier.as_deref().unwrap_or("world"), at, key };
-        let (Some(when), Some((carrier, place))) = (when, self.carriers.of(keys, self.surroundings)?) else {
+        let (Some(when), Some(Carried { carrier, pose: place })) = (when, self.carriers.of(keys, self.surroundings)?)
+        else {
             return Ok(None);
         };
         if carrier.is_arm() {
@@ -129,7 +130,7 @@ impl CellMaker<'_> {
     }
 }
 
-/// Speed in mm/s, and the rotation of the track, whose x axis is the transport direction.
+/// Returns the speed in mm/s, and the rotation of the track, whose x axis is the transport direction.
 fn direction(entry: &ConveyorEntry, key: &str) -> Result<(f64, IsometryMatrix3<f64>), CellError> {
     let key = format!("{key}.speed");
     let speed = Vector3::from(triple(&entry.speed, &key)?);

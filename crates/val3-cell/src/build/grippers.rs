@@ -29,7 +29,7 @@ impl CellMaker<'_> {
         Ok(grippers)
     }
 
-    /// Builds a gripper; `None` if the application does not have its tool or one of its signals.
+    /// Builds a gripper; `None` if the application does not have the tool or one of the signals.
     fn gripper(
         &mut self,
         entry: &GripperEntry,
@@ -40,7 +40,7 @@ impl CellMaker<'_> {
         let key = format!("gripper[{index}]");
         let name = entry.tool.clone().unwrap_or_else(|| format!("gripper {}", index + 1));
         let within = distance(entry.within, &format!("{key}.within"))?;
-        let (Some(control), Some((carrier, pose)), Some(holding), Some(empty)) = (
+        let (Some(control), Some(Carried { carrier, pose }), Some(holding), Some(empty)) = (
             self.control(entry, &key)?,
             self.point(entry, &key)?,
             self.inputs(&entry.holding, &format!("{key}.holding"))?,
@@ -86,12 +86,8 @@ impl CellMaker<'_> {
         }
     }
 
-    /// Carrier and pose of a gripper's grip point; `None` if the application does not have the tool.
+    /// Returns the carrier and pose of a gripper's grip point; `None` if the application does not have the tool.
     fn point(&self, entry: &GripperEntry, key: &str) -> Result<Option<Carried>, CellError> {
-        let wrong = |name: &str, key: String| {
-            let message = format!("`{name}` is no tool, and the arm has to carry a gripper");
-            Err(CellError::new(key, message, "name a tool of the application, or `flange`"))
-        };
         let (name, word) = match (&entry.tool, &entry.carrier) {
             (Some(tool), _) => (tool.as_str(), "tool"),
             (None, carrier) => (carrier.as_deref().unwrap_or("flange"), "in"),
@@ -102,13 +98,17 @@ impl CellMaker<'_> {
             ..error
         })?;
         match carried {
-            Some((Carrier::Flange | Carrier::Tool(_), _)) | None => Ok(carried),
-            Some(_) => wrong(name, format!("{key}.{word}")),
+            Some(Carried { carrier: Carrier::Flange | Carrier::Tool(_), .. }) | None => Ok(carried),
+            Some(_) => {
+                let message = format!("`{name}` is no tool, and the arm has to carry a gripper");
+                let help = "name a tool of the application, or `flange`";
+                Err(CellError::new(format!("{key}.{word}"), message, help))
+            }
         }
     }
 }
 
-/// Indexes of the things that belong to a gripper.
+/// Returns the indexes of the things that belong to a gripper.
 fn pieces(
     entry: &GripperEntry,
     carrier: &Carrier,
@@ -121,9 +121,15 @@ fn pieces(
         let help = format!("the objects are {}", known.join(", "));
         return Err(CellError::new(format!("{key}.objects"), format!("there is no object `{unknown}`"), help));
     }
-    let is_piece = |thing: &Thing| match &entry.objects {
+    let pieces = things.iter().enumerate().filter(|(_, thing)| is_piece(thing, entry, carrier));
+    Ok(pieces.map(|(number, _)| number).collect())
+}
+
+/// Whether a thing belongs to the gripper with this entry and carrier: `objects` lists it, or in an entry without
+/// `objects`, the flange or the gripper's carrier carries it.
+fn is_piece(thing: &Thing, entry: &GripperEntry, carrier: &Carrier) -> bool {
+    match &entry.objects {
         Some(objects) => objects.contains(&thing.name),
         None => thing.carrier == Carrier::Flange || thing.carrier == *carrier,
-    };
-    Ok(things.iter().enumerate().filter(|(_, thing)| is_piece(thing)).map(|(number, _)| number).collect())
+    }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::build::CellMaker;
-use crate::carriers::CarriedKeys;
+use crate::carriers::{Carried, CarriedKeys};
 use crate::error::CellError;
 use crate::file::PartEntry;
 use crate::part::Part;
@@ -13,7 +13,7 @@ use crate::solids::{ShapedEntry, SolidMaker, solids};
 /// Maximum number of copies.
 const MOST_COPIES: u32 = 1000;
 
-/// Part names of an entry: its name, or one name for each copy.
+/// Returns the names of the parts that an entry describes: the entry's name, or one name for each copy.
 pub(super) fn names(entry: &PartEntry) -> Vec<String> {
     match entry.copies {
         None => vec![entry.name.clone()],
@@ -51,18 +51,18 @@ impl CellMaker<'_> {
         }
         let step = if step.is_empty() { [0.0; 3] } else { triple(step, &format!("{key}.step"))? };
         let in_frame = CarriedKeys { carrier: carrier.as_deref().unwrap_or("world"), at: &[], key };
-        let origin = self.carriers.of(in_frame, self.surroundings)?.map(|(_, origin)| origin).unwrap_or_default();
-        let mut places = Vec::new();
+        let origin = self.carriers.of(in_frame, self.surroundings)?.map(|carried| carried.pose).unwrap_or_default();
+        let mut placed = Vec::new();
         for index in 0..copies.unwrap_or(1) {
             let at = shifted(at, &step, f64::from(index));
             let keys = CarriedKeys { at: &at, ..in_frame };
-            places.extend(self.carriers.of(keys, self.surroundings)?);
+            placed.extend(self.carriers.of(keys, self.surroundings)?);
         }
-        let Some((first, _)) = places.first() else {
+        let Some(first) = placed.first() else {
             self.missing.push(name.clone());
             return Ok(Vec::new());
         };
-        if first.is_arm() {
+        if first.carrier.is_arm() {
             let message = format!("the arm cannot carry the part `{name}` from the start");
             let help = "let a gripper hold it, or describe it as an object";
             return Err(CellError::new(format!("{key}.in"), message, help));
@@ -72,7 +72,7 @@ impl CellMaker<'_> {
         let colour = colour.as_deref().map(|colour| check_colour(colour, key)).transpose()?;
         let maker = SolidMaker { surroundings: &mut *self.surroundings, is_carried: true };
         let solids = Arc::new(solids(ShapedEntry { name, shapes, shape }, key, maker)?);
-        let parts = names(entry).into_iter().zip(places).map(|(name, (carrier, pose))| {
+        let parts = names(entry).into_iter().zip(placed).map(|(name, Carried { carrier, pose })| {
             let (colour, solids) = (colour.clone(), Arc::clone(&solids));
             Part { name, carrier, origin, pose, is_outside: false, solids, touch, clearance, colour }
         });

@@ -5,7 +5,7 @@ use val3_geometry::{IsometryMatrix3, Vector3};
 
 use crate::allowed::AllNames;
 use crate::build::CellMaker;
-use crate::carriers::CarriedKeys;
+use crate::carriers::{Carried, CarriedKeys};
 use crate::error::CellError;
 use crate::file::{BeamKeys, SensorEntry};
 use crate::poses::{check_size, triple};
@@ -41,7 +41,7 @@ impl CellMaker<'_> {
         Ok(sensors)
     }
 
-    /// Builds a sensor; `None` if the application does not have its frame or its input.
+    /// Builds a sensor; `None` if the application does not have the frame or the input.
     fn sensor(&mut self, entry: &SensorEntry, key: &str, names: &AllNames) -> Result<Option<Sensor>, CellError> {
         let SensorEntry { name, carrier, io, not, sees: patterns, delay, .. } = entry;
         if !(0.0..=LONGEST_DELAY).contains(delay) {
@@ -57,7 +57,7 @@ impl CellMaker<'_> {
             }
         };
         let keys = CarriedKeys { carrier: carrier.as_deref().unwrap_or("world"), at: &[], key };
-        let Some((carrier, pose)) = self.carriers.of(keys, self.surroundings)? else { return Ok(None) };
+        let Some(Carried { carrier, pose }) = self.carriers.of(keys, self.surroundings)? else { return Ok(None) };
         if let Some(path) = io {
             match self.input(path, &format!("{key}.io"))? {
                 None => return Ok(None),

@@ -18,7 +18,7 @@ impl CellMaker<'_> {
         values_of(values, key, |path, key| self.input(path, key))
     }
 
-    /// Returns the kind of an input that the cell sets; `None` as for [`Self::compared`].
+    /// Returns the class of the input with this path, which the cell sets; `None` as for [`Self::compared`].
     pub(super) fn input(&self, path: &str, key: &str) -> Result<Option<SignalClass>, CellError> {
         match self.signal(path, key)? {
             Some(KnownSignal { is_output: true, .. }) => {
@@ -42,7 +42,7 @@ impl CellMaker<'_> {
     }
 }
 
-/// Checks that each value suits the class of its signal. `class` returns the class for a path and a key.
+/// Checks that each value suits its signal. `class` returns the signal's class for a path and a key.
 fn values_of(
     values: &SignalValues,
     key: &str,

@@ -16,7 +16,7 @@ pub struct ConveyorEntry {
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The pose of the box in the carrier's frame, like the pose of an object.
+    /// The pose of the box in the carrier's frame, written as for an object.
     pub at: Vec<f64>,
     /// The belt: length, width and height around its centre, or its corners. Parts lie on its top.
     #[serde(rename = "box")]
@@ -49,7 +49,7 @@ pub struct FeedKeys {
     pub part: String,
     /// The time between two parts in seconds, counted while the conveyor runs.
     pub every: f64,
-    /// The pose of a new part in the conveyor's frame, like the pose of an object.
+    /// The pose of a new part in the conveyor's frame, written as for an object.
     pub at: Vec<f64>,
 }
 
@@ -57,9 +57,9 @@ pub struct FeedKeys {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ConveyorEnd {
-    /// The part waits at the end, and later parts queue up behind it.
+    /// The part waits at the end, and later parts queue up.
     #[default]
     Stop,
-    /// The part leaves the cell when its centre has passed the end.
+    /// The part is removed when its centre has passed the end.
     Remove,
 }

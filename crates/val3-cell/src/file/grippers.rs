@@ -22,7 +22,7 @@ pub struct GripperEntry {
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The grip point of a gripper without a tool in the carrier's frame, like the pose of an object.
+    /// The grip point of a gripper without a tool, in the carrier's frame, written as for an object.
     pub at: Vec<f64>,
     /// The largest distance in mm between a gripped part and the grip point. 5 by default.
     pub within: f64,

@@ -15,7 +15,7 @@ pub struct PartEntry {
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,
-    /// The pose of the shapes in the carrier's frame, like the pose of an object.
+    /// The pose of the shapes in the carrier's frame, written as for an object.
     pub at: Vec<f64>,
     /// The number of parts.
     #[schemars(with = "u32")]

@@ -11,7 +11,7 @@ use super::shapes::ShapeEntry;
 pub struct SensorEntry {
     /// The name in messages and conditions: letters, digits, `_` and blanks.
     pub name: String,
-    /// The carrier of the sensor, like the carrier of an object.
+    /// The carrier of the sensor, named like the carrier of objects.
     #[serde(rename = "in")]
     #[schemars(with = "String")]
     pub carrier: Option<String>,

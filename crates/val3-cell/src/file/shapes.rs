@@ -10,7 +10,7 @@ use serde::Deserialize;
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ShapeEntry {
-    /// The pose of the shape in the frame of the thing, like the pose of an object.
+    /// The pose of the shape in the thing's frame, written as for an object.
     pub at: Vec<f64>,
     /// The shape.
     #[serde(flatten)]

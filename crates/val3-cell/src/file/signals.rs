@@ -21,14 +21,14 @@ pub struct WhenKey {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "a signal is true, false or a number")]
 pub enum SignalLevel {
-    /// Value of a digital signal.
+    /// True or false, for a digital signal.
     Digital(bool),
-    /// Value of an analog signal.
+    /// A number, for an analog signal.
     Analog(f64),
 }
 
 impl SignalLevel {
-    /// The value as a number: 0 or 1 for a digital signal.
+    /// Returns the value as a number: 0 or 1 for a digital signal.
     #[must_use]
     pub const fn number(self) -> f64 {
         match self {

@@ -9,29 +9,29 @@ use crate::scene::BodyCarrier;
 const HANGS: f64 = 50.0;
 
 impl Handling {
-    /// Height of a part in mm above all stationary bodies below it, computed with bounding boxes, if the part hangs in
-    /// the air; `None` if nothing is below it.
+    /// Returns the height in mm of a part that hangs in the air above the stationary bodies below it, computed with
+    /// bounding boxes; `None` if nothing is below it, or if the part does not hang.
     pub(super) fn height_above(&self, part: usize, view: &HandlingView<'_>) -> Option<f64> {
         let bounds = self.bounds_of(view.scene.part_body(part), view)?;
         let others = (0..view.scene.bodies.len()).filter(|body| *body != view.scene.part_body(part));
-        let standing = others.filter(|body| self.stands(*body, view)).filter_map(|body| self.bounds_of(body, view));
-        let below = standing.filter(|other| shares_plan(&bounds, other) && other.min.z < bounds.min.z);
+        let others = others.filter(|body| self.is_stationary(*body, view));
+        let others = others.filter_map(|body| self.bounds_of(body, view));
+        let below = others.filter(|other| shares_plan(&bounds, other) && other.min.z < bounds.min.z);
         // The bounding box of a part encloses its core, which is smaller by `touch` on each side.
         let touch = view.scene.cell().parts.get(part)?.touch;
         let height = below.map(|other| bounds.min.z - touch - other.max.z).reduce(f64::min)?;
         (height > HANGS).then_some(height)
     }
 
-    fn stands(&self, body: usize, view: &HandlingView<'_>) -> bool {
-        let is_part = |part: usize| !self.is_held(part);
+    fn is_stationary(&self, body: usize, view: &HandlingView<'_>) -> bool {
         view.scene.bodies.get(body).is_some_and(|body| match body.carrier {
             BodyCarrier::World | BodyCarrier::Frame(_) => true,
-            BodyCarrier::Part(part) => is_part(part),
+            BodyCarrier::Part(part) => !self.is_held(part),
             BodyCarrier::Link(_) | BodyCarrier::Flange | BodyCarrier::Tool(_) => false,
         })
     }
 
-    /// Bounding box of a body; `None` if it has no pose.
+    /// Returns the bounding box of a body; `None` if the body has no pose.
     pub(super) fn bounds_of(&self, body: usize, view: &HandlingView<'_>) -> Option<Bounds> {
         let body = view.scene.bodies.get(body)?;
         let pose = view.body(body.carrier, &self.parts)?;

@@ -18,7 +18,7 @@ const GAP: f64 = 1.0;
 /// Height in mm above the belt up to which a conveyor moves a part.
 const ABOVE: f64 = 50.0;
 
-/// A standing part, in the track's frame.
+/// A part that no gripper holds, in the track's frame.
 struct TrackPart {
     number: usize,
     bounds: Bounds,
@@ -40,7 +40,7 @@ impl Handling {
         let track = place * conveyor.track;
         let mut events = Vec::new();
         let runs = runs.unwrap_or_default();
-        // The state at the beginning of the cycle counts. A signal change takes effect at the end of the cycle.
+        // The belt has moved by its state at the beginning of the cycle. Signal changes become effective at the end.
         let shift = if state.runs == Some(true) { conveyor.speed * cycle } else { 0.0 };
         let has_moved = self.shift(conveyor, &track, shift, &mut events, view);
         if state.runs != Some(runs) {
@@ -87,7 +87,7 @@ impl Handling {
         has_moved
     }
 
-    /// Distance in mm that a part can move before it reaches the end of the belt or the part ahead.
+    /// Returns the distance in mm by which a part can move before it reaches the end of the belt or the part ahead.
     fn free_way(
         &self,
         conveyor: &Conveyor,
@@ -150,7 +150,7 @@ impl Handling {
         Some(HandlingEvent::Part { part: name, is_gone: false })
     }
 
-    /// Standing parts that a conveyor moves.
+    /// Returns the parts on a belt, which the conveyor moves.
     fn on_belt<'h>(
         &'h self,
         conveyor: &'h Conveyor,
@@ -165,26 +165,26 @@ impl Handling {
         })
     }
 
-    /// All standing parts, in the track's frame.
+    /// Returns all parts in the cell that no gripper holds.
     fn track_parts<'h>(
         &'h self,
         track: &'h IsometryMatrix3<f64>,
         view: &'h HandlingView<'_>,
     ) -> impl Iterator<Item = TrackPart> + 'h {
         let places = Places { data: &view.sight.places, parts: &self.parts };
-        let standing = self
+        let free = self
             .parts
             .iter()
             .enumerate()
             .filter(|(_, place)| matches!(place.holder, PartHolder::World | PartHolder::Frame(_)));
-        standing.filter_map(move |(number, _)| {
+        free.filter_map(move |(number, _)| {
             let pose = view.position.carrier(BodyCarrier::Part(number), places)?;
             Some(TrackPart { number, bounds: part_bounds(number, &pose, track, view)? })
         })
     }
 }
 
-/// Bounding box of a part with a pose in `world`, in the track's frame.
+/// Returns the bounding box, in the track's frame, of a part with a pose in `world`.
 fn part_bounds(
     part: usize,
     pose: &IsometryMatrix3<f64>,
@@ -197,7 +197,7 @@ fn part_bounds(
     boxes.reduce(|all, next| Bounds { min: all.min.inf(&next.min), max: all.max.sup(&next.max) })
 }
 
-/// Centre of a box in the top view.
+/// Returns the centre of a box in the top view.
 fn centre(bounds: &Bounds) -> [f64; 2] {
     [(bounds.min.x + bounds.max.x) / 2.0, (bounds.min.y + bounds.max.y) / 2.0]
 }

@@ -60,11 +60,12 @@ impl ConveyorState {
         self.runs == Some(runs.unwrap_or_default()) && !self.is_moving && !self.is_due(time)
     }
 
+    /// Whether a part arrives at this time in seconds. A blocked arrival is not due: it waits for a moved part.
     pub(super) fn is_due(&self, time: f64) -> bool {
         matches!(self.next, NextPart::At(_)) && self.next.is_due(time)
     }
 
-    /// Time in seconds of the next change without an external cause; 0 while parts move.
+    /// Returns the time in seconds of the next change without an external cause; 0 while parts move.
     pub(super) fn next_due(&self) -> Option<f64> {
         match self.next {
             _ if self.is_moving => Some(0.0),

@@ -57,7 +57,7 @@ impl Handling {
         state.is_controlled = true;
         let before = state.commanded.replace(command.holds);
         if before != Some(command.holds) {
-            // A value at the start counts as set long ago.
+            // An output with this value at the start was set before the run, so the delay has passed.
             let delay = if before.is_none() { 0.0 } else { command.delay };
             state.due = Some(view.sight.time + delay);
         }
@@ -96,7 +96,7 @@ impl Handling {
         })
     }
 
-    /// Index and distance of the nearest part that no gripper holds.
+    /// Returns the index and distance of the nearest part that no gripper holds.
     fn nearest_part(&self, point: &IsometryMatrix3<f64>, view: &HandlingView<'_>) -> Option<(usize, f64)> {
         let ball = Shape::sphere(POINT).ok()?;
         let mut found: Option<(usize, f64)> = None;
@@ -134,7 +134,7 @@ impl Handling {
         })
     }
 
-    /// Clears the held part of a gripper, because a script has placed it elsewhere.
+    /// Empties a gripper, because a script has placed the held part elsewhere.
     pub(super) fn lose(&mut self, gripper: usize, scene: &Scene) {
         if let Some(state) = self.grippers.get_mut(gripper) {
             state.holds = None;

@@ -1,19 +1,20 @@
-//! Sensors: detected bodies, and changes of their inputs.
+//! Sensors: detection of bodies, and delayed changes of inputs.
 
 use std::collections::VecDeque;
 
-use val3_collision::{Nearness, PlacedShape, nearest};
+use val3_collision::{Bounds, Nearness, PlacedShape, Shape, nearest};
+use val3_geometry::IsometryMatrix3;
 
 use super::{Handling, HandlingEvent, HandlingView, SAME_TIME};
 use crate::allowed::is_named;
 use crate::gripper::SignalWrite;
-use crate::scene::BodyCarrier;
+use crate::scene::{Body, BodyCarrier};
 use crate::sensor::{Detects, Sensor};
 
 /// State of a sensor.
 #[derive(Debug, Clone, Default)]
 pub(super) struct SensorState {
-    /// Whether it detects something; `None` before the first cycle.
+    /// Whether the sensor detects something; `None` before the first cycle.
     detects: Option<bool>,
     /// Pending input changes, with their times in seconds.
     pending: VecDeque<(f64, bool)>,
@@ -30,7 +31,8 @@ impl SensorState {
 }
 
 impl Handling {
-    /// Evaluates a sensor.
+    /// Evaluates a sensor, and requests due changes of its input. Returns an event if the sensor begins or ceases to
+    /// detect something.
     pub(super) fn sense(&mut self, number: usize, view: &HandlingView<'_>) -> Option<HandlingEvent> {
         let sensor = view.scene.cell().sensors.get(number)?;
         let detected = self.detected(sensor, view);
@@ -52,32 +54,42 @@ impl Handling {
         is_event.then(|| HandlingEvent::Sensor { sensor: sensor.name.clone(), detects: detected })
     }
 
-    /// Name of the first detected body.
+    /// Returns the name of the first detected body.
     fn detected(&self, sensor: &Sensor, view: &HandlingView<'_>) -> Option<String> {
-        let place = view.place(&sensor.carrier)? * sensor.pose;
-        let bodies = view.scene.bodies.iter();
-        let found = bodies.filter(|body| match &sensor.detects {
+        let zone = PlacedZone::new(&sensor.shape, view.place(&sensor.carrier)? * sensor.pose);
+        let mut candidates = view.scene.bodies.iter().filter(|body| match &sensor.detects {
             Detects::Parts => matches!(body.carrier, BodyCarrier::Part(_)),
             Detects::Named(names) => names.iter().any(|matcher| is_named(matcher, &body.name)),
         });
-        let bounds = sensor.shape.bounds(&place);
-        let mut found = found.filter(|body| {
-            let Some(pose) = view.body(body.carrier, &self.parts) else { return false };
-            let touches = |shape: &val3_collision::Shape, own: &val3_geometry::IsometryMatrix3<f64>| {
-                let pose = pose * own;
-                let (first, second) =
-                    (PlacedShape { shape: &sensor.shape, pose: &place }, PlacedShape { shape, pose: &pose });
-                bounds.distance(&shape.bounds(&pose)) <= 0.0
-                    && matches!(nearest(first, second, 0.0), Nearness::Overlap(_))
-            };
-            match body.carrier {
-                BodyCarrier::Part(number) => {
-                    let solids = view.scene.cell().parts.get(number).map(|part| &part.solids);
-                    solids.into_iter().flat_map(|solids| solids.iter()).any(|solid| touches(&solid.shape, &solid.pose))
-                }
-                _ => body.shapes.iter().any(|(shape, own)| touches(shape, own)),
-            }
-        });
-        found.next().map(|body| body.name.clone())
+        candidates.find(|body| self.is_within(&zone, body, view)).map(|body| body.name.clone())
+    }
+
+    /// Whether a body overlaps the zone. A part is compared by its shapes, not by its cores, which are smaller.
+    fn is_within(&self, zone: &PlacedZone<'_>, body: &Body, view: &HandlingView<'_>) -> bool {
+        let Some(pose) = view.body(body.carrier, &self.parts) else { return false };
+        let BodyCarrier::Part(number) = body.carrier else {
+            return body.shapes.iter().any(|(shape, own)| zone.overlaps(shape, &(pose * own)));
+        };
+        let part = view.scene.cell().parts.get(number);
+        part.is_some_and(|part| part.solids.iter().any(|solid| zone.overlaps(&solid.shape, &(pose * solid.pose))))
+    }
+}
+
+/// Beam or zone of a sensor at its pose in `world`.
+struct PlacedZone<'z> {
+    shape: &'z Shape,
+    pose: IsometryMatrix3<f64>,
+    bounds: Bounds,
+}
+
+impl<'z> PlacedZone<'z> {
+    fn new(shape: &'z Shape, pose: IsometryMatrix3<f64>) -> Self {
+        Self { shape, pose, bounds: shape.bounds(&pose) }
+    }
+
+    /// Whether the zone overlaps a shape at a pose in `world`.
+    fn overlaps(&self, shape: &Shape, pose: &IsometryMatrix3<f64>) -> bool {
+        let (zone, body) = (PlacedShape { shape: self.shape, pose: &self.pose }, PlacedShape { shape, pose });
+        self.bounds.distance(&shape.bounds(pose)) <= 0.0 && matches!(nearest(zone, body, 0.0), Nearness::Overlap(_))
     }
 }

@@ -5,7 +5,7 @@ use val3_kinematics::{Arm, Joints};
 use super::*;
 use crate::testing::{arm, build, scene};
 
-/// A post with a part on it below the flange of an arm that points straight down, and a gripper at the flange.
+/// A post below the flange, which points straight down, two parts, and a gripper on the flange.
 const POST: &str = "[[object]]\nname = \"post\"\nin = \"plate\"\nat = [0, 0, -60]\nbox = [60, 60, 40]\n\
     [[object]]\nname = \"plate\"\nat = [0, 0, 0]\nsphere = { radius = 1 }\n\
     [[part]]\nname = \"carton\"\nbox = [40, 40, 80]\ncopies = 2\nstep = [500, 0, 0]\nat = [0, 0, 20]\n\
@@ -25,7 +25,6 @@ struct Bench {
 }
 
 impl Bench {
-    /// `at` in `text` is the pose of the first part relative to the flange of the arm that points down.
     fn new(text: &str) -> Self {
         let arm = arm("tx2-60l");
         let scene = scene(text, &arm);
@@ -265,7 +264,7 @@ fn errors_of_sensors_name_their_keys() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Two copies of the state with the same input behave equally, whatever has happened before the copy.
+    /// A copy of the state behaves like the original, with the same input and at any time.
     #[test]
     fn a_restored_state_repeats_its_future(outputs in prop::collection::vec(any::<bool>(), 2..40), split in 0usize..40) {
         let mut first = bench(2.0);

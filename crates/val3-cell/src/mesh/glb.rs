@@ -17,7 +17,7 @@ use super::{MOST_TRIANGLES, Mesh, MeshError};
 /// First bytes of a GLB file.
 pub(super) const MAGIC: &[u8; 4] = b"glTF";
 
-/// Header size of the file, in bytes, and of a chunk.
+/// Header sizes of the file and of a chunk, in bytes.
 const HEAD: usize = 12;
 const CHUNK_HEAD: usize = 8;
 
@@ -37,7 +37,7 @@ const TRIANGLES: u32 = 4;
 const DEEPEST: usize = 64;
 const MOST_NODES: usize = 100_000;
 
-/// Maximum number of points. Each node adds a copy of all points of its mesh, even of points without a triangle.
+/// Maximum number of points. Each node copies all points in its mesh, even points without a triangle.
 const MOST_POINTS: usize = 5_000_000;
 
 /// A parsed GLB file.
@@ -56,7 +56,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     while let Some((number, around, depth)) = open.pop() {
         placed += 1;
         let node = glb.document.nodes.get(number).ok_or(MeshError::Glb("a node does not exist"))?;
-        // The open nodes count too: in a circle, each node adds all of its children again.
+        // Open nodes count as well, because nodes in a circle add their children again and again.
         if depth > DEEPEST || placed + open.len() + node.children.len() > MOST_NODES {
             return Err(MeshError::Glb("its nodes are too many, nested too deeply, or in a circle"));
         }
@@ -95,7 +95,7 @@ impl<'b> Glb<'b> {
         Ok(Self { document, binary })
     }
 
-    /// Root nodes of the scene; in a file without scenes, all nodes that are no children.
+    /// Returns the root nodes of the scene; in a file without scenes, all nodes that are no children.
     fn roots(&self) -> Vec<usize> {
         let Document { scene, scenes, nodes, .. } = &self.document;
         match scenes.get(scene.unwrap_or_default()) {
@@ -141,11 +141,6 @@ impl<'b> Glb<'b> {
 
     fn positions(&self, accessor: usize) -> Result<Vec<Vector3<f64>>, MeshError> {
         let entries = self.entries(accessor, "VEC3", &[FLOAT])?;
-        let coordinate = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
-        let point = |entry: &[u8]| {
-            let coordinates: Vec<f64> = entry.as_chunks::<4>().0.iter().map(coordinate).collect();
-            <[f64; 3]>::try_from(coordinates).unwrap_or_default().into()
-        };
         Ok(entries.into_iter().map(point).collect())
     }
 
@@ -157,7 +152,7 @@ impl<'b> Glb<'b> {
             .collect())
     }
 
-    /// Bytes of an accessor, by entry.
+    /// Returns the bytes of all entries in an accessor, which has the type `form` and one of the component types.
     fn entries(&self, accessor: usize, form: &str, types: &[u32]) -> Result<Vec<&'b [u8]>, MeshError> {
         let Document { accessors, buffer_views, .. } = &self.document;
         let accessor = accessors.get(accessor).ok_or(MeshError::Glb("a list of numbers does not exist"))?;
@@ -169,17 +164,37 @@ impl<'b> Glb<'b> {
         let BufferView { byte_offset, byte_length, byte_stride, .. } = view.ok_or(cut)?;
         let bytes =
             byte_offset.checked_add(*byte_length).and_then(|end| self.binary.get(*byte_offset..end)).ok_or(cut)?;
-        let size = if form == "VEC3" { 3 } else { 1 } * size_of_component(accessor.component_type);
-        let stride = byte_stride.unwrap_or(size).max(1);
         if accessor.count > bytes.len() {
             return Err(cut);
         }
-        let entry = |index: usize| {
-            let start = index.checked_mul(stride)?.checked_add(accessor.byte_offset)?;
-            bytes.get(start..start.checked_add(size)?)
-        };
-        (0..accessor.count).map(|index| entry(index).ok_or(cut)).collect()
+        let size = if form == "VEC3" { 3 } else { 1 } * size_of_component(accessor.component_type);
+        let layout = EntryLayout { offset: accessor.byte_offset, stride: byte_stride.unwrap_or(size).max(1), size };
+        (0..accessor.count).map(|index| layout.entry(bytes, index).ok_or(cut)).collect()
     }
+}
+
+/// Layout of an accessor's entries in their buffer view. All lengths are in bytes.
+struct EntryLayout {
+    /// Start of the first entry.
+    offset: usize,
+    /// Distance between the starts of consecutive entries.
+    stride: usize,
+    /// Size of an entry.
+    size: usize,
+}
+
+impl EntryLayout {
+    /// Returns the bytes of the entry with this index; `None` if the view is too short.
+    fn entry<'b>(&self, view: &'b [u8], index: usize) -> Option<&'b [u8]> {
+        let start = index.checked_mul(self.stride)?.checked_add(self.offset)?;
+        view.get(start..start.checked_add(self.size)?)
+    }
+}
+
+/// Reads the coordinates of a point, three numbers of four bytes; the origin if the entry has another size.
+fn point(entry: &[u8]) -> Vector3<f64> {
+    let coordinates = entry.as_chunks::<4>().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
+    <[f64; 3]>::try_from(coordinates.collect::<Vec<f64>>()).unwrap_or_default().into()
 }
 
 const fn size_of_component(component: u32) -> usize {
@@ -190,7 +205,7 @@ const fn size_of_component(component: u32) -> usize {
     }
 }
 
-/// Reads a whole number of one, two or four bytes.
+/// Reads an unsigned number from one, two or four bytes.
 fn number(bytes: &[u8]) -> Option<usize> {
     let value = match *bytes {
         [a] => u32::from(a),
@@ -284,6 +299,15 @@ mod tests {
         indices[36] = 3;
         let description = format!("{{\"nodes\":[{{\"mesh\":0}}],{PARTS}}}");
         assert!(reason(&glb(&description, &indices)).contains("corner"));
+    }
+
+    #[test]
+    fn entries_begin_at_the_offset_and_end_within_the_view() {
+        let view: [u8; 11] = std::array::from_fn(|index| u8::try_from(index).unwrap());
+        let layout = EntryLayout { offset: 1, stride: 4, size: 2 };
+        assert_eq!([0, 1, 2].map(|index| layout.entry(&view, index).unwrap()), [[1, 2], [5, 6], [9, 10]]);
+        assert_eq!(layout.entry(&view[..10], 2), None);
+        assert_eq!(layout.entry(&view, usize::MAX), None);
     }
 
     /// Without a scene, the nodes that are no children of others are the roots.

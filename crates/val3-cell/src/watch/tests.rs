@@ -164,7 +164,7 @@ fn path() -> impl Strategy<Value = Vec<Joints>> {
         .prop_map(|corners| corners.windows(2).flat_map(|ends| line(ends[0], ends[1], 100)).collect())
 }
 
-/// Measures the smallest distance of each pair on a path at four positions in each cycle, without lower bounds.
+/// Returns the smallest distances of all pairs on a path, measured at four positions in each cycle.
 fn sampled(text: &str, arm: &Arc<Arm>, path: &[Joints]) -> Vec<f64> {
     let scene = scene(text, arm);
     let least = |pair: &Pair| {
@@ -220,7 +220,7 @@ proptest! {
     }
 
     #[test]
-    fn a_copy_goes_on_in_the_same_way(path in path(), cut in 1usize..100) {
+    fn a_copy_continues_like_the_original(path in path(), cut in 1usize..100) {
         let arm = arm("tx2-60l");
         let text = format!("clearance = 40\n{CELL}");
         let mut watch = Watch::new(scene(&text, &arm));

@@ -142,9 +142,8 @@ impl Expressions<'_, '_> {
         if let Some((instruction, form)) = call.form.known(&call.name) {
             return Ok(ChosenForm::of(instruction, form, call.form.result, version));
         }
-        let formal =
-            |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
-        let formals = call.form.params.iter().map(formal).collect();
+        let params = call.form.params.iter();
+        let formals = params.map(|param| Formal { base: param.ty.map(Base::of), shape: param.shape }).collect();
         let site = InstructionSite::new(Callee::Lacking(call.name.to_string()));
         Ok(ChosenForm { site, formals, result: call.form.result, function: None })
     }

@@ -147,8 +147,8 @@ impl Expressions<'_, '_> {
         self.negated(op, to)
     }
 
-    /// Compiles the comparison with a value that was already computed.
-    pub(crate) fn is_equal(&mut self, left: CompiledValue, right: ExprId) -> Result<u16> {
+    /// Compiles the comparison with a value that was already computed. Returns the register of the result.
+    pub(crate) fn compare_equal(&mut self, left: CompiledValue, right: ExprId) -> Result<u16> {
         let right = self.value_as(right, left.base)?;
         let to = self.out.frame_mut().num()?;
         let base = left.base.builtin();

@@ -100,7 +100,7 @@ impl Statements<'_, '_> {
     }
 
     fn other_case(&mut self, selector: CompiledValue, id: ExprId, label: Label) -> Result<()> {
-        let condition = self.values.is_equal(selector, id)?;
+        let condition = self.values.compare_equal(selector, id)?;
         self.out().emit(Op::JumpIf { condition, to: label.0 });
         Ok(())
     }

@@ -2,6 +2,8 @@
 
 use val3_machine::screen::{COLUMNS, ROWS};
 
+use super::PutText;
+
 /// Longest time in seconds between `cls` and the same text for which the page counts as redrawn.
 const REDRAW: f64 = 0.5;
 
@@ -24,9 +26,9 @@ impl Default for PageCells {
 }
 
 impl PageCells {
-    /// Writes text at a cell (column, row), at a time in seconds. Returns whether the page differs afterwards. Spaces on
-    /// an empty line change nothing.
-    pub(super) fn write(&mut self, (x, y): (u8, u8), text: &str, ends_line: bool, time: f64) -> bool {
+    /// Writes text. Returns whether the page differs afterwards. Spaces on an empty line change nothing.
+    pub(super) fn write(&mut self, put: PutText<'_>) -> bool {
+        let PutText { x, y, text, ends_line, time } = put;
         let before = self.cleared.as_ref().filter(|(cleared, _)| (time - cleared).abs() <= REDRAW);
         let known = before.map_or(self.cells, |(_, cells)| *cells);
         let (mut column, mut row) = (usize::from(x), usize::from(y));

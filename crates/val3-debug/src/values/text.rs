@@ -2,7 +2,7 @@
 
 use val3_lang::fault::Result;
 use val3_lang::memory::{ContainerShape, KindBase, LinkPlace, Memory, Place, ValueType, View, field_offset};
-use val3_lang::types::{self, Arm, BaseType, Field};
+use val3_lang::types::{self, Arm, BaseType};
 use val3_lang::values::printed;
 use val3_machine::devices::Devices;
 
@@ -49,20 +49,14 @@ pub(super) fn shown(
         KindBase::Builtin(..) if !format.exact => memory.shown(kind, place),
         KindBase::Builtin(base, arm) => match types::fields(*base, *arm) {
             [] => memory.shown(kind, place),
-            fields => structure(memory, devices, fields, (*base, *arm), place),
+            _ => structure(memory, devices, *base, *arm, place),
         },
     }
 }
 
 /// Formats a structure such as a `trsf` from its fields. Its numbers have all digits.
-fn structure(
-    memory: &Memory,
-    devices: &Devices,
-    fields: &[Field],
-    (base, arm): (BaseType, Option<Arm>),
-    place: Place,
-) -> Result<String> {
-    let texts = fields.iter().map(|field| {
+fn structure(memory: &Memory, devices: &Devices, base: BaseType, arm: Option<Arm>, place: Place) -> Result<String> {
+    let texts = types::fields(base, arm).iter().map(|field| {
         let offset = field_offset(base, arm, field.name).unwrap_or_default();
         let kind = ValueType::builtin(field.ty, arm);
         match field.ty {

@@ -40,6 +40,14 @@ struct NumberPlace {
     base: BaseType,
 }
 
+impl NumberPlace {
+    /// Creates the location for a value that is itself a number.
+    fn of_value(base: BaseType, unit: NumberUnit) -> Self {
+        let is_digital = matches!(base, BaseType::Bool | BaseType::Dio);
+        Self { series: NumberSeries { name: "", unit, is_digital }, offset: Lanes::default(), base }
+    }
+}
+
 impl WatchedData {
     /// Returns the type and the numbers; `None` while the data are not in memory.
     pub(crate) fn form(&self, controller: &mut Controller) -> Option<DataForm> {
@@ -115,13 +123,9 @@ fn single(memory: &Memory, found: ValueLocation) -> Option<(Arc<ValueType>, Plac
 /// Returns the numbers in values of a type. `unit` is the unit of a value that is itself a number.
 fn number_places(kind: &ValueType, unit: NumberUnit) -> Vec<NumberPlace> {
     let KindBase::Builtin(base, arm) = kind.base else { return Vec::new() };
-    let own = |is_digital, unit| {
-        vec![NumberPlace { series: NumberSeries { name: "", unit, is_digital }, offset: Lanes::default(), base }]
-    };
     match base {
-        BaseType::Num => own(false, unit),
-        BaseType::Aio => own(false, NumberUnit::None),
-        BaseType::Bool | BaseType::Dio => own(true, NumberUnit::None),
+        BaseType::Num => vec![NumberPlace::of_value(base, unit)],
+        BaseType::Aio | BaseType::Bool | BaseType::Dio => vec![NumberPlace::of_value(base, NumberUnit::None)],
         _ => fields(base, arm, Lanes::default()),
     }
 }

@@ -58,15 +58,19 @@ fn file(path: &str, old: Option<&[u8]>, new: Option<&[u8]>, problems: &mut Vec<P
 
 /// Returns the entries that differ, in the order of the new file, followed by removed entries.
 pub(super) fn entries(old: &[XmlEntry], new: &[XmlEntry]) -> Vec<EntryChange> {
-    let (old_values, new_values): (BTreeMap<_, _>, BTreeMap<_, _>) =
-        (old.iter().cloned().collect(), new.iter().cloned().collect());
-    let gone = old.iter().filter(|(name, _)| !new_values.contains_key(name));
+    let (old_values, new_values) = (values(old), values(new));
+    let removed = old.iter().filter(|entry| !new_values.contains_key(entry.path.as_str()));
     let mut seen = BTreeSet::new();
-    let all = new.iter().chain(gone).filter(|(name, _)| seen.insert(name.clone()));
-    let changes = all.map(|(name, _)| EntryChange {
-        entry: name.clone(),
-        old: old_values.get(name).cloned(),
-        new: new_values.get(name).cloned(),
+    let all = new.iter().chain(removed).map(|entry| entry.path.as_str()).filter(|path| seen.insert(*path));
+    let changes = all.map(|path| EntryChange {
+        entry: path.to_owned(),
+        old: old_values.get(path).map(|value| (*value).to_owned()),
+        new: new_values.get(path).map(|value| (*value).to_owned()),
     });
     changes.filter(|change| change.old != change.new).collect()
+}
+
+/// Values by path; for a path that occurs twice, the last value.
+fn values(entries: &[XmlEntry]) -> BTreeMap<&str, &str> {
+    entries.iter().map(|entry| (entry.path.as_str(), entry.value.as_str())).collect()
 }

@@ -56,7 +56,8 @@ impl Contents {
 }
 
 /// Whether an entry has no information, or is compared as a value.
-fn is_usual((path, value): &XmlEntry) -> bool {
+fn is_usual(entry: &XmlEntry) -> bool {
+    let XmlEntry { path, value } = entry;
     if is_unread(path) {
         return false;
     }
@@ -98,7 +99,7 @@ mod tests {
 
     fn shown(text: &str) -> Vec<String> {
         let entries = Contents::read(text).unwrap().entries;
-        entries.into_iter().map(|(path, value)| format!("{path}={value}")).collect()
+        entries.into_iter().map(|XmlEntry { path, value }| format!("{path}={value}")).collect()
     }
 
     #[test]

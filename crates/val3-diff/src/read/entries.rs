@@ -8,8 +8,14 @@ use super::program::text_in;
 /// Maximum nesting of elements that are read, so that hostile files cannot overflow the stack.
 const NESTING: usize = 64;
 
-/// An entry: its enclosing elements with the attribute, and the value.
-pub(crate) type XmlEntry = (String, String);
+/// An attribute, or the text of an element.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct XmlEntry {
+    /// Enclosing elements and the attribute, for example `bioDin[3] name`.
+    pub(crate) path: String,
+    /// Value; empty for an element.
+    pub(crate) value: String,
+}
 
 /// Rules for converting elements to entries.
 #[derive(Debug)]
@@ -36,11 +42,11 @@ fn add(around: &str, element: XmlElement<'_>, style: &EntryRules, nesting: usize
     for attribute in
         element.attributes().filter(|attribute| Some(attribute.name) != key.as_ref().map(|(name, _)| *name))
     {
-        entries.push((join(attribute.name), attribute.text().into_owned()));
+        entries.push(XmlEntry { path: join(attribute.name), value: attribute.text().into_owned() });
     }
     let text = text_in(element);
     if !text.trim().is_empty() {
-        entries.push((join("text"), text.trim().to_owned()));
+        entries.push(XmlEntry { path: join("text"), value: text.trim().to_owned() });
     }
     let mut seen: FxHashMap<String, usize> = FxHashMap::default();
     let inner = element.elements().filter(|inner| nesting > 0 && !style.without.contains(&inner.name()));
@@ -53,11 +59,11 @@ fn add(around: &str, element: XmlElement<'_>, style: &EntryRules, nesting: usize
         }
         let before = entries.len();
         if style.has_keys && key_of(inner, style).is_some() {
-            entries.push((path.clone(), String::new()));
+            entries.push(XmlEntry { path: path.clone(), value: String::new() });
         }
         add(&path, inner, style, nesting - 1, entries);
         if entries.len() == before {
-            entries.push((path, String::new()));
+            entries.push(XmlEntry { path, value: String::new() });
         }
     }
 }

@@ -29,7 +29,7 @@ mod tests {
         let text = "<io xmlns=\"a\"><bioDin index=\"3\" name=\"door\"/><v>s7</v><sock><String name=\"ip\" value=\"1\"/></sock>\
             <sock><String name=\"ip\" value=\"2\"/></sock><e/></io>";
         let entries: Vec<String> =
-            read(text).unwrap().into_iter().map(|(path, value)| format!("{path}={value}")).collect();
+            read(text).unwrap().into_iter().map(|XmlEntry { path, value }| format!("{path}={value}")).collect();
         assert_eq!(
             entries,
             [

@@ -77,11 +77,11 @@ impl Memory {
     }
 
     fn assign_collection(&mut self, from: StoreId, to: StoreId) -> Result<()> {
-        let keys = |store: &super::Store| match &store.shape {
-            ContainerShape::Collection(keys) => Ok(keys.clone()),
-            ContainerShape::Array { .. } => Err(Fault::INTERPRETER),
+        let (ContainerShape::Collection(new), ContainerShape::Collection(old)) =
+            (self.store(from)?.shape.clone(), self.store(to)?.shape.clone())
+        else {
+            return Err(Fault::INTERPRETER);
         };
-        let (new, old) = (keys(self.store(from)?)?, keys(self.store(to)?)?);
         let removed = old.keys().filter(|key| !new.contains_key(*key));
         removed.into_iter().try_for_each(|key| self.delete_key(to, key))?;
         let kind = self.store(from)?.kind.clone();

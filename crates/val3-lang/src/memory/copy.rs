@@ -73,9 +73,10 @@ impl Memory {
         values: impl IntoIterator<Item = Option<&'v DetachedValue>>,
         owner: Owner,
     ) -> Result<Vec<StoreId>> {
-        let parts =
-            |value: Option<&'v DetachedValue>| value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
-        let parts = values.into_iter().flat_map(|value| parts(value).unwrap_or(&kind.default.parts));
+        let parts = values.into_iter().flat_map(|value| {
+            let own = value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
+            own.unwrap_or(&kind.default.parts)
+        });
         self.create_all(parts, |memory, part| memory.create_as(part, owner, true))
     }
 

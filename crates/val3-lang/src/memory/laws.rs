@@ -108,13 +108,15 @@ impl Pair {
     }
 
     fn keyed(&self, side: bool, key: char) -> Result<[Place; 2]> {
-        let find = |field| {
-            let id = self.field(side, field);
-            let store = self.memory.store(id)?;
-            Ok(store.place(id, store.number_of(&Text::from(key.to_string().as_str()))?))
-        };
-        let element = find(0)?;
-        Ok([self.memory.element(View::whole(self.memory.part(element, 0)?), 1)?, find(1)?])
+        let element = self.element(side, 0, key)?;
+        let inner = self.memory.element(View::whole(self.memory.part(element, 0)?), 1)?;
+        Ok([inner, self.element(side, 1, key)?])
+    }
+
+    fn element(&self, side: bool, field: u32, key: char) -> Result<Place> {
+        let id = self.field(side, field);
+        let store = self.memory.store(id)?;
+        Ok(store.place(id, store.number_of(&Text::from(key.to_string().as_str()))?))
     }
 
     fn row(&self, side: bool, row: u8) -> Result<Place> {

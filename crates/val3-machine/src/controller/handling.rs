@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use val3_cell::{
-    Carrier, CellOutputs, Gripper, GripperCommand, GripperControl, HandlingEvent, KnownSignal, NearPart, PartHolder,
-    PartPlace, Scene, SignalClass, SignalWrite,
+    Carrier, CellOutputs, Gripper, GripperCommand, GripperControl, HandlingEvent, KnownSignal, NearPart, Part,
+    PartHolder, PartPlace, Scene, SignalClass, SignalWrite,
 };
 use val3_geometry::IsometryMatrix3;
 use val3_lang::call::StoredValue;
@@ -28,6 +28,18 @@ pub struct PartState {
     pub carrier: Option<Carrier>,
     /// Pose of the part in the frame of the carrier.
     pub pose: IsometryMatrix3<f64>,
+}
+
+impl PartState {
+    fn new(part: &Part, place: &PartPlace, scene: &Scene) -> Self {
+        let carrier = match place.holder {
+            PartHolder::World => Some(Carrier::World),
+            PartHolder::Frame(number) => scene.data().nth(number).cloned(),
+            PartHolder::Gripper(_) => Some(Carrier::Flange),
+            PartHolder::Gone => None,
+        };
+        Self { name: part.name.clone(), carrier, pose: place.pose }
+    }
 }
 
 impl Controller {
@@ -180,17 +192,7 @@ impl Controller {
             return Vec::new();
         };
         let parts = scene.cell().parts.iter().zip(handling.parts().iter());
-        let state = |(part, PartPlace { holder, pose }): (&val3_cell::Part, &PartPlace)| PartState {
-            name: part.name.clone(),
-            carrier: match holder {
-                PartHolder::World => Some(Carrier::World),
-                PartHolder::Frame(number) => scene.data().nth(*number).cloned(),
-                PartHolder::Gripper(_) => Some(Carrier::Flange),
-                PartHolder::Gone => None,
-            },
-            pose: *pose,
-        };
-        parts.map(state).collect()
+        parts.map(|(part, place)| PartState::new(part, place, &scene)).collect()
     }
 
     /// Pose of a part in `world`; `None` if it was removed, does not exist, or stands in a frame without a place.

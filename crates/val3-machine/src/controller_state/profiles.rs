@@ -14,6 +14,12 @@ pub struct Profile {
     pub controls_speed: bool,
 }
 
+impl Profile {
+    fn without_password(name: &str, controls_speed: bool) -> Self {
+        Self { name: name.to_owned(), password: String::new(), controls_speed }
+    }
+}
+
 /// Result of `setProfile`; the number is the result in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -41,10 +47,8 @@ impl Default for Profiles {
     /// Creates `default`, which is active and in which programs control the speed, and `maintenance`, in which the
     /// operator does. Both have no password.
     fn default() -> Self {
-        let profile =
-            |name: &str, controls_speed| Profile { name: name.to_owned(), password: String::new(), controls_speed };
-        let first = profile("default", false);
-        Self { known: vec![first.clone(), profile("maintenance", true)], active: first }
+        let active = Profile::without_password("default", false);
+        Self { known: vec![active.clone(), Profile::without_password("maintenance", true)], active }
     }
 }
 

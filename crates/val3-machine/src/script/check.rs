@@ -94,9 +94,10 @@ impl Controller {
         is_resized: &dyn Fn(&str) -> bool,
         may_come: bool,
     ) -> Vec<Misfit> {
-        let check_set =
-            |(name, value): (&String, &ScriptValue)| self.check_variable(name, is_resized, |base| value.suits(base));
-        let variables = entry.set.iter().filter_map(|set| check_set(set).err());
+        let variables = entry.set.iter().filter_map(|(name, value)| {
+            let checked = self.check_variable(name, is_resized, |base| value.suits(base));
+            checked.err()
+        });
         let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
         let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, may_come));

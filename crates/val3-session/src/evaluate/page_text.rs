@@ -41,7 +41,8 @@ impl PageText {
 mod tests {
     use super::*;
 
-    fn put(page: &mut PageText, screen: &str, (x, y): (u8, u8), text: &str, ends_line: bool) -> Vec<String> {
+    fn put(page: &mut PageText, screen: &str, cell: [u8; 2], text: &str, ends_line: bool) -> Vec<String> {
+        let [x, y] = cell;
         let kind = EventKind::Put { screen: screen.to_owned(), x, y, text: text.to_owned(), ends_line };
         page.lines_of(&Event { t: 0.0, task: None, at: None, kind })
     }
@@ -49,18 +50,18 @@ mod tests {
     #[test]
     fn a_line_has_all_text_that_follows_on_the_page() {
         let mut page = PageText::default();
-        assert!(put(&mut page, "", (0, 0), "n=", false).is_empty());
-        assert_eq!(put(&mut page, "", (2, 0), "12", true), ["n=12"]);
-        assert_eq!(put(&mut page, "", (0, 1), "", true), [""]);
+        assert!(put(&mut page, "", [0, 0], "n=", false).is_empty());
+        assert_eq!(put(&mut page, "", [2, 0], "12", true), ["n=12"]);
+        assert_eq!(put(&mut page, "", [0, 1], "", true), [""]);
         assert_eq!(page.take(), None);
     }
 
     #[test]
     fn text_elsewhere_begins_a_line() {
         let mut page = PageText::default();
-        assert!(put(&mut page, "", (0, 0), "a", false).is_empty());
-        assert_eq!(put(&mut page, "", (5, 3), "b", false), ["a"]);
-        assert_eq!(put(&mut page, "scMenu", (6, 3), "c", false), ["b"]);
+        assert!(put(&mut page, "", [0, 0], "a", false).is_empty());
+        assert_eq!(put(&mut page, "", [5, 3], "b", false), ["a"]);
+        assert_eq!(put(&mut page, "scMenu", [6, 3], "c", false), ["b"]);
         assert_eq!(page.take().as_deref(), Some("c"));
     }
 }

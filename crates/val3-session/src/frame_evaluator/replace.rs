@@ -245,9 +245,6 @@ fn unavailable(reason: &str) -> ReplaceFault {
 
 /// Form of the code in an image. Only the debugged form has operations at the ends of loops.
 pub(super) fn form_of(image: &Image) -> CodeForm {
-    let operation = |program: &Program, at: u32| program.code.get(at as usize).map(|step| step.op);
-    let has_loop_end =
-        |program: &Program| program.closings.iter().any(|closing| operation(program, closing.op) == Some(Op::Line));
     let has_counter = |program: &Program| program.code.iter().any(|step| step.mark.counter().is_some());
     match () {
         () if image.programs.iter().any(has_loop_end) => CodeForm::Debugged,
@@ -256,21 +253,28 @@ pub(super) fn form_of(image: &Image) -> CodeForm {
     }
 }
 
+/// Whether a closing keyword of the program has an operation of its own.
+fn has_loop_end(program: &Program) -> bool {
+    let mut closings = program.closings.iter().filter_map(|closing| program.code.get(closing.op as usize));
+    closings.any(|step| step.op == Op::Line)
+}
+
 /// Whether two programs have the same kinds of operations before and after the line at a row.
 fn is_same_around(one: &Program, other: &Program, row: u32) -> bool {
-    let first = |program: &Program| program.lines.iter().filter(|line| line.row == row).map(|line| line.op).min();
-    let Some(at) = first(one).or(first(other)) else { return operations(one) == operations(other) };
-    let end = |program: &Program| {
-        let least = if first(program).is_some() { at + 1 } else { at };
-        let next = program.lines.iter().chain(&program.closings).map(|line| line.op).filter(|op| *op >= least).min();
-        next.map_or(program.code.len(), |op| op as usize)
+    let Some(start) = one.first_op_at(row).or(other.first_op_at(row)) else {
+        return operations(one) == operations(other);
     };
-    let parts = |program: &Program| {
-        let operations = operations(program);
-        let before = operations.get(..at as usize).map(<[_]>::to_vec);
-        (before, operations.get(end(program)..).map(<[_]>::to_vec))
-    };
-    parts(one) == parts(other)
+    operations_around(one, row, start) == operations_around(other, row, start)
+}
+
+/// Kinds of the operations before and after the line at a row. `start` is the first operation of the line, also for a
+/// program without this line.
+fn operations_around(program: &Program, row: u32, start: u32) -> [Option<Vec<Discriminant<Op>>>; 2] {
+    let least = if program.first_op_at(row).is_some() { start + 1 } else { start };
+    let next = program.lines.iter().chain(&program.closings).map(|line| line.op).filter(|op| *op >= least).min();
+    let end = next.map_or(program.code.len(), |op| op as usize);
+    let operations = operations(program);
+    [operations.get(..start as usize), operations.get(end..)].map(|part| part.map(<[_]>::to_vec))
 }
 
 fn operations(program: &Program) -> Vec<Discriminant<Op>> {

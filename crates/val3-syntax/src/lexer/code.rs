@@ -81,16 +81,18 @@ impl Lexer<'_> {
 
     /// Reports a `]]>` without a CDATA section, unless damage at the start of this code was reported.
     fn stray_cdata_close(&mut self) {
-        let is_at_start = |error: &SyntaxError| {
-            let before = self.text.as_bytes().part(self.code_start..error.range.start().into());
-            error.kind == SyntaxErrorKind::UnexpectedText && before.trim_ascii().is_empty()
-        };
         let start = self.code_start;
-        let of_code = self.out.errors.iter().rev().take_while(|error| usize::from(error.range.start()) >= start);
-        if !of_code.into_iter().any(is_at_start) {
+        let mut of_code = self.out.errors.iter().rev().take_while(|error| usize::from(error.range.start()) >= start);
+        if !of_code.any(|error| self.is_damage_at_start(error)) {
             self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + 3);
         }
         self.token(CDATA_CLOSE, self.pos + 3);
+    }
+
+    /// Whether an error in this code is unexpected text that only whitespace precedes.
+    fn is_damage_at_start(&self, error: &SyntaxError) -> bool {
+        let before = self.text.as_bytes().part(self.code_start..error.range.start().into());
+        error.kind == SyntaxErrorKind::UnexpectedText && before.trim_ascii().is_empty()
     }
 
     fn next_byte(&self, stretch: CodeSegment) -> Option<u8> {

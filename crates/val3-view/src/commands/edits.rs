@@ -98,11 +98,9 @@ impl Edits {
         let mut kept = BTreeSet::new();
         for old in positions::data(from).into_iter().filter(|datum| self.has_changed(datum)) {
             let new = loaded.iter().find(|new| (&new.name, &new.key, new.base) == (&old.name, &old.key, old.base));
+            let Some(new) = new else { continue };
             let father = father::name_of(&old, from);
-            let is_copied = |new: &GlobalValue| {
-                set_father(new, father.as_ref(), to).is_ok() && copy_numbers(&old, from, new, to).is_some()
-            };
-            if new.is_some_and(is_copied) {
+            if set_father(new, father.as_ref(), to).is_ok() && copy_numbers(&old, from, new, to).is_some() {
                 kept.insert(PointName { name: old.name, key: old.key });
             }
         }

@@ -86,7 +86,7 @@ fn parts_wait_at_the_end_and_one_after_the_other() {
 }
 
 #[test]
-fn parts_beside_and_high_above_a_belt_stay() {
+fn parts_next_to_a_belt_and_high_above_it_stay() {
     for place in ["[300, 0, 50]", "[0, 600, 50]", "[0, 0, 120]", "[0, 0, -100]"] {
         let mut belt = Belt::new(&BELT.replace("[0, -300, 50]", place));
         let before = belt.places()[0];
@@ -186,7 +186,7 @@ fn errors_of_conveyors_name_their_keys() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Two copies of the state with the same input behave equally, whatever has happened before the copy.
+    /// A copy of the state behaves like the original, with the same input and at any time.
     #[test]
     fn a_restored_belt_repeats_its_future(runs in prop::collection::vec(any::<bool>(), 2..200), split in 0usize..200) {
         let mut first = Belt::new(&FEED.replace("END", "").replace("every = 1", "every = 0.3"));

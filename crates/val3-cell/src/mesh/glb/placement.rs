@@ -16,7 +16,7 @@ impl Placement {
         Self { axes: [Vector3::x(), Vector3::y(), Vector3::z()], shift: Vector3::zeros() }
     }
 
-    /// Placement of a node relative to its parent.
+    /// Returns the placement of a node relative to its parent.
     pub(super) fn of(node: &GltfNode) -> Self {
         if let Some([a, b, c, _, d, e, f, _, g, h, i, _, x, y, z, _]) = node.matrix {
             return Self { axes: [[a, b, c].into(), [d, e, f].into(), [g, h, i].into()], shift: [x, y, z].into() };
@@ -27,7 +27,7 @@ impl Placement {
         Self { axes: [x * along_x, y * along_y, z * along_z], shift }
     }
 
-    /// Returns the placement of an inner node: first `inner`, then this one.
+    /// Returns the placement that first applies `inner`, then this placement.
     pub(super) fn then(&self, inner: &Self) -> Self {
         Self { axes: inner.axes.map(|axis| self.direction(&axis)), shift: self.point(&inner.shift) }
     }

@@ -121,14 +121,14 @@ impl Saver<'_> {
                 let element = self.memory.store(store).ok().and_then(|found| found.number_of_text(index));
                 let no_element = || DocumentFault::NoElement { name: name.clone(), index: index.clone() };
                 let element = element.ok_or_else(no_element)?;
-                self.element((data, number.into()), store, element).map_err(|_| no_element())?
+                self.element(data, number.into(), store, element).map_err(|_| no_element())?
             }
         };
         Ok(DeclaredData { is_public: data.public, data: saved })
     }
 
     /// Returns one value of global data, with the sizes of its array.
-    fn element(&self, (data, number): (&DataDef, u32), id: StoreId, element: u32) -> FaultResult<SavedData> {
+    fn element(&self, data: &DataDef, number: u32, id: StoreId, element: u32) -> FaultResult<SavedData> {
         let store = self.memory.store(id)?;
         let place = self.memory.element(View::whole(id), element)?;
         let key = keys(&store.shape).into_iter().find(|(known, _)| *known == element);
@@ -157,12 +157,13 @@ impl Saver<'_> {
     /// Returns an array by reference from an index on.
     fn rest(&self, name: &str, view: View) -> FaultResult<SavedData> {
         let (store, size) = (self.memory.store(view.store)?, self.memory.len(view)?);
-        let value = |index: u32| {
+        let mut values = Vec::new();
+        for index in 0..size {
             let (place, key) = (self.memory.element(view, index)?, index.to_string());
             let (content, _) = self.content(place, &store.kind, &LoadedValue::NONE, &key)?;
-            Ok(SavedValue { key, content })
-        };
-        Ok(array(name, &store.kind, (0..size).map(value).collect::<FaultResult<_>>()?, size))
+            values.push(SavedValue { key, content });
+        }
+        Ok(array(name, &store.kind, values, size))
     }
 }
 

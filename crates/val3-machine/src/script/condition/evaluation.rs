@@ -41,9 +41,10 @@ impl Controller {
     /// Whether all signals and variables of a condition have their values.
     #[must_use]
     pub fn meets(&self, condition: &Condition) -> bool {
-        let meets =
-            |part: &ConditionPart| self.value_of(&part.subject).is_some_and(|value| part.comparison.accepts(&value));
-        condition.parts.iter().all(meets)
+        condition.parts.iter().all(|ConditionPart { subject, comparison }| {
+            let value = self.value_of(subject);
+            value.is_some_and(|value| comparison.accepts(&value))
+        })
     }
 
     /// The signals and variables of a condition that do not have their values: signals, then variables, by name.
