@@ -124,7 +124,8 @@ enum Sign {
     Positive,
 }
 
-/// Keys that a file may list under `model`.
+/// Entries that a file may list under `model`. `geometry` stands for the lengths except `height`
+/// and `z0`, and `limits` for `min` and `max`.
 const MODEL_ENTRIES: &[&str] = &[
     "geometry",
     "height",

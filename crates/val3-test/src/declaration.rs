@@ -88,7 +88,7 @@ pub(crate) fn data(line: &str, types: &[String]) -> Option<FixtureData> {
     let value = match rest.trim().strip_prefix('=') {
         Some(value) => Some(value.trim().to_owned()),
         None if rest.trim().is_empty() => None,
-        None => panic!("`{line}`: only `= value` may follow a declaration"),
+        None => panic!("`{line}`: only `= value` may follow the name; write one declaration per line"),
     };
     if let Some(value) = &value {
         check_value(line, ty, &shape, value);

@@ -44,6 +44,14 @@ const expectIdle = (page) => eventually(async () => {
 
 const expectValue = (page, selector, value) => eventually(async () => assert.equal(await page.inputValue(selector), value));
 
+/** Returns the ids of all tabs in a list. */
+const tabs = (page, list) => page.locator(`${list} > [role=tab]`).evaluateAll((all) => all.map(({ id }) => id.replace("tab-", "")));
+
+async function showTab(page, tab) {
+  await page.click(`#tab-${tab}`);
+  await page.waitForSelector(`#tab-${tab}[aria-selected=true]`);
+}
+
 // Colours do not depend on the size, so the large window has one theme.
 for (const [width, height, theme] of [[1280, 800, "light"], [1280, 800, "dark"], [1920, 1080, "dark"]]) {
   test(`a recording at ${width}x${height}, ${theme}`, async (context) => {
@@ -70,10 +78,13 @@ for (const [width, height, theme] of [[1280, 800, "light"], [1280, 800, "dark"],
     await expectIdle(page);
     const { drawCalls } = await page.evaluate(() => globalThis.val3View.stats());
     assert.ok(drawCalls > 5 && drawCalls < 60, `${drawCalls} draw calls`);
-    for (const tab of ["io", "program", "tasks", "queue", "log", "times", "points"]) {
-      await page.click(`#tab-${tab}[aria-selected=false], #tab-${tab}`);
-      await page.waitForSelector(`#tab-${tab}[aria-selected=true]`);
+    for (const tab of await tabs(page, ".panel-tabs > .tabs")) {
+      await showTab(page, tab);
       await shot(tab);
+      for (const inner of await tabs(page, ".panel .tabs")) {
+        await showTab(page, inner);
+        await shot(inner);
+      }
     }
     assert.ok((await page.textContent(".point-table")).includes(HOSTILE));
     await page.locator(RANGE).fill("20");

@@ -104,23 +104,25 @@ test("in a low window, the tabs and the time bar each have one line", () => serv
   }
 }));
 
+/** Returns the ids of all tabs in a list. */
+const tabs = (page, list) => page.locator(`${list} > [role=tab]`).evaluateAll((all) => all.map(({ id }) => id));
+
 test("the buttons of all tabs are large enough for fingers", () => served(["--power"], async (run) => {
   const page = await run.open(0, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   assert.deepEqual(await small(page), [], "at first");
   await page.getByText("Keys of the pendant", { exact: true }).tap();
   await page.getByRole("button", { name: "Enter joints…" }).tap();
   assert.deepEqual(await small(page), [], "Pendant");
-  for (const tab of ["Inputs and outputs", "Program", "Tasks", "Points"]) {
-    await page.getByRole("tab", { name: tab, exact: true }).first().tap();
+  for (const tab of await tabs(page, ".panel-tabs > .tabs")) {
+    await page.locator(`#${tab}`).tap();
     assert.deepEqual(await small(page), [], tab);
+    for (const inner of await tabs(page, ".panel .tabs")) {
+      await page.locator(`#${inner}`).tap();
+      assert.deepEqual(await small(page), [], inner);
+    }
   }
   await page.getByRole("button", { name: "pPick", exact: true }).tap();
   await page.getByRole("form", { name: "Values of pPick" }).waitFor();
   await page.getByRole("combobox", { name: /^Frame or tool/ }).selectOption("fPallet");
   assert.deepEqual(await small(page), [], "the selected point");
-  await page.getByRole("tab", { name: "Tasks", exact: true }).first().tap();
-  for (const tab of ["Motion queue", "Event log", "Distances", "Times"]) {
-    await page.getByRole("tab", { name: tab, exact: true }).tap();
-    assert.deepEqual(await small(page), [], tab);
-  }
 }, moveForever));

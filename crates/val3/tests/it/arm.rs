@@ -31,10 +31,10 @@ fn a_shown_file_is_an_arm() {
     assert_eq!(folder.val3(&["run", "--arm", "my-arm.toml"]).stdout, "mine\n");
     refused(
         &folder,
-        &["arm", "show", "tx2-61"],
+        &["arm", "show", "rx13b"],
         expect![[r#"
-            error: the arm `tx2-61` is not known
-              help: did you mean `TX2-60`?
+            error: the arm `rx13b` is not known
+              help: did you mean `RX130B`?
         "#]],
     );
     refused(

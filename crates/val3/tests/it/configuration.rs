@@ -63,10 +63,20 @@ fn a_faulty_file_ends_with_2_and_says_where() {
 
 #[test]
 fn the_schema_is_printed_for_editors() {
-    let run = Folder::empty().val3(&["schema"]);
-    assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/val3.schema.json")));
-    let run = Folder::empty().val3(&["schema", "--debugger"]);
-    assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/debugger.schema.json")));
+    let schemas = [
+        (&["schema"][..], include_str!("../../../../editors/schema/val3.schema.json"), "cargo test -p val3-config"),
+        (
+            &["schema", "--debugger"],
+            include_str!("../../../../editors/schema/debugger.schema.json"),
+            "cargo test -p val3 the_shipped_schemas",
+        ),
+    ];
+    for (command, shipped, update) in schemas {
+        let run = Folder::empty().val3(command);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{command:?}");
+        // A message with both texts would fill hundreds of lines.
+        assert!(run.stdout == shipped, "the shipped schema is out of date: run `UPDATE_EXPECT=1 {update}`");
+    }
 }
 
 #[test]

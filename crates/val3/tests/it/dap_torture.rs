@@ -1,7 +1,7 @@
 //! `val3 dap` with misbehaving clients and programs: each request has a response, the process ends with its client, and
 //! files are complete.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -25,8 +25,8 @@ impl Chance {
     }
 }
 
-/// Requests that do not end the session.
-const COMMANDS: [&str; 44] = [
+/// Requests of the specification that do not end the session, and unknown requests.
+const COMMANDS: &[&str] = &[
     "initialize",
     "launch",
     "attach",
@@ -73,26 +73,32 @@ const COMMANDS: [&str; 44] = [
     "nonsense",
 ];
 
-const CUSTOM_COMMANDS: [&str; 15] = [
-    "val3/endCall",
-    "val3/motionMode",
-    "val3/motionStep",
-    "val3/motionQueue",
-    "val3/pose",
-    "val3/io",
-    "val3/ioForce",
-    "val3/jog",
-    "val3/key",
-    "val3/userPage",
-    "val3/subscribe",
-    "val3/past",
-    "val3/history",
-    "val3/table",
-    "val3/variableFilter",
-];
+/// A request `val3/…` in the schema of the adapter.
+#[derive(Clone)]
+struct OwnRequest {
+    command: String,
+    arguments: BTreeSet<String>,
+}
+
+impl OwnRequest {
+    fn new(command: &str, definitions: &Value) -> Self {
+        let path = &definitions["DebugRequests"]["properties"][command]["properties"]["arguments"]["$ref"];
+        let arguments = &definitions[path.as_str().unwrap().trim_start_matches("#/$defs/")];
+        let names = arguments["properties"].as_object().into_iter().flat_map(|properties| properties.keys().cloned());
+        Self { command: command.to_owned(), arguments: names.collect() }
+    }
+}
+
+/// All requests `val3/…`. None of them ends the session.
+fn own_requests() -> Vec<OwnRequest> {
+    let schema = val3_dap::debug_requests_schema().unwrap();
+    let definitions = &schema["$defs"];
+    let commands = definitions["DebugRequests"]["properties"].as_object().unwrap().keys();
+    commands.map(|command| OwnRequest::new(command, definitions)).collect()
+}
 
 /// Argument names.
-const KEYS: [&str; 26] = [
+const KEYS: &[&str] = &[
     "threadId",
     "threadId",
     "threadIds",
@@ -185,7 +191,7 @@ fn value(chance: &mut Chance, depth: usize) -> Value {
 fn arguments(chance: &mut Chance, depth: usize) -> Value {
     let mut object = serde_json::Map::new();
     for _ in 0..chance.below(7) {
-        let key = chance.one(&KEYS);
+        let key = chance.one(KEYS);
         let right = match key {
             "threadIds" | "lines" => json!([number(chance), number(chance)]),
             "joints" => json!([0, number(chance), 90, 0, 0, 0]),
@@ -211,7 +217,9 @@ fn complete(command: &str, chance: &mut Chance) -> Value {
     let mut arguments = arguments(chance, 2);
     let needed = match command {
         "continue" | "next" | "stepIn" | "stepOut" | "stepBack" | "reverseContinue" | "pause" | "stackTrace"
-        | "exceptionInfo" | "val3/endCall" => json!({ "threadId": chance.below(7) }),
+        | "exceptionInfo" | "val3/endCall" | "val3/stepBackInto" | "val3/stepBackOut" => {
+            json!({ "threadId": chance.below(7) })
+        }
         "setBreakpoints" | "breakpointLocations" | "gotoTargets" => {
             json!({ "source": { "path": format!("{}/{}", application(), chance.one(&["home.pgx", "sensors.pgx", "x"])) }, "line": chance.below(40) })
         }
@@ -231,24 +239,24 @@ fn complete(command: &str, chance: &mut Chance) -> Value {
     arguments
 }
 
-fn random_request(session: &mut Session, chance: &mut Chance) -> i64 {
-    let command = if chance.below(4) == 0 { chance.one(&CUSTOM_COMMANDS) } else { chance.one(&COMMANDS) };
-    let mut arguments = complete(command, chance);
-    // Requests of the adapter reject unknown arguments.
-    if command.starts_with("val3/") && chance.below(10) > 0 {
-        let known: &[&str] = match command {
-            "val3/motionMode" => &["mode"],
-            "val3/ioForce" => &["link", "value"],
-            "val3/jog" => &["joints"],
-            _ => &[],
-        };
-        arguments.as_object_mut().unwrap().retain(|name, _| known.contains(&name.as_str()));
+fn random_request(session: &mut Session, chance: &mut Chance, own_requests: &[OwnRequest]) -> i64 {
+    if chance.below(4) > 0 {
+        let command = chance.one(COMMANDS);
+        let arguments = complete(command, chance);
+        return session.send_any(command, &arguments);
     }
-    session.send_any(command, &arguments)
+    let OwnRequest { command, arguments: known } = chance.one(own_requests);
+    let mut arguments = complete(&command, chance);
+    // Requests of the adapter reject unknown arguments.
+    if chance.below(10) > 0 {
+        arguments.as_object_mut().unwrap().retain(|name, _| known.contains(name));
+    }
+    session.send_any(&command, &arguments)
 }
 
 #[test]
 fn random_requests_in_random_order_are_answered() {
+    let own_requests = own_requests();
     for seed in 1..=6 {
         let mut chance = Chance(seed);
         let scope = chance.one(&["all", "task"]);
@@ -259,7 +267,8 @@ fn random_requests_in_random_order_are_answered() {
         for _ in 0..60 {
             // Several requests may be in progress.
             let count = 1 + chance.below(4);
-            let requests: Vec<i64> = (0..count).map(|_| random_request(&mut session, &mut chance)).collect();
+            let requests: Vec<i64> =
+                (0..count).map(|_| random_request(&mut session, &mut chance, &own_requests)).collect();
             for request in requests {
                 let response = session.response(request);
                 executed += usize::from(response["success"] == true);

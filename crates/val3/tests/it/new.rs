@@ -169,7 +169,7 @@ fn nothing_is_replaced() {
 fn unusable_names_arms_and_versions_are_refused() {
     for (args, message) in [
         (&["new", "movej"][..], "error: an application cannot have the name `movej`: it is a word of VAL 3"),
-        (&["new", "a", "--arm", "tx2-61"], "error: the arm `tx2-61` is not known; did you mean `TX2-60`"),
+        (&["new", "a", "--arm", "rx13b"], "error: the arm `rx13b` is not known; did you mean `RX130B`?"),
         (&["new", "a", "--version", "s6.8"], "s6.8 is not supported here: name a version of s7 (CS8) or s8 (CS9)"),
         (&["new", "a", "--version", "9"], "write a version such as s7.11 or s8.13"),
         (&["new", "a", "--folder", "none"], "none"),

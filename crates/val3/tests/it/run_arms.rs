@@ -17,10 +17,10 @@ fn an_unknown_arm_has_a_proposal() {
     let folder = Folder::with("? 1\n");
     refused(
         &folder,
-        "TX2-9",
+        "RX13B",
         &expect![[r#"
-        error: the arm `TX2-9` is not known
-          help: did you mean `TX2-90`, `TX2-90L`, `TX2-90XL`?
+        error: the arm `RX13B` is not known
+          help: did you mean `RX130B`?
     "#]],
     );
     refused(
