@@ -37,7 +37,7 @@ fn walk_stmt(infer: &mut Infer<'_>, stmt: &Stmt) {
         StmtKind::Call(call) => infer.call_stmt(*call),
         StmtKind::TaskCreate { synchronous, arguments } => infer.task_create(stmt.range, *synchronous, arguments),
         StmtKind::Print(value) => {
-            infer.expr(*value);
+            infer.element(*value);
         }
         StmtKind::Assign { target, value } => {
             infer.assign(*target, *value);
