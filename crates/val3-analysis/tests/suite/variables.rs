@@ -154,8 +154,6 @@ fn a_container_without_its_index_is_reported_for_its_purpose() {
         main/start.pgx:6 `nA` ArgumentType { callee: "len", parameter: "sText", expected: ["string"], found: "num" }
         main/start.pgx:7 `n2` ContainerMismatch { callee: "delete", parameter: "variable", expected: "num[]", found: "num[,]" }
         main/start.pgx:9 `nC` IndexMissing { name: "nC", ty: "num[\"\"]" }
-        main/start.pgx:10 `n2` IndexMissing { name: "n2", ty: "num[,]" }
-            Declared main/main.dtx:6 `n2`
         main/start.pgx:11 `nC` IndexMissing { name: "nC", ty: "num[\"\"]" }
             Declared main/main.dtx:7 `nC`
     "#]]

@@ -53,29 +53,28 @@ impl<'t> Scratch<'t> {
         database(self.targets, self.target)
     }
 
-    /// First fault in the evaluated code. Unlike a program, a debugger shows whole containers, so their missing index is
-    /// no fault.
+    /// First fault in the evaluated code. Unlike a program, a debugger shows entire collections, so their missing key is no
+    /// fault.
     pub(super) fn fault(&self) -> Option<CodeFault> {
         let unit = CheckUnit::Program(self.target.project, self.file);
         let refusals = unit_refusals(self.db(), unit);
         // The header comes from a program that was compiled, so its faults are ignored.
         let code = TextSize::try_from(self.start.saturating_sub(BEGIN.len())).ok()?;
-        let container = self.shown_container();
+        let collection = self.shown_collection();
         let mut in_file = refusals.into_iter().filter(|found| found.place.file == self.file);
-        let found = in_file.find(|found| found.place.range.start() >= code && Some(found.place.range) != container)?;
+        let found = in_file.find(|found| found.place.range.start() >= code && Some(found.place.range) != collection)?;
         let offset = |at: TextSize| self.offset(at.into()).saturating_sub(self.before);
         let range = offset(found.place.range.start())..offset(found.place.range.end());
         Some(CodeFault::at(found.message, self.code.part(self.before..), range))
     }
 
-    /// Range of the evaluated expression if its value is a container that a program must use with an index or key.
-    fn shown_container(&self) -> Option<TextRange> {
+    /// Range of the evaluated expression if its value is a collection.
+    fn shown_collection(&self) -> Option<TextRange> {
         let (db, project) = (self.db(), self.target.project);
         let body = body(db, self.file);
         let [Stmt { kind: StmtKind::Print(id), .. }] = body.block.as_slice() else { return None };
-        let container = infer(db, project, self.file).ty(*id).container;
-        let needs_index = matches!(container, Container::Collection | Container::Array { dims: 2.. });
-        (needs_index && self.before > 0).then(|| body.range(*id))
+        let is_collection = infer(db, project, self.file).ty(*id).container == Container::Collection;
+        (is_collection && self.before > 0).then(|| body.range(*id))
     }
 
     /// Offset in the evaluated code of a byte in the file.
