@@ -1,6 +1,6 @@
 //! Code of a program as plain data: statements and expressions without trivia.
 
-mod constant;
+pub(crate) mod constant;
 mod lower;
 mod same;
 mod walk;
@@ -199,6 +199,12 @@ fn collect_stmts<'b>(block: &'b [Stmt], found: &mut Vec<&'b Stmt>) {
         found.push(stmt);
         stmt.blocks().for_each(|block| collect_stmts(block, found));
     }
+}
+
+/// Returns the code of a `.pgx` with this text.
+#[cfg(test)]
+pub(crate) fn lower_text(text: &str) -> Body {
+    lower::lower(val3_syntax::parse(text).view())
 }
 
 /// Returns the code of the program in `file`.

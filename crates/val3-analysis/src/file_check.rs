@@ -243,14 +243,15 @@ pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
 fn encoding_fault(text: &str, encoding: Encoding, mismatch: Option<Mismatch>) -> Option<(EncodingFault, TextRange)> {
     if let Some(at) = text.find(REPLACEMENT) {
         let start = text_size(at);
-        // No ISO-8859-1 byte decodes to this character, so an editor has written it.
-        let is_misread = encoding == Encoding::Latin1 && mismatch != Some(Mismatch::NotLatin1);
-        let fault = if is_misread { EncodingFault::Misread } else { EncodingFault::Lost };
+        // No byte of ISO-8859-1 or Windows-1252 decodes to this character, so an editor has written it.
+        let is_misread = encoding != Encoding::Utf8 && mismatch != Some(Mismatch::StoredAsUtf8);
+        let fault = if is_misread { EncodingFault::Misread(encoding) } else { EncodingFault::Lost };
         return Some((fault, TextRange::at(start, TextSize::of(REPLACEMENT))));
     }
     let fault = match mismatch? {
         Mismatch::NotUtf8 => EncodingFault::NotUtf8,
-        Mismatch::NotLatin1 => EncodingFault::NotLatin1,
+        Mismatch::StoredAsUtf8 => EncodingFault::StoredAsUtf8(encoding),
+        Mismatch::Unsupported => EncodingFault::Unsupported(encoding),
     };
     Some((fault, first_foreign(text)))
 }
@@ -279,12 +280,22 @@ mod tests {
         let fault = |text: &str, encoding, mismatch| encoding_fault(text, encoding, mismatch).map(|(fault, _)| fault);
         assert_eq!(fault("café", Encoding::Utf8, None), None);
         assert_eq!(fault("caf\u{fffd}", Encoding::Utf8, None), Some(EncodingFault::Lost));
-        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, None), Some(EncodingFault::Misread));
-        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, Some(Mismatch::NotUtf8)), Some(EncodingFault::Misread));
-        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, Some(Mismatch::NotLatin1)), Some(EncodingFault::Lost));
+        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, None), Some(EncodingFault::Misread(Encoding::Latin1)));
+        assert_eq!(
+            fault("caf\u{fffd}", Encoding::Latin1, Some(Mismatch::NotUtf8)),
+            Some(EncodingFault::Misread(Encoding::Latin1))
+        );
+        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, Some(Mismatch::StoredAsUtf8)), Some(EncodingFault::Lost));
         assert_eq!(fault("café", Encoding::Latin1, None), None);
+        assert_eq!(
+            fault("café", Encoding::Utf8, Some(Mismatch::Unsupported)),
+            Some(EncodingFault::Unsupported(Encoding::Utf8))
+        );
         assert_eq!(fault("café", Encoding::Latin1, Some(Mismatch::NotUtf8)), Some(EncodingFault::NotUtf8));
-        assert_eq!(fault("cafÃ©", Encoding::Latin1, Some(Mismatch::NotLatin1)), Some(EncodingFault::NotLatin1));
+        assert_eq!(
+            fault("cafÃ©", Encoding::Latin1, Some(Mismatch::StoredAsUtf8)),
+            Some(EncodingFault::StoredAsUtf8(Encoding::Latin1))
+        );
     }
 
     #[test]

@@ -66,6 +66,7 @@ impl Inference {
 pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     let body = body(db, file);
     let mut infer = Infer {
+        file,
         body,
         scope: NameResolver::new(db, project, file),
         table: TypeTable::new(body.len()),
@@ -85,6 +86,7 @@ pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
 
 /// State of the walk over the expressions in a body.
 struct Infer<'db> {
+    file: File,
     body: &'db Body,
     scope: NameResolver<'db>,
     table: TypeTable,

@@ -15,6 +15,7 @@ pub mod db;
 pub mod effects;
 mod file_check;
 pub mod flow;
+pub mod guards;
 pub mod header_check;
 pub mod infer;
 pub mod interfaces;

@@ -10,6 +10,7 @@ pub use modbus_table_fault::ModbusTableFault;
 pub use page_fault::PageFault;
 
 use smol_str::SmolStr;
+use val3_syntax::encoding::Encoding;
 
 use crate::db::FileRange;
 
@@ -107,12 +108,14 @@ impl ProblemKind {
 /// A fault in the encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum EncodingFault {
-    /// The file is neither UTF-8 nor declared as ISO-8859-1.
+    /// The file is neither UTF-8 nor declared as another encoding.
     NotUtf8,
-    /// The file is declared as ISO-8859-1 but stored as UTF-8.
-    NotLatin1,
-    /// The file is ISO-8859-1, and an editor has read it in an encoding without its characters.
-    Misread,
+    /// The file is declared as this encoding but stored as UTF-8.
+    StoredAsUtf8(Encoding),
+    /// The file declares an encoding that is not supported, and was read in this encoding.
+    Unsupported(Encoding),
+    /// The file is in this encoding, and an editor has read it in an encoding without its characters.
+    Misread(Encoding),
     /// A character was replaced when the file was saved.
     Lost,
 }

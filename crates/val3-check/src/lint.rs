@@ -46,5 +46,7 @@ pub(crate) use motion::{ArmActivity, MotionFacts};
 pub(crate) use planned_moves::{ImpossibleMove, UnreachablePath};
 pub(crate) use program::ProgramView;
 pub(crate) use project::{DataFile, ProjectView, is_library};
-pub(crate) use reachability::{ArmReach, FlangeTool, of_project as arm_of_project, range as range_of};
+pub(crate) use reachability::{
+    ArmReach, FlangeTool, of_project as arm_of_project, position as position_of, range as range_of,
+};
 pub(crate) use run::{data, member, program, project, versions};

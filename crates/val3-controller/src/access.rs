@@ -154,6 +154,11 @@ impl AccessError {
         is_lost || self.is_closed()
     }
 
+    /// Whether a transfer was interrupted, so that an unknown number of replies may follow.
+    pub(crate) fn interrupts_transfer(&self) -> bool {
+        matches!(self.reason, AccessFault::TooLarge(_))
+    }
+
     /// Whether only this file or folder cannot be read, so that others can.
     pub(crate) fn is_of_one_entry(&self) -> bool {
         let is_denied = matches!(self.reason, AccessFault::Rejected { code: 450 | 550..=553, .. });

@@ -94,7 +94,8 @@ impl FtpFiles {
         format!("{}/{}", self.address.base, path.as_str())
     }
 
-    /// Executes commands. After an error of the connection, no further command is sent.
+    /// Executes commands. After an error of the connection, no further command is sent. After an interrupted transfer,
+    /// the next command is sent on a new connection: servers send one or two replies, at any time.
     fn execute<T>(
         &mut self,
         step: impl FnOnce() -> String,
@@ -104,13 +105,16 @@ impl FtpFiles {
             None => Err(AccessFault::Connection("it was lost before".to_owned())),
             Some(connection) => commands(connection),
         };
-        result.map_err(|reason| {
-            let error = AccessError { step: step(), place: self.place.clone(), reason };
-            if error.ends_connection() {
-                self.connection = None;
-            }
-            error
-        })
+        let error = match result {
+            Ok(result) => return Ok(result),
+            Err(reason) => AccessError { step: step(), place: self.place.clone(), reason },
+        };
+        if error.ends_connection() {
+            self.connection = None;
+        } else if error.interrupts_transfer() {
+            self.reconnect()?;
+        }
+        Err(error)
     }
 
     /// Executes commands that only read. If the server has closed the connection, for example because it was idle during
@@ -134,6 +138,14 @@ impl FtpFiles {
         result
     }
 
+    /// Ends the session, if there is one. Errors do not matter, because no further command is sent.
+    fn quit(&mut self) {
+        if let Some(mut connection) = self.connection.take() {
+            let _ = connection.client.get_ref().set_read_timeout(Some(Duration::from_secs(1)));
+            let _ = connection.client.quit();
+        }
+    }
+
     /// Executes one command with one path.
     fn on_path(
         &mut self,
@@ -149,13 +161,10 @@ impl FtpFiles {
     }
 }
 
-/// Ends the session, because small systems allow few. Errors do not matter, because no command is pending.
+/// Ends the session, because small systems allow few.
 impl Drop for FtpFiles {
     fn drop(&mut self) {
-        if let Some(mut connection) = self.connection.take() {
-            let _ = connection.client.get_ref().set_read_timeout(Some(Duration::from_secs(1)));
-            let _ = connection.client.quit();
-        }
+        self.quit();
     }
 }
 
@@ -203,7 +212,7 @@ impl ControllerFiles for FtpFiles {
     }
 
     fn reconnect(&mut self) -> Result<(), AccessError> {
-        self.connection = None;
+        self.quit();
         let connected = connect(&self.address, &self.password.0, self.settings, self.timeouts);
         let mut connection = connected.map_err(|failure| access_error(failure, &self.place))?;
         let listing = ListingCommand::of_server(&mut connection.client);

@@ -44,7 +44,7 @@ pub use project::{ControllerProject, ProjectState};
 pub use pull::{ConflictVersions, MergeConflict, PullDecisions, PullRequest, PullResult, pull};
 pub use push::{
     FailureOutcome, LockOwner, PlannedChange, PushFailure, PushPlan, PushRequest, RecoveredPush, RecoveryOutcome,
-    affected_projects, push, recover, remove_new_tree, write_new_tree,
+    WrittenTree, affected_projects, push, recover,
 };
 pub use rules::{LOG_FOLDER, is_protected};
 pub use scan::{

@@ -83,6 +83,11 @@ impl ControllerPath {
         all.iter().filter(|path| !is_inner(path)).cloned().collect()
     }
 
+    /// Path for comparisons in any letter case.
+    pub(crate) fn in_lower_case(&self) -> Self {
+        Self(self.0.to_lowercase())
+    }
+
     /// Name of the application folder that contains the file or folder. `None` outside of `usr/usrapp`, and for a file
     /// directly in this folder.
     #[must_use]

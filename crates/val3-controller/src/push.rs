@@ -14,7 +14,7 @@ mod removals;
 mod transfer;
 
 pub use self::lock::LockOwner;
-pub use self::new_tree::{affected_projects, remove_new_tree, write_new_tree};
+pub use self::new_tree::{WrittenTree, affected_projects};
 pub use self::plan::{PlannedChange, PushPlan};
 pub use self::recovery::{RecoveredPush, RecoveryOutcome, recover};
 pub use self::transfer::{FailureOutcome, PushFailure, PushRequest, push};

@@ -48,6 +48,7 @@ impl Debugger {
         let first = self.first_moment().ok_or(RestartFault::NoPast)?;
         let present = Moment::of(&self.controller);
         let calls = self.controller.vm.fragments_below(task, entered);
+        let contacts = self.contacts.clone();
         if self.has_just_entered(task, entered) {
             return Ok(Stop::Step { task });
         }
@@ -74,6 +75,7 @@ impl Debugger {
             return Ok(if stop == Stop::Beginning { Stop::Step { task } } else { stop });
         }
         self.go_to(present);
+        self.contacts = contacts;
         Err(RestartFault::OutOfReach)
     }
 
@@ -85,5 +87,30 @@ impl Debugger {
     /// Whether the task has this number of stack frames, and is before the first line of the innermost program.
     fn has_just_entered(&self, task: TaskNumber, frames: usize) -> bool {
         self.frame_count(task) == Some(frames) && self.controller.vm.begins_program(task)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_tests::running::Running;
+
+    use super::*;
+    use crate::contacts::Contact;
+    use crate::debugger::AdvanceResult;
+    use crate::history::PastLimits;
+
+    #[test]
+    fn a_contact_stops_the_run_also_after_a_restart_that_is_out_of_reach() {
+        let listing = "num nCount\nprogram start()\nbegin\n  while true\n    nCount=nCount+1\n  endWhile\nend\n";
+        let mut debugger = Debugger::new(Running::start(listing).controller);
+        debugger.advance();
+        debugger.record(PastLimits::default());
+        debugger.advance();
+        let names = ["rod", "wall"].map(str::to_owned);
+        let contacts = vec![Contact { names, depth: 1.0, at_start: false, of: None }];
+        debugger.contacts.clone_from(&contacts);
+        let task = debugger.controller.vm.tasks()[0].id;
+        assert_eq!(debugger.restart_frame(task, 0), Err(RestartFault::OutOfReach));
+        assert_eq!(debugger.advance(), AdvanceResult::Stopped(Stop::Contacts(contacts)));
     }
 }

@@ -63,15 +63,23 @@ pub struct DataWrites {
 pub struct WriteLimits {
     /// Largest number of writes.
     pub writes: usize,
-    /// Number of replayed lines after which no further part of the history is replayed.
+    /// Number of replayed lines after which no further part of the history is replayed. A part with more than
+    /// [`LINES_FACTOR`] times this number is abandoned, because the time between two snapshots can be long.
     pub lines: u64,
 }
+
+/// Number of lines in one part of the history, as a multiple of [`WriteLimits::lines`].
+const LINES_FACTOR: u64 = 5;
 
 impl WriteLimits {
     /// Limits only the number of writes.
     #[must_use]
     pub const fn writes(writes: usize) -> Self {
         Self { writes, lines: u64::MAX }
+    }
+
+    const fn lines_in_part(self) -> u64 {
+        self.lines.saturating_mul(LINES_FACTOR)
     }
 }
 
@@ -138,14 +146,21 @@ impl Debugger {
         let initial = Some(InitialValue::new(present.time, &later));
         let mut all = DataWrites { initial, form, since: present.time, ..DataWrites::default() };
         let mut end = present;
-        while all.writes.len() <= count
+        'parts: while all.writes.len() <= count
             && let Some(start) = self.restore_earlier(end)
         {
             let first = self.present(data);
             let mut part = PartWrites::new(start.time, &first, count + 1, all.form.take());
             part.keep_names(&self.controller.vm);
             self.watch_return(data);
+            let mut lines_in_part = 0_u64;
             while let Some(task) = self.replay_line(end) {
+                lines_in_part += 1;
+                if lines_in_part > limits.lines_in_part() {
+                    // The last writes of the part are unknown, so the earlier ones are no result.
+                    (all.initial, all.form) = (None, part.form);
+                    break 'parts;
+                }
                 part.follow(self, data, task);
                 lines_left = lines_left.saturating_sub(1);
                 let searched = (present.time - end.time) + (self.controller.now() - start.time);
@@ -296,5 +311,30 @@ mod tests {
         let found = debugger.writes(&count, WriteLimits::writes(9), &mut |_| ControlFlow::Continue(())).unwrap();
         assert!(!found.writes.is_empty());
         assert_eq!(debugger.advance(), AdvanceResult::Stopped(Stop::Contacts(contacts)));
+    }
+
+    #[test]
+    fn a_part_of_the_history_with_too_many_lines_is_abandoned() {
+        let listing = "num nCount\nprogram start()\nbegin\n  while true\n    nCount=nCount+1\n  endWhile\nend\n";
+        let mut debugger = Debugger::new(Running::start(listing).controller);
+        debugger.record(PastLimits::default());
+        for _ in 0..5 {
+            debugger.advance();
+        }
+        let (now, task) = (debugger.controller.now(), debugger.controller.vm.tasks()[0].id);
+        let count = WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), "nCount").unwrap();
+        let mut search = |lines| {
+            let mut replayed = 0;
+            let mut watcher = |_: f64| {
+                replayed += 1;
+                ControlFlow::Continue(())
+            };
+            let found = debugger.writes(&count, WriteLimits { writes: 9, lines }, &mut watcher).unwrap();
+            (found, replayed)
+        };
+        let (found, replayed) = search(2);
+        assert_eq!((found.writes, found.initial, found.since, replayed), (Vec::new(), None, now, 2 * LINES_FACTOR));
+        assert_eq!(search(1_000_000).0.writes.len(), 9);
+        assert_eq!(debugger.controller.now(), now);
     }
 }

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
-use val3_analysis::paths::{file_in, path_key};
+use val3_analysis::paths::{ResolvedPath, Roots, file_in, path_key, project};
 
 use crate::read::project::ProjectVersion;
 use crate::tree::{has_extension, text_of};
@@ -133,6 +133,15 @@ fn add<'t>(application: &mut Application<'t>, file: SourceFile<'t>) {
     let is_program = has_extension(&file.path, &["pgx"]);
     let files = if is_program { &mut application.programs } else { &mut application.data };
     files.insert(key, file);
+}
+
+/// Resolves a reference to a library or user type of the project in `folder`, in lower case. `Disk://` is the folder of applications, which is the root of the tree.
+pub(crate) fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
+    let roots = Roots { disk: Some("/".into()), others: Vec::new() };
+    match project(&Utf8Path::new("/").join(folder), &roots, reference) {
+        ResolvedPath::Path(path) => Some(path_key(path.as_str().trim_start_matches('/'))),
+        ResolvedPath::Elsewhere => None,
+    }
 }
 
 /// Returns files that project files list but that are not in the tree: path of the project file, and reference. A

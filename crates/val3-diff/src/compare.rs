@@ -45,7 +45,9 @@ pub fn compare_with(old: &FileTree, new: &FileTree, layout: BlankComparison) -> 
     let users = users::users(&old, &new);
     let pairs = matched(&old, &new);
     let others = others::compare(trees, &pairs, is_one_cell);
-    let compared = pairs.iter().filter_map(|pair| application::compare(pair, &users, layout, &mut problems)).collect();
+    let trees = [old.as_slice(), new.as_slice()];
+    let compared =
+        pairs.iter().filter_map(|pair| application::compare(pair, trees, &users, layout, &mut problems)).collect();
     let settings = settings::compare(&old_files, &new_files, &mut problems);
     problems.sort();
     problems.dedup();

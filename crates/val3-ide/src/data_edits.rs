@@ -45,12 +45,13 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         }
         done = compose(&done, &new);
     }
-    let is_latin1 = matches!(file.status(db), FileStatus::Read { encoding: Encoding::Latin1, .. });
+    let encoding = match file.status(db) {
+        FileStatus::Read { encoding, .. } => *encoding,
+        FileStatus::Unreadable(_) => Encoding::Utf8,
+    };
     done.retain(|edit| changes(file.text(db), edit));
-    let edits = done.into_iter().map(|edit| {
-        let text = if is_latin1 { with_references(&edit.text) } else { edit.text };
-        FileEdit { file, range: edit.range, text }
-    });
+    let edits =
+        done.into_iter().map(|edit| FileEdit { file, range: edit.range, text: with_references(&edit.text, encoding) });
     Ok(SourceChange::of(edits))
 }
 
@@ -78,13 +79,14 @@ fn without_range(problem: DataProblem, has_place: bool) -> DataProblem {
     DataProblem { range: problem.range.filter(|_| has_place), ..problem }
 }
 
-/// Replaces characters outside ISO-8859-1 by XML character references.
-fn with_references(text: &str) -> String {
+/// Replaces characters outside the encoding by XML character references.
+fn with_references(text: &str, encoding: Encoding) -> String {
     let mut out = String::with_capacity(text.len());
     for character in text.chars() {
-        match u32::from(character) {
-            ..=0xff => out.push(character),
-            code => out.push_str(&format!("&#{code};")),
+        if encoding.supports(character) {
+            out.push(character);
+        } else {
+            out.push_str(&format!("&#{};", u32::from(character)));
         }
     }
     out

@@ -72,7 +72,9 @@ fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, Isometr
 pub(crate) fn outside(arm: &Arm, joints: &Joints) -> Vec<String> {
     let outside = arm.violations(joints);
     outside
-        .map(|found| format!("axis {} is outside its range from {} to {}", found.axis, found.min, found.max))
+        .map(|found| {
+            format!("axis {} is outside its range from {} to {} {}", found.axis, found.min, found.max, found.unit)
+        })
         .collect()
 }
 

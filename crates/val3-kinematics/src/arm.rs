@@ -76,12 +76,14 @@ pub struct Violation {
     pub min: f64,
     /// Highest allowed position.
     pub max: f64,
+    /// Unit of the positions: `degrees` or `mm`.
+    pub unit: &'static str,
 }
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { axis, position, min, max } = self;
-        write!(f, "axis {axis} would be at {position:.3}, outside its range from {min} to {max}")
+        let Self { axis, position, min, max, unit } = self;
+        write!(f, "axis {axis} would be at {position:.3}, outside its range from {min} to {max} {unit}")
     }
 }
 
@@ -206,11 +208,12 @@ impl Arm {
     /// values from 99999 on, leave the type's limit unchanged.
     pub fn with_limits(mut self, min: &[f64], max: &[f64]) -> Result<Self, Violation> {
         let given = |value: Option<&f64>| value.copied().filter(|value| value.abs() < LIMIT_OF_TYPE);
-        for (index, axis) in self.axes.iter_mut().enumerate() {
+        let units = std::array::from_fn::<_, 6, _>(|axis| self.unit(axis));
+        for ((index, axis), unit) in self.axes.iter_mut().enumerate().zip(units) {
             let lower = given(min.get(index)).map_or(axis.min, |min| min.max(axis.min));
             let upper = given(max.get(index)).map_or(axis.max, |max| max.min(axis.max));
             if lower >= upper {
-                return Err(Violation { axis: index + 1, position: lower, min: axis.min, max: axis.max });
+                return Err(Violation { axis: index + 1, position: lower, min: axis.min, max: axis.max, unit });
             }
             (axis.min, axis.max) = (lower, upper);
         }
@@ -291,7 +294,7 @@ impl Arm {
         let axes = joints.iter().zip(&self.axes).enumerate();
         let violations = axes.map(|(index, (&position, &AxisLimits { min, max, .. }))| {
             let inside = min <= position && position <= max;
-            (!inside).then_some(Violation { axis: index + 1, position, min, max })
+            (!inside).then_some(Violation { axis: index + 1, position, min, max, unit: self.unit(index) })
         });
         violations.flatten()
     }

@@ -107,7 +107,7 @@ impl Arm {
             };
             *joint = found.ok_or_else(|| {
                 let position = if self.is_stroke(index) { *joint } else { turns::nearest(*joint, *near) };
-                Unreachable::Limit { axis: index + 1, position, min: axis.min, max: axis.max }
+                Unreachable::Limit { axis: index + 1, position, min: axis.min, max: axis.max, unit: self.unit(index) }
             })?;
         }
         Ok(result)

@@ -32,6 +32,8 @@ pub enum Unreachable {
         min: f64,
         /// Upper limit.
         max: f64,
+        /// Unit of the positions: `degrees` or `mm`.
+        unit: &'static str,
     },
     /// The flange of a SCARA arm would be tilted, but its z axis always points down.
     Tilted {
@@ -67,8 +69,8 @@ impl fmt::Display for Unreachable {
                 f,
                 "the centre of the wrist would be {distance:.1} mm from axis 1, the arm needs at least {radius:.1} mm"
             ),
-            Self::Limit { axis, position, min, max } => {
-                write!(f, "axis {axis} would be at {position:.3}, its limits are {min} and {max}")
+            Self::Limit { axis, position, min, max, unit } => {
+                write!(f, "axis {axis} would be at {position:.3}, its limits are {min} and {max} {unit}")
             }
             Self::Tilted { angle } => {
                 write!(f, "the flange would be tilted by {angle:.3} degrees, this arm keeps it vertical")

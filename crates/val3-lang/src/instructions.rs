@@ -313,6 +313,9 @@ pub const WATCH: &str = "watch";
 /// Waits for a time while other tasks continue; with 0, until their turns are over (5.10).
 pub const DELAY: &str = "delay";
 
+/// Number of characters in a string (3.4.3).
+pub const LEN: &str = "len";
+
 /// Changes its first argument's father, although the manual does not mark it as passed by reference (9.4.4, 9.5.4,
 /// 9.6.3).
 pub const LINK: &str = "link";

@@ -50,8 +50,8 @@ impl Model<'_> {
 
     /// First axis beyond its limit at a position; `None` if all axes are within their limits.
     pub(crate) fn beyond_limit(&self, axes: &Axes) -> Option<Cause> {
-        let Violation { axis, position, min, max } = self.0.violations(&(*axes).into()).next()?;
-        Some(Cause::Unreachable(Unreachable::Limit { axis, position, min, max }))
+        let Violation { axis, position, min, max, unit } = self.0.violations(&(*axes).into()).next()?;
+        Some(Cause::Unreachable(Unreachable::Limit { axis, position, min, max, unit }))
     }
 
     /// First axis that would exceed its limit without its full turn between two neighbouring path positions; `None`

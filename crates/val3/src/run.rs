@@ -17,6 +17,7 @@ mod missing;
 mod motion;
 mod observers;
 mod opening;
+mod output_errors;
 mod outside;
 mod record;
 mod recorded_actions;
@@ -109,8 +110,8 @@ fn run_to_end(mut course: Course<'_>, color: Color) -> Result<u8, UserError> {
     let mut port = args.debug_port.map(|port| open_port(args, port)).transpose()?;
     loop {
         let end = match &mut port {
-            Some(server) => run_attended(&mut course, server, &signals)?,
-            None => course.run(&mut NoDebugger, &signals)?,
+            Some(server) => run_attended(&mut course, server, &signals),
+            None => course.run(&mut NoDebugger, &signals),
         };
         let code = course.exit_code(end);
         let Some(ended) = course.close(end)? else { return Ok(code) };

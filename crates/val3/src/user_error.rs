@@ -24,6 +24,18 @@ impl UserError {
         Self { message: one_line(&message.into()).into_owned(), details: String::new(), help: String::new() }
     }
 
+    /// Joins errors: the first one is followed by the lines of the others. `None` without errors.
+    pub(crate) fn joined(errors: Vec<Self>) -> Option<Self> {
+        let [first, others @ ..] = errors.as_slice() else { return None };
+        if others.is_empty() {
+            return errors.into_iter().next();
+        }
+        let text = first.to_string();
+        let rest = text.split_once('\n').map(|(_, rest)| rest.to_owned());
+        let details: Vec<String> = rest.into_iter().chain(others.iter().map(Self::to_string)).collect();
+        Some(Self { message: first.message.clone(), details: details.join("\n"), help: String::new() })
+    }
+
     /// Problem and location, in one line.
     pub(crate) fn message(&self) -> &str {
         &self.message
@@ -62,3 +74,18 @@ impl Display for UserError {
 }
 
 impl std::error::Error for UserError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn joined_errors_keep_their_remedies() {
+        let errors = ["a", "b", "c"].map(UserError::new);
+        let [a, b, c] = errors;
+        assert_eq!(UserError::joined(vec![]), None);
+        assert_eq!(UserError::joined(vec![a.clone()]), Some(a.clone()));
+        let joined = UserError::joined(vec![a.with_help("free space"), b.with_details("line"), c]).unwrap();
+        assert_eq!(joined.to_string(), "error: a\n  help: free space\nerror: b\nline\nerror: c");
+    }
+}

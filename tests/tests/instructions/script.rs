@@ -64,7 +64,7 @@ fn impossible_entries_are_logged() {
             {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: `nCount` is of type num and does not take this value"}
             {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: there is no variable `nCount[7]`"}
             {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: there is no variable `nNothing`"}
-            {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: jog: axis 3 would be at 190.000, outside its range from -145 to 145"}
+            {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: jog: axis 3 would be at 190.000, outside its range from -145 to 145 degrees"}
         "#]],
     );
 }

@@ -62,7 +62,8 @@ impl Body {
     }
 }
 
-fn unary(op: UnaryOp, operand: Constant) -> Option<Constant> {
+/// Applies a unary operator.
+pub(crate) fn unary(op: UnaryOp, operand: Constant) -> Option<Constant> {
     match (op, operand) {
         (UnaryOp::Negate, Constant::Number(value)) => Some(Constant::Number(-value)),
         (UnaryOp::Not, Constant::Bool(value)) => Some(Constant::Bool(!value)),
@@ -70,7 +71,8 @@ fn unary(op: UnaryOp, operand: Constant) -> Option<Constant> {
     }
 }
 
-fn binary(op: BinaryOp, left: Constant, right: Constant) -> Option<Constant> {
+/// Applies a binary operator.
+pub(crate) fn binary(op: BinaryOp, left: Constant, right: Constant) -> Option<Constant> {
     match (left, right) {
         (Constant::Number(left), Constant::Number(right)) => numbers(op, left, right),
         (Constant::String(left), Constant::String(right)) => strings(op, &left, &right),

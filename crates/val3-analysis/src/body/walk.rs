@@ -31,13 +31,12 @@ impl StmtKind {
 
 #[cfg(test)]
 mod tests {
-
     use super::*;
-    use crate::body::lower::lower;
+    use crate::body::lower_text;
 
     fn body(code: &str) -> Body {
         let program = format!("<Program name=\"a\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program>");
-        lower(val3_syntax::parse(&format!("<Programs>{program}</Programs>")).view())
+        lower_text(&format!("<Programs>{program}</Programs>"))
     }
 
     #[test]

@@ -7,11 +7,13 @@ use val3_lang::types::{BaseType, Container};
 use super::Infer;
 use super::value::{DeclaredVariable, Form, InferredValue, VariableOrigin};
 use crate::body::ExprId;
+use crate::guards::{FixedArray, guards};
 use crate::problem::{ProblemKind, RelatedRole};
 use crate::ty::Base;
 
 /// A dimension of an array variable.
 struct ArrayDimension<'v> {
+    array: ExprId,
     variable: &'v DeclaredVariable,
     /// Name of the variable as written.
     name: &'v SmolStr,
@@ -67,20 +69,27 @@ impl Infer<'_> {
             if !found.same_as(Base::of(BaseType::Num)) {
                 self.wrong_index(index, &name, "num", found);
             } else if let Some(number) = self.body.number(index) {
-                self.bounds(index, number, ArrayDimension { variable, name: &name, position });
+                self.bounds(index, number, ArrayDimension { array: base, variable, name: &name, position });
             }
         }
     }
 
     /// Checks a constant index. A negative index is always wrong, an index above the size only if the size cannot
-    /// change. Neither is wrong if the value may be absent, as for `isDefined`.
+    /// change. Neither is wrong if the value may be absent, as for `isDefined`, or if the line is never executed. An
+    /// index above the size is not wrong after a condition that tests the size.
     fn bounds(&mut self, id: ExprId, number: f64, dimension: ArrayDimension<'_>) {
-        let ArrayDimension { variable, name, position } = dimension;
+        let ArrayDimension { array, variable, name, position } = dimension;
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
-        let size = self.scope.sizes(variable, name).and_then(|sizes| sizes.get(position)).copied();
+        let sizes = self.scope.sizes(variable, name).unwrap_or(&[]);
+        let size = sizes.get(position).copied();
         let is_outside = index < 0 || size.is_some_and(|size| index >= i64::from(size));
         if self.may_be_absent || !is_outside {
+            return;
+        }
+        let guards = guards(self.scope.db(), self.file);
+        let is_protected = index >= 0 && guards.protect(self.body, id, FixedArray { array, sizes });
+        if is_protected || guards.is_never_evaluated(id) {
             return;
         }
         let size = size.map_or(0, |size| size as usize);

@@ -2,16 +2,17 @@
 
 use crate::db::FileRange;
 use smallvec::SmallVec;
-use smol_str::SmolStr;
+use smol_str::{SmolStr, format_smolstr};
 use val3_lang::instruction::ArgumentForm;
-use val3_lang::types::Arm;
+use val3_lang::instructions::{self, LEN};
+use val3_lang::types::{Arm, Container};
 
 use super::Infer;
 use super::fit::{Argument, Formal, Formals, Misfit, misfit};
-use super::value::InferredValue;
+use super::value::{DeclaredVariable, Form, InferredValue};
 use crate::body::{Expr, ExprId};
 use crate::problem::{ProblemKind, RelatedRole};
-use crate::ty::Base;
+use crate::ty::{Base, brackets};
 
 /// A callee with all its forms.
 pub(super) struct Callee<'a> {
@@ -178,7 +179,8 @@ impl Infer<'_> {
                 ProblemKind::ArgumentType { callee: name, parameter, expected: vec![expected], found }
             }
             Misfit::Type
-                if miss.formal.shape == ArgumentForm::Value || miss.formal.shape == ArgumentForm::Reference =>
+                if (miss.formal.shape == ArgumentForm::Value || miss.formal.shape == ArgumentForm::Reference)
+                    && !is_counted(argument, &name) =>
             {
                 ProblemKind::ArgumentType { callee: name, parameter, expected, found: base }
             }
@@ -195,10 +197,28 @@ impl Infer<'_> {
                 let expected = expected.first().cloned().unwrap_or_default();
                 ProblemKind::ContainerMismatch { callee: name, parameter, expected, found }
             }
+            Misfit::IndexMissing if changes_one_dimension(argument, miss, &name) => {
+                let expected = format_smolstr!("{base}{}", brackets(Container::Array { dims: 1 }));
+                ProblemKind::ContainerMismatch { callee: name, parameter, expected, found }
+            }
             Misfit::IndexMissing => ProblemKind::IndexMissing { name: text, ty: found },
             Misfit::IndexNotAllowed => ProblemKind::IndexNotAllowed { name: text, ty: found, callee: Some(name) },
         }
     }
+}
+
+/// Whether the argument is an array of several dimensions, for an instruction that only changes the size of arrays with
+/// one dimension. An index would not help.
+fn changes_one_dimension(argument: &Argument, miss: MismatchedArgument<'_>, callee: &str) -> bool {
+    miss.formal.shape == ArgumentForm::Slot
+        && matches!(argument.value.container(), Container::Array { dims: 2.. })
+        && instructions::resizes(callee)
+}
+
+/// Whether the argument is an array whose number of elements is probably meant: `len` measures a string.
+fn is_counted(argument: &Argument, callee: &str) -> bool {
+    let is_array = |variable: &DeclaredVariable| matches!(variable.container, Container::Array { .. });
+    callee == LEN && matches!(&argument.value.form, Form::Whole(variable) if is_array(variable) && !variable.single)
 }
 
 /// Returns the first argument that does not match `form`.

@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 use val3_lang::operators;
-use val3_lang::types::BaseType;
+use val3_lang::types::{BaseType, Container};
 
 use super::Infer;
 use crate::body::{Expr, ExprId, Stmt, StmtKind};
@@ -37,7 +37,11 @@ fn walk_stmt(infer: &mut Infer<'_>, stmt: &Stmt) {
         StmtKind::Call(call) => infer.call_stmt(*call),
         StmtKind::TaskCreate { synchronous, arguments } => infer.task_create(stmt.range, *synchronous, arguments),
         StmtKind::Print(value) => {
-            infer.expr(*value);
+            let shown = infer.expr(*value);
+            // The first element of an array is shown. A collection has none without a key.
+            if shown.container() == Container::Collection {
+                infer.index_missing(*value, &shown);
+            }
         }
         StmtKind::Assign { target, value } => {
             infer.assign(*target, *value);

@@ -134,6 +134,90 @@ fn constant_indexes() {
 }
 
 #[test]
+fn a_container_without_its_index_is_reported_for_its_purpose() {
+    let listing = r#"
+        num nA
+        num n1[3]
+        num n2[2,3]
+        num nC["a"]
+        nA=len(n1)
+        nA=len(nA)
+        delete(n2)
+        delete(n1)
+        delete(nC)
+        ? n2
+        ? nC
+        ? n1
+    "#;
+    expect![[r#"
+        main/start.pgx:5 `n1` ArgumentType { callee: "len", parameter: "sText", expected: ["string"], found: "num[]" }
+        main/start.pgx:6 `nA` ArgumentType { callee: "len", parameter: "sText", expected: ["string"], found: "num" }
+        main/start.pgx:7 `n2` ContainerMismatch { callee: "delete", parameter: "variable", expected: "num[]", found: "num[,]" }
+        main/start.pgx:9 `nC` IndexMissing { name: "nC", ty: "num[\"\"]" }
+        main/start.pgx:11 `nC` IndexMissing { name: "nC", ty: "num[\"\"]" }
+            Declared main/main.dtx:7 `nC`
+    "#]]
+    .assert_eq(&faults(listing));
+}
+
+/// Number of faults for lines that read the element 5 or 2 of arrays with three and two elements.
+fn index_faults(code: &str) -> usize {
+    let listing = format!(
+        "num nA\nnum nFew[3]\nnum nGrid[2,2]\nnum nLast\nbool bA\n\nprogram start()\n  num l_n[2]\nbegin\n{code}\nend"
+    );
+    faults(&listing).matches("IndexOutOfBounds").count()
+}
+
+#[test]
+fn an_index_after_a_test_of_the_size_is_no_fault() {
+    for code in [
+        "if size(nFew)>5\nnA=nFew[5]\nendIf",
+        "if size(nFew)>nA\nnA=nFew[5]\nendIf",
+        "if nA>1 and (bA or size(nFew)>=nA)\nif bA\nnA=nFew[5]\nendIf\nendIf",
+        "if nA==1\nelseIf size(nFew)<nA\nelse\nnA=nFew[5]\nendIf",
+        "if size(nFew)<=nA\nreturn\nendIf\nnA=nFew[5]",
+        "if bA and size(nFew)>5 and nFew[5]==1\nendIf",
+        "if size(nFew)<=5 or nFew[5]==1\nendIf",
+        "while size(nFew)>nA\nnA=nFew[5]\nendWhile",
+        "for nA=6 to size(nFew)-1\nnFew[5]=nFew[nA]\nendFor",
+        "for nA=0 to size(nFew)-1\nif nA==5\nnFew[5]=1\nendIf\nendFor",
+        "switch size(nFew)\ncase 6\nnFew[5]=1\nbreak\nendSwitch",
+        "switch size(nFew)\ncase 3\nbreak\ndefault\nnFew[5]=1\nbreak\nendSwitch",
+        "if isDefined(nFew[5])\nnA=nFew[5]\nendIf",
+        "if size(nGrid,1)>2\nnA=nGrid[2,0]\nendIf",
+        "if size(l_n)>2\nnA=l_n[2]\nendIf",
+        "nLast=size(nFew)-1\nnA=nLast\nif nA>=5\nnA=nFew[5]\nendIf",
+        "bA=isDefined(nFew[5])\nif bA\nnA=nFew[5]\nendIf",
+        "if false\nnA=nFew[5]+nFew[-1]\nendIf",
+        "if false and nFew[5]==1\nendIf",
+        "return\nnA=nFew[5]",
+    ] {
+        assert_eq!(index_faults(code), 0, "{code}");
+    }
+}
+
+#[test]
+fn an_index_after_another_condition_is_a_fault() {
+    for code in [
+        "nA=nFew[5]",
+        "if bA\nnA=nFew[5]\nendIf",
+        "if nFew[0]>1 and abs(nFew[1])>2\nnA=nFew[5]\nendIf",
+        "if size(nFew)>2\nnA=nFew[5]\nendIf",
+        "if size(nFew)>2 and nFew[5]==1\nendIf",
+        "if nFew[5]==1 and size(nFew)>5\nendIf",
+        "if size(nGrid)>nA\nnA=nFew[5]\nendIf",
+        "if size(nFew)>5\nnA=1\nendIf\nnA=nFew[5]",
+        "if size(nFew)<=nA\nlogMsg(\"short\")\nendIf\nnA=nFew[5]",
+        "if size(nFew)>nA\nnA=nFew[-1]\nendIf",
+        "if false\nelse\nnA=nFew[5]\nendIf",
+        "while bA\nnA=nFew[5]\nendWhile",
+        "do\nnA=nFew[5]\nuntil size(nFew)>nA",
+    ] {
+        assert_eq!(index_faults(code), 1, "{code}");
+    }
+}
+
+#[test]
 fn constants() {
     let expressions = [
         "1+2*3",

@@ -7,6 +7,7 @@ use val3_analysis::body::{Body, Expr, ExprId, Stmt, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::Effects;
 use val3_analysis::flow::{FlowGraph, PerPoint, flow};
+use val3_analysis::guards::{Guards, guards};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
@@ -76,6 +77,11 @@ impl<'db> ProgramView<'db> {
     /// Control-flow graph.
     pub(crate) fn flow(&self) -> &'db FlowGraph {
         flow(self.db, self.file)
+    }
+
+    /// Conditions under which expressions are evaluated.
+    pub(crate) fn guards(&self) -> &'db Guards {
+        guards(self.db, self.file)
     }
 
     /// Accesses to local variables at each flow node.

@@ -1,6 +1,7 @@
 //! An application's arm, and the positions that it can reach.
 
 use std::cell::RefCell;
+use std::fmt::Display;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -42,8 +43,12 @@ pub(crate) fn of_project(db: &dyn Db, project: Project) -> Option<&ProjectArm> {
 
 /// Describes an axis range; axes count from 1.
 pub(crate) fn range(arm: &Arm, axis: usize, [min, max]: [f64; 2]) -> String {
-    let unit = if arm.is_stroke(axis.saturating_sub(1)) { "mm" } else { "degrees" };
-    format!("{min} to {max} {unit}")
+    format!("{min} to {max} {}", arm.unit(axis.saturating_sub(1)))
+}
+
+/// Formats the position of an axis (from 1), with the unit of a length, which data files may contain in inches.
+pub(crate) fn position(arm: &Arm, axis: usize, position: impl Display) -> String {
+    if arm.is_stroke(axis.saturating_sub(1)) { format!("{position} mm") } else { position.to_string() }
 }
 
 /// Reachability of positions in data files.

@@ -4,8 +4,8 @@ use val3_analysis::db::{Db, File, Project};
 
 use super::{DataFile, Findings, ProgramView, ProjectView};
 use crate::diagnostic::Diagnostic;
-use crate::rule::Lint;
-use crate::rules::{self, instruction_version, other_version};
+use crate::rule::{Lint, Rule, Severity};
+use crate::rules::{self, instruction_version, other_version, overrun_not_global, task_local_by_reference};
 use crate::settings::Settings;
 
 type ProgramLint = fn(&ProgramView<'_>, &mut Findings);
@@ -28,7 +28,23 @@ fn of_program(
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
     wanted(settings, kind).for_each(|check| check(program, &mut found));
-    found.into_diagnostics()
+    let mut diagnostics = found.into_diagnostics();
+    remove_errors_of_skipped_lines(program, &mut diagnostics);
+    diagnostics
+}
+
+/// Lints whose errors are reported by the controller's compiler, and therefore also in lines that are never executed.
+const REJECTED: [&Rule; 2] = [&overrun_not_global::RULE, &task_local_by_reference::RULE];
+
+/// Removes run-time errors in lines that constant conditions or a `return` keep from being executed, such as the block
+/// of `if false`.
+fn remove_errors_of_skipped_lines(program: &ProgramView<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    let is_runtime_error = |found: &Diagnostic| found.severity == Severity::Error && !REJECTED.contains(&found.rule);
+    if diagnostics.iter().any(is_runtime_error) {
+        let skipped: Vec<_> = program.guards().never_evaluated(program.body).collect();
+        let is_skipped = |range| skipped.iter().any(|skipped| skipped.contains_range(range));
+        diagnostics.retain(|found| !(is_runtime_error(found) && is_skipped(found.place.range)));
+    }
 }
 
 /// Instructions of a program that its declared version, or the version to which it is moved, does not have. They are

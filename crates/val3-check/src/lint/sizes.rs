@@ -2,13 +2,15 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::effects::RootVariable;
+use val3_analysis::guards::FixedArray;
 use val3_analysis::resizing::is_resized;
 
 use super::ProgramView;
 
 impl ProgramView<'_> {
     /// Number of elements in a one-dimensional array, from a constant index on, if it is certain: for a local array, or
-    /// for private data whose size the application never changes.
+    /// for private data whose size the application never changes. `None` in a line that another size may skip, because
+    /// a condition before it tests the size.
     pub(crate) fn certain_size(&self, id: ExprId) -> Option<u32> {
         let (array, start) = match self.body.expr(id) {
             Expr::Index(array, index) => match **index {
@@ -18,6 +20,9 @@ impl ProgramView<'_> {
             _ => (id, 0.0),
         };
         let size = self.declared_size(array)?;
+        if self.guards().protect(self.body, id, FixedArray { array, sizes: &[size] }) {
+            return None;
+        }
         Some(size.saturating_sub(start.round() as u32))
     }
 

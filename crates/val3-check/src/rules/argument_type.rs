@@ -1,12 +1,12 @@
 //! V0203: an argument of the wrong type.
 
 use smol_str::SmolStr;
-use val3_lang::instructions::{DELAY, WAIT};
+use val3_lang::instructions::{DELAY, LEN, SIZE, WAIT};
 
 use crate::{
     conversion,
     diagnostic::Wording,
-    english::{a, or},
+    english::{a, container, or},
     rule::rule,
 };
 
@@ -47,6 +47,13 @@ pub(crate) fn word(callee: &str, parameter: &str, expected: &[SmolStr], found: &
             format!("`{DELAY}(nSeconds)` waits for a time"),
         );
     }
+    if callee == LEN && found.contains('[') {
+        return Wording::new(
+            format!("`{callee}` takes {} as `{parameter}`, not {} (`{found}`)", or(&types), container(found)),
+            format!("this is {}", container(found)),
+            format!("`{SIZE}(…)` returns the number of elements"),
+        );
+    }
     let mut advice = expected.iter().map(|wanted| conversion::advice(found, wanted));
     Wording::new(
         format!("`{callee}` takes {} as `{parameter}`, not {}", or(&types), a(found)),
@@ -69,6 +76,16 @@ mod tests {
             ? append `.trsf` to get its transformation
         "#]]
         .assert_eq(&word("appro", "trTransformation", &["trsf".into()], "point").to_string());
+    }
+
+    #[test]
+    fn the_number_of_elements_is_suggested_for_an_array() {
+        expect![[r#"
+            `len` takes a `string` as `sText`, not a one-dimensional array (`num[]`)
+            | this is a one-dimensional array
+            ? `size(…)` returns the number of elements
+        "#]]
+        .assert_eq(&word("len", "sText", &["string".into()], "num[]").to_string());
     }
 
     #[test]

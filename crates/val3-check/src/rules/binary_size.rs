@@ -124,6 +124,16 @@ mod tests {
     }
 
     #[test]
+    fn a_call_after_a_test_of_the_size_is_not_reported() {
+        let listing =
+            |condition: &str| format!("num nA[6]\nnum nB[8]\nnum n\nif {condition}\ntoBinary(nA,2,\"8.0b\",nB)\nendIf");
+        assert_eq!(check(&RULE, &listing("size(nB)>=2*n")), "");
+        assert_eq!(check(&RULE, &listing("size(nB)>=16")), "");
+        assert_eq!(levels(&RULE, &listing("size(nA)>=n")), [Severity::Error]);
+        assert_eq!(levels(&RULE, &listing("size(nB)>=8")), [Severity::Error]);
+    }
+
+    #[test]
     fn to_binary_encodes_what_exists_from_s8_on() {
         let listing = |version: &str| format!("version {version}\nnum nA\nnum nB[4]\ntoBinary(nA,2,\"2l\",nB)");
         assert_eq!(levels(&RULE, &listing("s7.11")), [Severity::Error]);

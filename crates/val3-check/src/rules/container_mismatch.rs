@@ -1,5 +1,7 @@
 //! V0206: an array or collection where another container is needed.
 
+use val3_lang::instructions;
+
 use crate::{diagnostic::Wording, english::container, rule::rule};
 
 rule! {
@@ -43,12 +45,15 @@ pub(crate) fn word(callee: &str, parameter: &str, expected: &str, found: &str) -
     Wording::new(
         format!("`{callee}` takes {takes} (`{expected}`) as `{parameter}`, not {got} (`{found}`)"),
         format!("this is {got}"),
-        advice(expected, found),
+        advice(callee, expected, found),
     )
 }
 
 /// Advice for the usual mistakes.
-fn advice(expected: &str, found: &str) -> &'static str {
+fn advice(callee: &str, expected: &str, found: &str) -> &'static str {
+    if instructions::resizes(callee) {
+        return "use `resize`, which changes arrays of all dimensions";
+    }
     match (expected.contains('['), found.contains('[')) {
         (true, false) => "pass a whole array or collection, without an index or key",
         (false, true) => "pass one element, with its index or key",
@@ -69,6 +74,16 @@ mod tests {
             | this is a collection
         "#]]
         .assert_eq(&word("clear", "x_nList", "num[]", "num[\"\"]").to_string());
+    }
+
+    #[test]
+    fn only_one_instruction_changes_arrays_of_several_dimensions() {
+        expect![[r#"
+            `delete` takes a one-dimensional array (`num[]`) as `variable`, not a two-dimensional array (`num[,]`)
+            | this is a two-dimensional array
+            ? use `resize`, which changes arrays of all dimensions
+        "#]]
+        .assert_eq(&word("delete", "variable", "num[]", "num[,]").to_string());
     }
 
     #[test]

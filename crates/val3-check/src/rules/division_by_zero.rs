@@ -66,4 +66,14 @@ mod tests {
     fn other_divisors_are_not_reported() {
         assert_eq!(check(&RULE, "num n\nn=1/n\nn=0/2\nn=n%0.5"), "");
     }
+
+    #[test]
+    fn a_division_that_is_never_executed_is_not_reported() {
+        assert_eq!(
+            check(&RULE, "num n\nif false\nn=1/0\nendIf\nif n>1 and (false and 1/0==n)\nendIf\nreturn\nn=1/0"),
+            ""
+        );
+        assert_ne!(check(&RULE, "num n\nif n>1\nn=1/0\nendIf"), "");
+        assert_ne!(check(&RULE, "num n\nif true\nn=1/0\nendIf"), "");
+    }
 }

@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn paths_that_the_arm_cannot_follow_are_reported() {
         expect![[r#"
-            start.pgx:6 `pX[1]` the TX2-90 cannot move straight from `jX` to `pX[1]`: axis 6 would be at 270.045, its limits are -270 and 270
+            start.pgx:6 `pX[1]` the TX2-90 cannot move straight from `jX` to `pX[1]`: axis 6 would be at 270.045, its limits are -270 and 270 degrees
               | an axis leaves its range
               ? use a joint move, or turn the tool to keep away from the limit
               > start.pgx:5 `jX` the arm starts here

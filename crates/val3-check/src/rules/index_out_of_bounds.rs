@@ -8,7 +8,8 @@ rule! {
     /// ## Why
     /// The first element of an array has the index 0, and the last one its size less 1 (2.5.3). An index below 0 stops
     /// the task with run-time error 21, one that is too large with error 20. The rule examines constant indexes of
-    /// arrays whose size never changes.
+    /// arrays whose size never changes. A line that is only executed if `size` or `isDefined` finds the element is not
+    /// reported, nor is a line that is never executed, such as the block of `if false`.
     ///
     /// ## Bad
     /// ```val3

@@ -8,7 +8,7 @@ use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::english::and;
-use crate::lint::{ArmReach, DataFile, Findings, range_of};
+use crate::lint::{ArmReach, DataFile, Findings, position_of, range_of};
 use crate::rule::rule;
 
 rule! {
@@ -78,8 +78,10 @@ fn joint(value: &PositionElement<'_>, data: &DataFile<'_>, reach: &ArmReach<'_>,
 
 fn word(path: &str, arm: &Arm, violations: &[Violation]) -> Wording {
     let path = shown(path);
-    let axes: Vec<String> =
-        violations.iter().map(|violation| format!("axis {} at {}", violation.axis, violation.position)).collect();
+    let axes: Vec<String> = violations
+        .iter()
+        .map(|violation| format!("axis {} at {}", violation.axis, position_of(arm, violation.axis, violation.position)))
+        .collect();
     let ranges: Vec<String> = violations
         .iter()
         .map(|violation| {
@@ -97,6 +99,7 @@ fn word(path: &str, arm: &Arm, violations: &[Violation]) -> Wording {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
+    use val3_test::Fixture;
 
     use super::*;
     use crate::lint::motion_testing::{data, listing};
@@ -127,6 +130,17 @@ mod tests {
               ? correct the position, or name the arm of this cell in `val3.toml` (`arm`)
         "#]]
         .assert_eq(&check(&RULE, &(listing + limits)));
+    }
+
+    #[test]
+    fn a_length_has_its_unit() {
+        let listing = listing("movej(jX,flange,mX)", &data("jX", "jointRs", &["j3=\"-1\""]));
+        expect![[r#"
+            main.dtx:5 `0` the joint position `jX` has axis 3 at -25.4 mm outside the range of the TS2-60
+              | the range of axis 3 is 0 to 200 mm
+              ? correct the position, or name the arm of this cell in `val3.toml` (`arm`)
+        "#]]
+        .assert_eq(&check(&RULE, &Fixture::in_inches(&listing)));
     }
 
     #[test]

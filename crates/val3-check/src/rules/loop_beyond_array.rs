@@ -373,6 +373,9 @@ mod tests {
             "for nI=3 to 5 step -1\nputln(nA[nI])\nendFor",
             "while nI<size(nC)\nputln(nC[nI])\nnI=nI+1\nendWhile",
             "for nI=0 to 3\nif nI>0\nputln(nA[nI-1])\nendIf\nendFor",
+            "if size(nA)>5\nfor nI=0 to 5\nputln(nA[nI])\nendFor\nendIf",
+            "if size(nA)<=nX\nreturn\nendIf\nfor nI=0 to 5\nputln(nA[nI])\nendFor",
+            "if false\nfor nI=0 to size(nA)\nputln(nA[nI])\nendFor\nendIf",
         ] {
             assert_eq!(program(code), "", "{code}");
         }

@@ -9,7 +9,7 @@ use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::english::all_of;
-use crate::lint::{ArmReach, DataFile, Findings, FlangeTool, range_of};
+use crate::lint::{ArmReach, DataFile, Findings, FlangeTool, position_of, range_of};
 use crate::rule::rule;
 
 rule! {
@@ -95,8 +95,11 @@ fn word(path: &str, arm: &Arm, tool: &FlangeTool, reason: &Unreachable, other: O
             format!("is {:.1} mm too close to axis 1 of the {name}{tool}", radius - distance),
             format!("the wrist would be {distance:.1} mm from axis 1, at least {radius:.1} mm is needed"),
         ),
-        Unreachable::Limit { axis, position, min, max } => (
-            format!("needs axis {axis} of the {name}{tool} at {position:.1}, outside its range"),
+        Unreachable::Limit { axis, position, min, max, .. } => (
+            format!(
+                "needs axis {axis} of the {name}{tool} at {}, outside its range",
+                position_of(arm, axis, format_args!("{position:.1}"))
+            ),
             format!("the range of axis {axis} is {}", range_of(arm, axis, [min, max])),
         ),
         Unreachable::Tilted { angle } => (

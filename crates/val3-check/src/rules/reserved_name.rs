@@ -1,6 +1,6 @@
 //! V0111: a word of the language used as a name.
 
-use val3_lang::keywords::{Reserved, reserved};
+use val3_lang::keywords::{Reserved, canonical, reserved};
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -8,8 +8,9 @@ rule! {
     /// A word of VAL 3 is used as a name.
     ///
     /// ## Why
-    /// Keywords such as `if`, `step` and `and`, and the names of the built-in types and instructions, have their
-    /// meaning everywhere. Data, variables, parameters and programs with such a name would be ambiguous, so the
+    /// Keywords such as `if`, `step` and `and` have their meaning everywhere and in any letter case: `dO` is `do`. The
+    /// names of built-in types, instructions, data (`world`) and values (`off`) have it in their own letter case:
+    /// `Movej` is no instruction. Data, variables, parameters and programs with such a name would be ambiguous, so the
     /// controller does not load the application.
     ///
     /// ## Bad
@@ -27,7 +28,7 @@ rule! {
 /// Returns the wording of the finding.
 pub(crate) fn word(name: &str) -> Wording {
     Wording::new(
-        format!("`{name}` is {} and cannot be used as a name", meaning(name)),
+        format!("`{name}` is {} and cannot be used as a name{}", meaning(name), other_spelling(name)),
         "reserved",
         "choose another name, for example with the first letter of the type: `n` for a `num`",
     )
@@ -45,6 +46,14 @@ fn meaning(name: &str) -> &'static str {
     }
 }
 
+/// Explains a keyword in an unusual letter case.
+fn other_spelling(name: &str) -> String {
+    match canonical(name) {
+        Some(keyword) if keyword != name => format!(": it means `{keyword}`, because keywords have any letter case"),
+        _ => String::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
@@ -59,6 +68,12 @@ mod tests {
             ? choose another name, for example with the first letter of the type: `n` for a `num`
         "#]]
         .assert_eq(&word("step").to_string());
+        expect![[r#"
+            `dO` is a keyword of VAL 3 and cannot be used as a name: it means `do`, because keywords have any letter case
+            | reserved
+            ? choose another name, for example with the first letter of the type: `n` for a `num`
+        "#]]
+        .assert_eq(&word("dO").to_string());
         expect![[r#"
             `joint` is a type of VAL 3 and cannot be used as a name
             | reserved

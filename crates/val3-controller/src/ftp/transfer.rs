@@ -39,7 +39,7 @@ fn receive(mut stream: TransferStream<TlsSocket>, limit: u64) -> Result<Vec<u8>,
     let mut bytes = Vec::new();
     let received = (&mut stream).take(limit.saturating_add(1)).read_to_end(&mut bytes);
     if bytes.len() as u64 > limit {
-        // The reply to the interrupted transfer has no meaning.
+        // The reply to the interrupted transfer has no meaning. The caller connects again, because a second may follow.
         let _ = stream.finish();
         return Err(AccessFault::TooLarge(limit));
     }

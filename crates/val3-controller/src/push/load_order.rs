@@ -5,8 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::error::ControllerError;
 use crate::path::ControllerPath;
 
-/// Start of a path in a project file that is relative to the applications.
-const DISK: &str = "disk://";
+/// Name of the root of the applications, which paths without a root have too.
+const DISK: &str = "disk";
+
+/// Attributes with the path of another project: of libraries and user types, and of libraries in projects of s5.
+const PATH_ATTRIBUTES: [&str; 2] = ["path", "interface"];
 
 /// Project files by path, with their texts.
 pub(super) type ProjectTexts = BTreeMap<ControllerPath, String>;
@@ -55,9 +58,17 @@ impl LoadOrder {
 /// Returns the other application folders that each application folder uses.
 fn used_projects(projects: &ProjectTexts) -> BTreeMap<ControllerPath, BTreeSet<ControllerPath>> {
     let folders: BTreeSet<ControllerPath> = projects.keys().filter_map(ControllerPath::parent).collect();
+    let by_key: BTreeMap<ControllerPath, &ControllerPath> =
+        folders.iter().map(|folder| (folder.in_lower_case(), folder)).collect();
     let uses = projects.iter().filter_map(|(path, text)| {
         let folder = path.parent()?;
-        let used = used_folders(text).into_iter().filter(|used| *used != folder && folders.contains(used)).collect();
+        let used = used_folders(text, &folder);
+        let used: BTreeSet<ControllerPath> = used
+            .iter()
+            .filter_map(|used| by_key.get(used))
+            .map(|used| (*used).clone())
+            .filter(|used| *used != folder)
+            .collect();
         Some((folder, used))
     });
     uses.collect()
@@ -69,8 +80,9 @@ pub(super) fn affected<'c>(
     projects: &ProjectTexts,
     changed: impl Iterator<Item = &'c ControllerPath>,
 ) -> BTreeSet<ControllerPath> {
+    let changed = changed.map(ControllerPath::in_lower_case).collect();
     let mut affected = BTreeSet::new();
-    let mut folders = AffectedFolders { changed: changed.collect(), users: BTreeSet::new() };
+    let mut folders = AffectedFolders { changed, users: BTreeSet::new() };
     loop {
         let found: Vec<&ControllerPath> = projects
             .iter()
@@ -80,24 +92,27 @@ pub(super) fn affected<'c>(
         if found.is_empty() {
             return affected;
         }
-        folders.users.extend(found.iter().filter_map(|path| path.parent()));
+        let users = found.iter().filter_map(|path| path.parent());
+        folders.users.extend(users.map(|folder| folder.in_lower_case()));
         affected.extend(found.into_iter().cloned());
     }
 }
 
-/// Folders that a change affects.
-struct AffectedFolders<'c> {
-    /// Changed files.
-    changed: Vec<&'c ControllerPath>,
+/// Folders that a change affects, in lower case.
+struct AffectedFolders {
+    /// Changed files, in lower case.
+    changed: Vec<ControllerPath>,
     /// Folders of the affected projects that were found so far.
     users: BTreeSet<ControllerPath>,
 }
 
-impl AffectedFolders<'_> {
+impl AffectedFolders {
     /// Whether the project is in a folder with changes, or uses a folder that is affected.
     fn affect(&self, project: &ControllerPath, text: &str) -> bool {
-        project.parent().is_some_and(|folder| self.has_changes(&folder))
-            || used_folders(text).iter().any(|used| self.users.contains(used) || self.has_changes(used))
+        project.parent().is_some_and(|folder| {
+            self.has_changes(&folder.in_lower_case())
+                || used_folders(text, &folder).iter().any(|used| self.users.contains(used) || self.has_changes(used))
+        })
     }
 
     /// Whether a file in the folder has changed.
@@ -106,16 +121,45 @@ impl AffectedFolders<'_> {
     }
 }
 
-/// Folders of the project files that a project names by `Disk://`. Paths relative to the project stay in its folder.
-fn used_folders(text: &str) -> BTreeSet<ControllerPath> {
-    let lower = text.to_ascii_lowercase();
-    let paths = lower.match_indices(DISK).filter_map(|(at, _)| {
-        let rest = text.get(at + DISK.len()..)?;
-        let path = rest.split(['"', '\'', '<', '\n']).next()?;
-        let folder = path.trim_matches('/').rsplit_once('/')?.0;
-        ControllerPath::parse(&format!("{}/{folder}", ControllerPath::applications())).ok()
-    });
-    paths.collect()
+/// Folders of the projects that a project in `folder` uses, in lower case, because paths in projects have any letter
+/// case.
+fn used_folders(text: &str, folder: &ControllerPath) -> BTreeSet<ControllerPath> {
+    references(text).filter_map(|reference| used_folder(reference, folder)).collect()
+}
+
+/// Values of the path attributes. A project file that is no XML has some as well, and its users are affected.
+fn references(text: &str) -> impl Iterator<Item = &str> {
+    let attributes = PATH_ATTRIBUTES.iter().flat_map(move |name| text.match_indices(name));
+    attributes.filter_map(move |(at, name)| {
+        let (before, rest) = text.split_at_checked(at)?;
+        let is_name = before.ends_with(|before: char| before.is_ascii_whitespace());
+        let value = rest.strip_prefix(name)?.trim_start().strip_prefix('=')?.trim_start();
+        let quote = value.chars().next().filter(|quote| is_name && matches!(quote, '"' | '\''))?;
+        value.strip_prefix(quote)?.split(quote).next()
+    })
+}
+
+/// Folder of the project with this path: `Disk://a/a.pjx`, `Disk://a`, `a`, `./a` or `../a/a.pjx`. `None` for other
+/// roots, and for paths outside of the controller's folders.
+fn used_folder(reference: &str, folder: &ControllerPath) -> Option<ControllerPath> {
+    let reference = reference.trim().replace('\\', "/").to_lowercase();
+    let (start, path) = match reference.split_once("://") {
+        Some((root, path)) if root == DISK => (ControllerPath::applications(), path),
+        Some(_) => return None,
+        None if reference.starts_with("./") || reference.starts_with("../") => (folder.in_lower_case(), &*reference),
+        None => (ControllerPath::applications(), &*reference),
+    };
+    let mut used = start;
+    for name in path.split('/') {
+        used = match name {
+            "" | "." => used,
+            ".." => used.parent()?,
+            _ => used.child(name).ok()?,
+        };
+    }
+    let used = if used.is_project() { used.parent()? } else { used };
+    // A project directly in the folder of the applications is in no folder of its own.
+    (used != ControllerPath::applications()).then_some(used)
 }
 
 #[cfg(test)]
@@ -145,9 +189,50 @@ mod tests {
     }
 
     #[test]
+    fn all_spellings_of_a_path_are_followed() {
+        let folder = ControllerPath::parse("usr/usrapp/cell/main").unwrap();
+        let used = |attribute: &str| {
+            let used = used_folders(&format!("<Library alias=\"lib\" {attribute}/>"), &folder);
+            used.iter().map(ControllerPath::as_str).collect::<Vec<_>>().join(" ")
+        };
+        for path in [
+            "Disk://lib/lib.pjx",
+            "disk://Lib",
+            "/lib/lib.pjx",
+            "lib",
+            "../../lib/lib.pjx",
+            "Disk:///x/../lib\\lib.PJX",
+        ] {
+            assert_eq!(used(&format!("path=\"{path}\"")), "usr/usrapp/lib", "{path}");
+        }
+        assert_eq!(used("path = './part/part.pjx'"), "usr/usrapp/cell/main/part");
+        assert_eq!(used("path=\"../part\""), "usr/usrapp/cell/part");
+        assert_eq!(used("interface=\"lib\""), "usr/usrapp/lib");
+        for path in ["USB0://lib/lib.pjx", "../../../../../lib", "", "Disk://", "lib.pjx"] {
+            assert_eq!(used(&format!("path=\"{path}\"")), "", "{path}");
+        }
+        assert_eq!(used("xpath=\"lib\" name=\"lib\""), "");
+    }
+
+    #[test]
+    fn libraries_with_relative_paths_come_first() {
+        let path = |name: &str| ControllerPath::parse(&format!("usr/usrapp/{name}")).unwrap();
+        let projects = [("a/a.pjx", "../Lib"), ("lib/lib.pjx", "./parts/parts.pjx"), ("lib/parts/parts.pjx", "")];
+        let projects: ProjectTexts =
+            projects.map(|(name, used)| (path(name), format!("<Library path=\"{used}\"/>"))).into_iter().collect();
+        let order = LoadOrder::new(&projects);
+        let rank = |name: &str| order.rank(&path(name));
+        assert!(rank("lib/parts/parts.pjx") < rank("lib/lib.pjx") && rank("lib/lib.pjx") < rank("a/a.pjx"));
+        let affected = affected(&projects, [path("lib/parts/x.dtx")].iter());
+        assert_eq!(affected, projects.into_keys().collect());
+    }
+
+    #[test]
     fn a_change_concerns_all_users() {
         let path = |text: &str| ControllerPath::parse(&format!("usr/usrapp/{text}")).unwrap();
-        let project = |name: &str, used: &str| (path(&format!("{name}/x.pjx")), format!("\"Disk://{used}/x.pjx\""));
+        let project = |name: &str, used: &str| {
+            (path(&format!("{name}/x.pjx")), format!("<Library path=\"Disk://{used}/x.pjx\"/>"))
+        };
         let projects = [project("a", "lib"), project("lib", "Slot"), project("Slot", "gone"), project("z", "a")];
         let affected = |changed: &str| {
             let found = affected(&projects.clone().into_iter().collect(), [path(changed)].iter());

@@ -1,7 +1,7 @@
 //! Data connections in active mode, and connections that the server closes.
 
 use expect_test::expect;
-use val3_controller::{ControllerError, FailureOutcome};
+use val3_controller::{AccessFault, ControllerError, ControllerFiles as _, FailureOutcome};
 
 use crate::bench::{Bench, path, shown, tree};
 use crate::server::{Behaviour, ListForm, Server};
@@ -84,4 +84,18 @@ fn a_server_that_closes_each_connection_ends_the_command() {
     assert!(error.to_string().ends_with("421 too many users"), "{error}");
     let attempts = bench.server.state().log.iter().filter(|line| line.starts_with("CWD")).count();
     assert_eq!((attempts, bench.text(path("usr/usrapp/demo/start.pgx").as_str())), (2, "start".to_owned()));
+}
+
+#[test]
+fn replies_to_an_interrupted_transfer_are_not_read_as_replies_to_the_next_command() {
+    let file = path("usr/usrapp/demo/start.pgx");
+    let second_reply = Some("RETR");
+    let server = Server::start(tree(), Behaviour { second_reply, ..Behaviour::default() });
+    let mut files = server.connect();
+    let error = files.read(&file, 3).unwrap_err();
+    assert!(matches!(error.reason, AccessFault::TooLarge(3)), "{error}");
+    server.behave(Behaviour::default());
+    assert_eq!(files.read(&file, 100).unwrap(), b"start");
+    files.remove(&file).unwrap();
+    assert!(!server.state().tree.files.contains_key("/usr/usrapp/demo/start.pgx"));
 }

@@ -64,6 +64,8 @@ pub(crate) struct Behaviour {
     pub(crate) change: Option<(&'static str, &'static str, &'static [u8])>,
     /// Start of a command that has no reply.
     pub(crate) silence: Option<&'static str>,
+    /// Start of a command whose transfer has a reply about its interruption, and the usual reply later.
+    pub(crate) second_reply: Option<&'static str>,
     /// Lines added to each listing.
     pub(crate) extra_lines: Vec<&'static str>,
     pub(crate) password: &'static str,

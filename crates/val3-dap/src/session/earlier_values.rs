@@ -30,6 +30,10 @@ impl DebugSession {
         let named = NamedData { name: expression, variables_reference: None, frame };
         let data = self.named_data(&named, run).ok()?.ok()?;
         let found = self.quick_writes(&data, LIMITS, run)?;
+        if found.writes.is_empty() && found.initial.is_none() && found.since == run.debugger.controller.now() {
+            // Too many lines were executed since the last snapshot.
+            return None;
+        }
         described(&found, &self.conventions)
     }
 }

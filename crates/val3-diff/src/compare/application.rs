@@ -1,5 +1,6 @@
 //! Comparison of a project in both trees.
 
+pub(super) mod initial_values;
 mod programs;
 mod sides;
 
@@ -19,9 +20,10 @@ use sides::{DataSides, versions};
 /// Program with which an application starts. A project without it is a library or a user type.
 const START: &str = "start.pgx";
 
-/// Compares a project; `None` if there is no difference.
-pub(super) fn compare(
-    pair: &Matched<'_, '_>,
+/// Compares a project; `None` if there is no difference. `trees` contains all applications of both trees.
+pub(super) fn compare<'a, 't>(
+    pair: &Matched<'a, 't>,
+    trees: [&'a [Application<'t>]; 2],
     users: &Users,
     layout: BlankComparison,
     problems: &mut Vec<Problem>,
@@ -43,14 +45,15 @@ pub(super) fn compare(
         contents: Vec::new(),
     };
     manifest(pair, &mut compared, problems);
-    let data = read_data(pair, &mut compared, problems);
+    let mut data = read_data(pair, &mut compared, problems);
     let programs = programs::read(pair, &mut compared, problems);
     let renamed =
         renames::find([&data.old, &data.new], &programs.iter().map(ProgramPair::programs).collect::<Vec<_>>());
+    let fields = initial_values::add(&mut data, pair, trees, &renamed.data);
     let mut interface = programs::compare(pair, programs, &renamed, layout, &mut compared);
     interface.extend(compare_data(pair, &data, &renamed, &mut compared, problems));
     if let (Some(old), Some(new)) = (pair.old, pair.new) {
-        contents::add_data([&old.data_files(), &new.data_files()], &mut compared);
+        contents::add_data([&old.data_files(), &new.data_files()], fields, &mut compared);
         contents::add_project([old, new], &mut compared);
     }
     let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::paths::{ResolvedPath, Roots, path_key, project};
+use camino::Utf8PathBuf;
+use val3_analysis::paths::path_key;
 
-use crate::applications::Application;
+use crate::applications::{Application, target};
 
 /// Names of the projects that use a project as a library or type, by the used project's path in lower case.
 pub(super) type Users = BTreeMap<String, BTreeSet<String>>;
@@ -22,15 +22,6 @@ pub(super) fn users(old: &[Application<'_>], new: &[Application<'_>]) -> Users {
         }
     }
     users
-}
-
-/// Resolves a reference. `Disk://` is the folder of applications, which is the root of the tree.
-fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
-    let roots = Roots { disk: Some("/".into()), others: Vec::new() };
-    match project(&Utf8Path::new("/").join(folder), &roots, reference) {
-        ResolvedPath::Path(path) => Some(path_key(path.as_str().trim_start_matches('/'))),
-        ResolvedPath::Elsewhere => None,
-    }
 }
 
 /// Returns the users of `application`. In a tree without `usrapp`, the folder of `Disk://` is unknown, so the end of

@@ -88,6 +88,67 @@ fn fields_of_user_types_are_compared() {
     );
 }
 
+/// An application with a value of the user type `Slot`, whose weight is 5 at the start and whose part has 7 holes.
+fn with_types(fields: &str) -> String {
+    let value = format!(
+        "<Data name=\"tSlot\" access=\"private\" xsi:type=\"array\" type=\"Slot\" size=\"2\"><Value key=\"1\">{fields}</Value></Data>"
+    );
+    format!(
+        "type Slot \"Disk://Slot/Slot.pjx\"\n{}\n--- Slot\ntype Part \"Disk://Part/Part.pjx\"\npublic num nWeight = 5\n\
+         public Part rPart\npublic num nFree[3]\n--- Part\npublic num nHoles = 7",
+        data(&value)
+    )
+}
+
+fn field(name: &str, ty: &str, value: &str) -> String {
+    format!("<Field name=\"{name}\" xsi:type=\"array\" type=\"{ty}\" size=\"1\"><Value key=\"0\"{value}</Field>")
+}
+
+/// All fields of a `Slot` with their values in the file, as `libSave` writes them.
+fn written(weight: u32, holes: u32) -> String {
+    let holes = field("nHoles", "num", &format!(" value=\"{holes}\"/>"));
+    let free =
+        "<Field name=\"nFree\" xsi:type=\"array\" type=\"num\" size=\"3\"><Value key=\"2\" value=\"0\"/></Field>";
+    let part = field("rPart", "Part", &format!(">{holes}</Value>"));
+    field("nWeight", "num", &format!(" value=\"{weight}\"/>")) + &part + free
+}
+
+#[test]
+fn a_written_initial_value_of_a_type_is_no_difference() {
+    let same = &expect![[r#"
+        no differences in 3 applications
+    "#]];
+    check(&with_types(""), &with_types(&written(5, 7)), same);
+    check(&with_types(&written(5, 7)), &with_types(""), same);
+}
+
+#[test]
+fn a_value_differs_from_the_initial_value_of_its_type() {
+    check(
+        &with_types(""),
+        &with_types(&written(6, 8)),
+        &expect![[r#"
+            main  main/main.pjx
+              Data
+                ~ tSlot[1].nWeight  5 → 6
+                ~ tSlot[1].rPart.nHoles  7 → 8
+
+            1 application differs: 2 values
+        "#]],
+    );
+    check(
+        &with_types(&written(6, 7)),
+        &with_types(""),
+        &expect![[r#"
+            main  main/main.pjx
+              Data
+                ~ tSlot[1].nWeight  6 → 5
+
+            1 application differs: 1 value
+        "#]],
+    );
+}
+
 fn descriptor(values: &str) -> String {
     data(&format!(
         "<Data name=\"mFast\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" {values}/></Data>"

@@ -91,9 +91,9 @@ fn frames_tools_and_joints_have_places() {
         ARM,
         &["fTable", "tGrip", "jHome", "mX"],
         expect![[r#"
-        fTable[0] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "fTable" Some(OutOfReach) None Some("TX2-90 with `flange`: axis 5 would be at 159.951, its limits are -115 and 140")
+        fTable[0] Some([500.0, 0.0, 0.0, 0.0, 0.0, 90.0]) "fTable" Some(OutOfReach) None Some("TX2-90 with `flange`: axis 5 would be at 159.951, its limits are -115 and 140 degrees")
         jHome[0] Some([575.0, 50.0, 425.0, 0.0, 90.0, 0.0]) "" Some(Reachable) Some([0.0, 0.0, 90.0, 0.0, 0.0, 0.0]) None
-        jHome[1] Some([15.798, 50.0, 756.031, 0.0, -160.0, 0.0]) "" Some(OutOfReach) Some([0.0, 0.0, 0.0, 0.0, 200.0, 0.0]) Some("axis 5 is outside its range from -115 to 140")
+        jHome[1] Some([15.798, 50.0, 756.031, 0.0, -160.0, 0.0]) "" Some(OutOfReach) Some([0.0, 0.0, 0.0, 0.0, 200.0, 0.0]) Some("axis 5 is outside its range from -115 to 140 degrees")
         tGrip[0] Some([0.0, 0.0, 150.0, 0.0, 0.0, 0.0]) "tGrip" None None None
     "#]],
     );

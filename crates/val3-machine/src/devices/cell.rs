@@ -68,8 +68,10 @@ impl CellFile {
     }
 }
 
-fn not_used(Violation { axis, position, min, max }: Violation) -> String {
-    format!("arm.cfx: the limit {position} of axis {axis} leaves it no range within {min} to {max}; it is not used")
+fn not_used(Violation { axis, position, min, max, unit }: Violation) -> String {
+    format!(
+        "arm.cfx: the limit {position} of axis {axis} leaves it no range within {min} to {max} {unit}; it is not used"
+    )
 }
 
 /// Parses a speed above 0, in mm/s.

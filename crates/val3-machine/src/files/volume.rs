@@ -75,6 +75,14 @@ impl Volume {
         self.dir.symlink_metadata(relative(path)).is_ok_and(|found| found.is_symlink())
     }
 
+    /// Whether the entry at a path is a folder, and no link to a folder.
+    fn is_folder_itself(&self, path: &Utf8Path) -> io::Result<bool> {
+        match self.node(path) {
+            Some(item) => Ok(item == OverlayItem::Folder),
+            None => self.ask(|dir| Ok(dir.symlink_metadata(relative(path))?.is_dir())),
+        }
+    }
+
     fn kind_on_disk(&self, path: &Utf8Path) -> Result<EntryKind, FileFault> {
         match self.dir.metadata(relative(path)) {
             Ok(found) if found.is_dir() => Ok(EntryKind::Folder),

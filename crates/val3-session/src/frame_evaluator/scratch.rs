@@ -1,13 +1,16 @@
 //! Scratch file: evaluated code as the body of a program with the variables of a stack frame.
 
 use salsa::Setter as _;
+use val3_analysis::body::{Stmt, StmtKind, body};
 use val3_analysis::db::{Database, File, FileStatus};
+use val3_analysis::infer::infer;
 use val3_analysis::items::parse;
 use val3_analysis::items::program::code_element;
 use val3_check::{CheckUnit, unit_refusals};
+use val3_lang::types::Container;
 use val3_syntax::encoding::Encoding;
 use val3_syntax::xml::escaped;
-use val3_syntax::{SyntaxKind, TextSize, TextSlice, decode_entities};
+use val3_syntax::{SyntaxKind, TextRange, TextSize, TextSlice, decode_entities};
 
 use super::target::{EvaluationContext, Targets};
 use crate::evaluate::CodeFault;
@@ -50,17 +53,28 @@ impl<'t> Scratch<'t> {
         database(self.targets, self.target)
     }
 
-    /// First fault in the evaluated code.
+    /// First fault in the evaluated code. Unlike a program, a debugger shows entire collections, so their missing key is no
+    /// fault.
     pub(super) fn fault(&self) -> Option<CodeFault> {
         let unit = CheckUnit::Program(self.target.project, self.file);
         let refusals = unit_refusals(self.db(), unit);
         // The header comes from a program that was compiled, so its faults are ignored.
         let code = TextSize::try_from(self.start.saturating_sub(BEGIN.len())).ok()?;
+        let collection = self.shown_collection();
         let mut in_file = refusals.into_iter().filter(|found| found.place.file == self.file);
-        let found = in_file.find(|found| found.place.range.start() >= code)?;
+        let found = in_file.find(|found| found.place.range.start() >= code && Some(found.place.range) != collection)?;
         let offset = |at: TextSize| self.offset(at.into()).saturating_sub(self.before);
         let range = offset(found.place.range.start())..offset(found.place.range.end());
         Some(CodeFault::at(found.message, self.code.part(self.before..), range))
+    }
+
+    /// Range of the evaluated expression if its value is a collection.
+    fn shown_collection(&self) -> Option<TextRange> {
+        let (db, project) = (self.db(), self.target.project);
+        let body = body(db, self.file);
+        let [Stmt { kind: StmtKind::Print(id), .. }] = body.block.as_slice() else { return None };
+        let is_collection = infer(db, project, self.file).ty(*id).container == Container::Collection;
+        (is_collection && self.before > 0).then(|| body.range(*id))
     }
 
     /// Offset in the evaluated code of a byte in the file.

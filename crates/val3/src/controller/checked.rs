@@ -4,9 +4,7 @@ use std::collections::BTreeSet;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_check::settings::RuleSelection;
-use val3_controller::{
-    ControllerPath, ControllerProject, ProjectStatus, PushPlan, affected_projects, remove_new_tree, write_new_tree,
-};
+use val3_controller::{ControllerPath, ControllerProject, ProjectStatus, PushPlan, WrittenTree, affected_projects};
 
 use super::note;
 use crate::color::Color;
@@ -55,9 +53,9 @@ pub(crate) fn check_new_tree(
     if plan.unselected.is_empty() {
         return tree.check(project.folder(), selection, color);
     }
-    let folder = write_new_tree(project, status, plan)?;
-    let outcome = tree.check(&folder, selection, color);
-    remove_new_tree(project)?;
+    let written = WrittenTree::write(project, status, plan)?;
+    let outcome = tree.check(written.folder(), selection, color);
+    written.remove()?;
     outcome
 }
 

@@ -57,15 +57,16 @@ pub(super) fn merge(kind: MergedKind, [base, ours, theirs]: &[Vec<u8>; 3]) -> Ou
     }
     let [base, our_text, theirs] = [base, ours, theirs].map(|bytes| decode(bytes.clone()));
     let merged = val3_merge::merge(kind, &base.text, &our_text.text, &theirs.text);
-    if our_text.encoding == Encoding::Latin1 && !is_latin1(&merged.text) {
-        return refused("OURS is ISO-8859-1, which has not all characters of THEIRS".to_owned());
+    let encoding = our_text.encoding;
+    if !supports_all(encoding, &merged.text) {
+        return refused(format!("OURS is {}, which has not all characters of THEIRS", encoding.name()));
     }
-    Outcome { bytes: our_text.encoding.encode(&merged.text), merged: Ok(merged) }
+    Outcome { bytes: encoding.encode(&merged.text), merged: Ok(merged) }
 }
 
-/// Whether ISO-8859-1 has all characters of the text, apart from a byte order mark.
-fn is_latin1(text: &str) -> bool {
-    text.chars().all(|character| u32::from(character) <= 0xff || character == '\u{feff}')
+/// Whether the encoding has all characters of the text, apart from a byte order mark.
+fn supports_all(encoding: Encoding, text: &str) -> bool {
+    text.chars().all(|character| encoding.supports(character) || character == '\u{feff}')
 }
 
 #[cfg(test)]

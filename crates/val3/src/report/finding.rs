@@ -63,7 +63,7 @@ impl SourceFile {
     fn stored_offset(&self, offset: usize) -> usize {
         match self.encoding {
             Encoding::Utf8 => offset,
-            Encoding::Latin1 => self.lines.characters(offset),
+            Encoding::Latin1 | Encoding::Windows1252 => self.lines.characters(offset),
         }
     }
 }

@@ -21,6 +21,7 @@ use super::missing::program_text;
 use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;
+use super::output_errors::OutputErrors;
 use super::replay::RunRecording;
 use super::result::{ResultRecorder, RunEnd};
 use super::silence::Silence;
@@ -33,7 +34,7 @@ use crate::modbus::ModbusRun;
 use crate::signals::Signals;
 use crate::sockets::Announcements;
 use crate::test::{DebuggedTest, report};
-use crate::user_error::UserError;
+use crate::user_error::{EXIT_USAGE, UserError};
 
 /// Polling interval for viewers while a debugger is also polled.
 const SHARED_ATTENTION: Duration = Duration::from_millis(20);
@@ -53,6 +54,8 @@ pub(super) struct Course<'a> {
     tempo: Tempo,
     silence: Silence,
     announcements: Rc<Announcements>,
+    /// Errors of outputs, which [`close`](Self::close) returns.
+    errors: OutputErrors,
     /// Debugged test.
     test: Option<Stages>,
     /// Whether the finished test has failed; `None` before its end.
@@ -90,6 +93,7 @@ impl<'a> Course<'a> {
             tempo,
             silence: Silence::new(Instant::now()),
             announcements: ready.announcements,
+            errors: OutputErrors::default(),
             test: ready.test,
             has_failed_test: None,
         })
@@ -108,16 +112,16 @@ impl<'a> Course<'a> {
     }
 
     /// Runs the controller until the run ends, and sends all events to the observers and the debug client.
-    pub(super) fn run(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
+    pub(super) fn run(&mut self, guide: &mut dyn Guide, signals: &Signals) -> End {
         self.debugger.controller.devices.interrupt = signals.flag();
         let end = self.run_cycles(guide, signals);
+        let end = self.errors.collect(end).unwrap_or(End::Unwritten);
         self.debugger.controller.break_off();
         if self.test.is_none() {
             self.debugger.controller.write_files();
         }
-        let end = end?;
-        self.record_end(end, guide)?;
-        Ok(end)
+        self.record_end(end, guide);
+        end
     }
 
     fn run_cycles(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
@@ -365,7 +369,8 @@ impl<'a> Course<'a> {
         }
     }
 
-    fn record_end(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
+    /// Sends the last events to all observers.
+    fn record_end(&mut self, end: End, guide: &mut dyn Guide) {
         let controller = &mut self.debugger.controller;
         controller.report_unmet_reactions();
         controller.end_encounters();
@@ -381,8 +386,9 @@ impl<'a> Course<'a> {
         if let Some(session) = guide.session() {
             session.report(&events, &mut self.target());
         }
-        self.report_test(end, guide)?;
-        self.observers.notify_end(end, &events)?;
+        let told = self.report_test(end, guide);
+        self.errors.collect(told);
+        self.errors.collect(self.observers.notify_end(end, &events));
         if let Some(result) = &mut self.result {
             result.follow(&events);
         }
@@ -391,9 +397,8 @@ impl<'a> Course<'a> {
             viewers.see_end(&events, reason(end), code, &self.debugger.controller);
         }
         if let Some(export) = &mut self.export {
-            export.see_end(&events, reason(end), code, &self.debugger.controller)?;
+            self.errors.collect(export.see_end(&events, reason(end), code, &self.debugger.controller));
         }
-        Ok(())
     }
 
     /// Sends the result of a debugged test to the client, unless the test was aborted.
@@ -415,6 +420,7 @@ impl<'a> Course<'a> {
         match end {
             End::BrokenOff(code) => code,
             End::Unread | End::Left | End::Restart => 0,
+            End::Unwritten => EXIT_USAGE,
             End::Controller(_) if let Some(has_failed) = self.has_failed_test => u8::from(has_failed),
             End::Controller(RunStatus::Stuck | RunStatus::Unsupported) => 1,
             _ if has_failed => 1,
@@ -425,29 +431,33 @@ impl<'a> Course<'a> {
     }
 
     /// Writes the reports at the end of a run, and explains the end. Returns the served run, unless its server ends with
-    /// it.
+    /// it. Each output is written even if another one cannot be written.
     pub(super) fn close(self, end: End) -> Result<Option<EndedRun>, UserError> {
         let code = self.exit_code(end);
         let (args, mut controller) = (self.args, self.debugger.controller);
-        let console = self.observers.close()?;
+        let mut errors = self.errors;
+        let console = self.observers.close(&mut errors);
         let pendant = &controller.devices.state.pendant;
         match args.screen {
-            true => console.page(pendant)?,
-            false if !args.follows_wall() => console.mention_page(pendant)?,
+            true => errors.collect(console.page(pendant)),
+            false if !args.follows_wall() => errors.collect(console.mention_page(pendant)),
             // The page was already visible in a terminal, browser or editor.
-            false => {}
-        }
+            false => None,
+        };
         console.explain(end, args, &controller);
-        let times = self.motion.close(controller.now())?;
+        let times = self.motion.close(controller.now(), &mut errors);
         if let Some((result, times)) = self.result.zip(times) {
-            result.close(&RunEnd { end, code, controller: &controller, console: &console, times: &times })?;
+            let code = if errors.is_empty() { code } else { EXIT_USAGE };
+            let run = RunEnd { end, code, controller: &controller, console: &console, times: &times };
+            result.close(&run, &mut errors);
         }
-        self.export.map_or(Ok(()), Export::close)?;
-        let Some(viewers) = self.viewers else { return Ok(None) };
+        errors.collect(self.export.map_or(Ok(()), Export::close));
+        let Some(viewers) = self.viewers else { return errors.into_result().map(|()| None) };
         if matches!(end, End::BrokenOff(_) | End::Left) {
             viewers.rescue(&mut controller);
-            return Ok(None);
+            return errors.into_result().map(|()| None);
         }
+        errors.into_result()?;
         Ok(Some(EndedRun { viewers, standby: Standby::new(controller, self.tempo, end) }))
     }
 }
@@ -470,6 +480,6 @@ fn reason(end: End) -> EndReason {
     match end {
         End::Controller(status) => status.into(),
         End::Recorded(reason) => reason,
-        End::Unread | End::Left | End::Restart | End::BrokenOff(_) => RunStatus::Stopped.into(),
+        End::Unread | End::Unwritten | End::Left | End::Restart | End::BrokenOff(_) => RunStatus::Stopped.into(),
     }
 }

@@ -142,7 +142,7 @@ fn run(
         settings.session.apply(&mut course.debugger);
     }
     session.begin(&mut course.target());
-    let end = course.run(session, signals)?;
+    let end = course.run(session, signals);
     let code = course.exit_code(end);
     course.close(end)?;
     Ok(match end {
@@ -152,7 +152,7 @@ fn run(
             session.end(code);
             Next::Exit(code)
         }
-        End::Controller(_) | End::Recorded(_) | End::Unread => Next::Over(code),
+        End::Controller(_) | End::Recorded(_) | End::Unread | End::Unwritten => Next::Over(code),
     })
 }
 
@@ -172,12 +172,8 @@ pub(super) fn open_port(args: &RunArgs, port: u16) -> Result<AttachServer, UserE
 }
 
 /// Runs a course to which clients can attach.
-pub(super) fn run_attended(
-    course: &mut Course<'_>,
-    server: &mut AttachServer,
-    signals: &Signals,
-) -> Result<End, UserError> {
-    let end = course.run(server, signals)?;
+pub(super) fn run_attended(course: &mut Course<'_>, server: &mut AttachServer, signals: &Signals) -> End {
+    let end = course.run(server, signals);
     if let Some(session) = server.session() {
         session.end(course.exit_code(end));
         for _ in 0..FAREWELLS {
@@ -188,5 +184,5 @@ pub(super) fn run_attended(
         }
     }
     server.end_session();
-    Ok(end)
+    end
 }

@@ -15,6 +15,8 @@ pub(super) enum End {
     Recorded(EndReason),
     /// The output is closed.
     Unread,
+    /// An output cannot be written.
+    Unwritten,
     /// The debug client has ended the run.
     Left,
     /// The debug client has requested a restart.

@@ -65,7 +65,8 @@ impl Console {
                 self.list(&format!("note: the debugger has ended the run after {now} s"), RECORDED, controller)
             }
             End::Controller(RunStatus::Finished) => self.list_dropped_moves(controller),
-            End::Controller(_) | End::Recorded(_) | End::Unread | End::Restart | End::BrokenOff(_) => {}
+            End::Controller(_) | End::Recorded(_) | End::Unread | End::Unwritten | End::Restart | End::BrokenOff(_) => {
+            }
         }
     }
 

@@ -14,6 +14,7 @@ use val3_vm::CYCLE;
 
 use crate::args::RunArgs;
 use crate::output::to_stderr;
+use crate::run::output_errors::OutputErrors;
 use crate::user_error::UserError;
 use cycles::Cycles;
 use picture::PictureFile;
@@ -94,15 +95,15 @@ impl MotionObservers {
     }
 
     /// Writes the reports at the end of a run, at this time. Returns the times, if they are observed.
-    pub(super) fn close(self, end: Time) -> Result<Option<TimesReport>, UserError> {
+    pub(super) fn close(self, end: Time, errors: &mut OutputErrors) -> Option<TimesReport> {
         if let Some(note) = self.note.filter(|_| self.has_moved) {
             to_stderr(|out| writeln!(out, "note: {note}"));
         }
-        self.trace.map_or(Ok(()), TraceWriter::close)?;
-        self.picture.map_or(Ok(()), PictureFile::close)?;
+        errors.collect(self.trace.map_or(Ok(()), TraceWriter::close));
+        errors.collect(self.picture.map_or(Ok(()), PictureFile::close));
         let (cycles, table) = self.cycles.map(Cycles::close).unwrap_or_default();
-        let times = self.times.map(|times| times.close(end, cycles)).transpose()?;
+        let times = self.times.map(|times| times.close(end, cycles, errors));
         to_stderr(|out| out.write_all(table.as_bytes()));
-        Ok(times)
+        times
     }
 }

@@ -9,6 +9,7 @@ use val3_machine::event::{Event, EventKind, seconds};
 use super::console::Console;
 use super::end::End;
 use super::live::Live;
+use super::output_errors::OutputErrors;
 use super::record::Record;
 use super::recorded_options::RecordedOptions;
 use super::replay::{Divergence, RunRecording};
@@ -81,7 +82,10 @@ impl Observers {
     /// Sends the last events of a run. If the run ends at its limit or is aborted, a longer recording is not compared
     /// further.
     pub(super) fn notify_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
-        if matches!(end, End::Controller(RunStatus::Limit) | End::BrokenOff(_) | End::Unread | End::Left) {
+        if matches!(
+            end,
+            End::Controller(RunStatus::Limit) | End::BrokenOff(_) | End::Unread | End::Unwritten | End::Left
+        ) {
             let recording = self.recording.take();
             self.notify(events)?;
             self.recording = recording;
@@ -163,14 +167,16 @@ impl Observers {
     }
 
     /// Closes the outputs. The journal of the user page, which disappears, is printed to remain readable.
-    pub(super) fn close(mut self) -> Result<Console, UserError> {
+    pub(super) fn close(mut self, errors: &mut OutputErrors) -> Console {
         match self.live.take() {
             // The journal contains the errors.
-            Some(live) => live.close().iter().try_for_each(|line| self.console.say(line))?,
+            Some(live) => {
+                errors.collect(live.close().iter().try_for_each(|line| self.console.say(line)));
+            }
             None => self.console.show_failures(None),
         }
         self.console.show_encounters();
-        self.record.flush()?;
-        Ok(self.console)
+        errors.collect(self.record.flush());
+        self.console
     }
 }

@@ -157,7 +157,7 @@ fn a_line_that_cannot_be_followed_is_an_error_of_its_own_instruction() {
                ┌─ usrapp/main/start.pgx:11:3
                │
             11 │   movel(p,flange,m)
-               │   ^^^^^^^^^^^^^^^^^ movel: axis 6 would be at 270.012, its limits are -270 and 270
+               │   ^^^^^^^^^^^^^^^^^ movel: axis 6 would be at 270.012, its limits are -270 and 270 degrees
                │
                = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 

@@ -196,7 +196,7 @@ fn targets_out_of_reach_are_refused_with_a_reason() {
                ┌─ usrapp/main/start.pgx:13:3
                │
             13 │   movej(j,flange,m)
-               │   ^^^^^^^^^^^^^^^^^ movej: axis 2 would be at 150.000, outside its range from -130 to 147.5
+               │   ^^^^^^^^^^^^^^^^^ movej: axis 2 would be at 150.000, outside its range from -130 to 147.5 degrees
                │
                = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 

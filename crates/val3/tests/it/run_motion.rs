@@ -182,6 +182,22 @@ fn a_full_disk_is_a_message() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn an_output_that_cannot_be_written_does_not_prevent_the_others() {
+    let folder = Folder::with(MOVES);
+    let options =
+        ["--trace=/dev/full", "--times=/dev/full", "--plot=path.svg", "--result=result.json", "--export=page.html"];
+    let run = folder.val3(&[&["run", "--arm", "TX2-90"], &options[..]].concat());
+    assert_eq!(run.code, 2, "{run:?}");
+    for what in ["trace", "times"] {
+        assert_eq!(run.stderr.matches(&format!("error: cannot write the {what} to `/dev/full`")).count(), 1, "{run:?}");
+    }
+    let result: Value = serde_json::from_str(&folder.read("result.json")).unwrap();
+    assert_eq!((&result["ok"], &result["exit_code"]), (&false.into(), &2.into()), "{result}");
+    assert!(folder.read("path.svg").ends_with("</svg>\n") && folder.read("page.html").contains("</script>"));
+}
+
 /// If a run ends with an error, the picture shows the motion before the error.
 #[test]
 fn the_picture_shows_what_was_reached() {
@@ -315,7 +331,7 @@ fn a_run_can_start_with_power_and_anywhere_within_the_limits() {
     let run = folder.val3(&["run", "--arm", "TX2-90", "--start=10,-20,190,0,0,0"]);
     assert_eq!(run.code, 2);
     expect![[r#"
-        error: the arm cannot start at [10.0, -20.0, 190.0, 0.0, 0.0, 0.0]: axis 3 would be at 190.000, outside its range from -145 to 145
+        error: the arm cannot start at [10.0, -20.0, 190.0, 0.0, 0.0, 0.0]: axis 3 would be at 190.000, outside its range from -145 to 145 degrees
           help: write 6 numbers, in degrees (a stroke in mm), with `--start` or in `[run] start`
     "#]]
     .assert_eq(&run.stderr);

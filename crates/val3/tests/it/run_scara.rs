@@ -101,7 +101,7 @@ fn a_line_keeps_the_configuration_and_the_reach() {
     for (wrong, reason) in [
         ("p.config.shoulder=lefty", "cannot change the configuration"),
         ("p.trsf.x=700", "from the shoulder"),
-        ("p.trsf.z=250", "axis 3 would be at 250"),
+        ("p.trsf.z=250", "axis 3 would be at 250.000, its limits are 0 and 200 mm"),
         ("p.trsf.ry=10", "tilted"),
     ] {
         let run = scara(&format!("{start}  p.trsf.x=p.trsf.x-20\n  {wrong}\n  movel(p,flange,m)\n"));

@@ -164,6 +164,9 @@ impl Session {
             return "426 data connection lost".to_owned();
         }
         let _ = socket.write_all(&bytes);
+        if state.behaviour.second_reply.is_some_and(|start| line.starts_with(start)) {
+            reply("426 transfer interrupted");
+        }
         "226 sent".to_owned()
     }
 

@@ -69,7 +69,7 @@ impl DataSides {
 }
 
 /// Reads the data in a file; `None` if the file is broken.
-fn read(bytes: &[u8]) -> Option<Vec<DataVersion>> {
+pub(super) fn read(bytes: &[u8]) -> Option<Vec<DataVersion>> {
     let text = text_of(bytes).ok()?;
     let parse = val3_syntax::parse_shared(text);
     let root = val3_analysis::xml::root(parse.view())?;

@@ -69,7 +69,7 @@ fn a_frame_shows_the_joints_at_its_origin() {
 
         in `world`: x=500 y=0 z=0 mm, rx=0 ry=0 rz=90 degrees
 
-        TX2-90 with `flange`: out of reach, axis 5 would be at 159.951, its limits are -115 and 140
+        TX2-90 with `flange`: out of reach, axis 5 would be at 159.951, its limits are -115 and 140 degrees
     "#]],
     );
 }
@@ -165,7 +165,7 @@ fn joints_show_the_flange() {
         expect![[r#"
         TX2-90: flange in `world` x=381.031 y=50 z=459.202 mm, rx=0 ry=-70 rz=0 degrees
 
-        axis 5 is outside its range from -115 to 140
+        axis 5 is outside its range from -115 to 140 degrees
     "#]],
     );
     check("movej(jHo$0me,flange,mX)", TABLE, "", expect![["nothing more\n"]]);

@@ -306,3 +306,20 @@ fn permissions_and_links_stay() {
     assert!(media.outer.join("disk/link").is_symlink());
     assert_eq!(std::fs::metadata(real).unwrap().permissions().mode() & 0o777, 0o640);
 }
+
+#[cfg(unix)]
+#[test]
+fn links_in_a_deleted_folder_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    for mut media in [Media::on_disk(), Media::covered()] {
+        std::fs::create_dir(media.outer.join("disk/far")).unwrap();
+        media.write("disk/far/x", "x");
+        symlink("../far", media.outer.join("disk/d/link")).unwrap();
+        symlink("nothing", media.outer.join("disk/d/broken")).unwrap();
+        assert_eq!(media.apply(&Action::Delete("d")), "0");
+        assert_eq!(media.apply(&Action::Read("far/x")), "x");
+        assert_eq!(media.roots.write(), [""; 0]);
+        let names: Vec<String> = media.listing().into_keys().collect();
+        assert_eq!(names, ["disk/", "disk/a", "disk/far/", "disk/far/x", "usb/", "usb/u"]);
+    }
+}

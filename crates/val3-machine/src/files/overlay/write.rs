@@ -115,6 +115,8 @@ fn shown<'v>(volumes: &[(&'v str, &Volume)], (number, path): &'v OverlayPath) ->
 fn delete(dir: &Dir, path: &Utf8Path, before: DiskState) -> io::Result<Done> {
     let now = DiskState::of(dir, path);
     match now {
+        // A link to a file that does not exist.
+        DiskState::Missing if dir.symlink_metadata(path).is_ok() => dir.remove_file(path).map(|()| Done::Whole),
         DiskState::Missing => Ok(Done::Whole),
         DiskState::File(..) if now != before => Ok(Done::Kept),
         DiskState::File(..) => dir.remove_file(path).map(|()| Done::Whole),

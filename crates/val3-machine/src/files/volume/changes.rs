@@ -40,16 +40,20 @@ impl Volume {
         Ok(())
     }
 
-    /// Deletes a folder with its content.
+    /// Deletes a folder with its content. Links in it are deleted, not followed.
+    ///
+    /// # Errors
+    /// An entry cannot be read. The entries before it are deleted, as on the disk.
     pub(in crate::files) fn remove_dir_all(&self, path: &Utf8Path) -> io::Result<()> {
         if !self.is_covered() {
             return self.dir.remove_dir_all(relative(path));
         }
         for name in self.folder_names(path)? {
             let inner = path.join(name);
-            match self.kind(&inner) {
-                Ok(EntryKind::Folder) => self.remove_dir_all(&inner)?,
-                _ => self.replace(&inner, OverlayItem::Missing),
+            if self.is_folder_itself(&inner)? {
+                self.remove_dir_all(&inner)?;
+            } else {
+                self.replace(&inner, OverlayItem::Missing);
             }
         }
         self.replace(path, OverlayItem::Missing);

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::io::Write as _;
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
 use serde::Serialize;
 use val3_files::OutputFile;
 use val3_lang::ports::{CodePlace, Time};
@@ -17,10 +17,12 @@ use val3_motion::{MotionPhase, MoveStage, SpeedLimit};
 use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
+
 use super::cycles::CyclesReport;
 use crate::output::file;
 use crate::output::file_kind::OutputFileKind;
 use crate::output::to_stderr;
+use crate::run::output_errors::OutputErrors;
 use crate::user_error::UserError;
 use limits::{LimitShare, LimitTimes, cell};
 use nearest::{Nearest, NearestRow};
@@ -220,21 +222,18 @@ impl RunTimes {
     }
 
     /// Writes the times up to the end of the run, and returns them.
-    pub(super) fn close(mut self, end: Time, cycles: Option<CyclesReport>) -> Result<TimesReport, UserError> {
+    pub(super) fn close(mut self, end: Time, cycles: Option<CyclesReport>, errors: &mut OutputErrors) -> TimesReport {
         self.rest(end);
         let output = std::mem::replace(&mut self.output, TimesOutput::None);
         let report = TimesReport { cycles, ..self.into_report() };
         match output {
             TimesOutput::None => {}
             TimesOutput::Console => to_stderr(|out| out.write_all(report.table().as_bytes())),
-            TimesOutput::File(mut file, path) => {
-                let refused = |reason: &dyn Display| file::refused(&path, "times", reason);
-                let text = serde_json::to_string_pretty(&report).map_err(|error| refused(&error))?;
-                file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
-                file.commit().map_err(|reason| refused(&reason))?;
+            TimesOutput::File(file, path) => {
+                errors.collect(write(*file, &path, &report));
             }
         }
-        Ok(report)
+        report
     }
 
     fn into_report(self) -> TimesReport {
@@ -257,6 +256,13 @@ impl RunTimes {
             cycles: None,
         }
     }
+}
+
+fn write(mut file: OutputFile, path: &Utf8Path, report: &TimesReport) -> Result<(), UserError> {
+    let refused = |reason: &dyn Display| file::refused(path, "times", reason);
+    let text = serde_json::to_string_pretty(report).map_err(|error| refused(&error))?;
+    file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
+    file.commit().map_err(|reason| refused(&reason))
 }
 
 /// Rows of a table, longest times first.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::io::Write as _;
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::OutputFile;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Controller, RunStatus, TaskPosition};
@@ -29,6 +29,7 @@ use crate::run::end::End;
 use crate::run::failures::ImpossiblePath;
 use crate::run::missing::code;
 use crate::run::motion::{TimesReport, TimesRow};
+use crate::run::output_errors::OutputErrors;
 use crate::user_error::UserError;
 
 /// Maximum length of each list in a summary.
@@ -142,9 +143,9 @@ impl ResultRecorder {
     }
 
     /// Writes the result and the summary.
-    pub(crate) fn close(mut self, end: &RunEnd<'_>) -> Result<(), UserError> {
+    pub(crate) fn close(mut self, end: &RunEnd<'_>, errors: &mut OutputErrors) {
         let (file, summary) = (self.file.take(), self.summary);
-        write(file, summary, self.document(end))
+        write(file, summary, self.document(end), errors);
     }
 
     /// Writes the result and the summary of an application that was rejected for these errors.
@@ -154,7 +155,9 @@ impl ResultRecorder {
         let next = "correct the errors; `val3 check` shows them with their code".to_owned();
         let reason = ResultReason::Refused;
         let document = ResultDocument { reason, exit_code: code, notes, next: Some(next), ..ResultDocument::default() };
-        write(self.file, self.summary, document)
+        let mut outputs = OutputErrors::default();
+        write(self.file, self.summary, document, &mut outputs);
+        outputs.into_result()
     }
 
     fn document(self, run: &RunEnd<'_>) -> ResultDocument {
@@ -196,15 +199,13 @@ fn write(
     file: Option<(OutputFile, Utf8PathBuf)>,
     summary: Option<SummaryFormat>,
     mut document: ResultDocument,
-) -> Result<(), UserError> {
-    if let Some((mut file, path)) = file {
-        let refused = |reason: &dyn Display| file::refused(&path, "result", reason);
-        let text = serde_json::to_string_pretty(&document).map_err(|error| refused(&error))?;
-        file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
-        file.commit().map_err(|reason| refused(&reason))?;
+    errors: &mut OutputErrors,
+) {
+    if let Some((file, path)) = file {
+        errors.collect(write_file(file, &path, &document));
     }
     document.shorten(SUMMARY_ITEMS);
-    match summary {
+    errors.collect(match summary {
         None => Ok(()),
         Some(SummaryFormat::Text) => {
             to_stdout_as(OutputContent::Data, Color::Never, |out| write!(out, "{}", text::text(&document)))
@@ -213,7 +214,14 @@ fn write(
             serde_json::to_writer_pretty(&mut *out, &document)?;
             writeln!(out)
         }),
-    }
+    });
+}
+
+fn write_file(mut file: OutputFile, path: &Utf8Path, document: &ResultDocument) -> Result<(), UserError> {
+    let refused = |reason: &dyn Display| file::refused(path, "result", reason);
+    let text = serde_json::to_string_pretty(document).map_err(|error| refused(&error))?;
+    file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
+    file.commit().map_err(|reason| refused(&reason))
 }
 
 impl ErrorEntry {
@@ -229,7 +237,7 @@ fn reason(end: End, controller: &Controller) -> ResultReason {
         End::Controller(status) => EndReason::from(status).into(),
         End::Recorded(reason) => reason.into(),
         End::BrokenOff(_) => ResultReason::Interrupted,
-        End::Unread | End::Left | End::Restart => ResultReason::Stopped,
+        End::Unread | End::Unwritten | End::Left | End::Restart => ResultReason::Stopped,
     }
 }
 
