@@ -97,3 +97,18 @@ fn an_item_that_a_macro_defines_is_found() {
     assert_eq!(crate_with(&format!("{defined} fn g() {{ crate::b::f(Kind::A) }}")).len(), 1);
     assert_eq!(crate_with("macros::structs! { Kind } fn g() { crate::b::f(Kind) }").len(), 1);
 }
+
+#[test]
+fn modules_that_a_macro_declares_are_read() {
+    let rules = "
+        macro_rules! rules { ($($m:ident)*) => { $(mod $m;)* static ALL: &[&u8] = &[$(&$m::RULE),*]; } }
+        macro_rules! families { ($($f:ident { $($m:ident)* })*) => { $(mod $f { $(pub(crate) mod $m;)* })* } }
+        macro_rules! rule { ($text:literal) => { pub(crate) static RULE: u8 = 0; } }
+        rules! { a b }
+        families! { motion { c } }";
+    let b = ("b.rs", "rule! { \"\" } pub(crate) fn b() { crate::a::a() }");
+    let c = ("motion/c.rs", "pub(crate) fn c() { crate::b::b() }");
+    let circles = |a| circles_of(&[("lib.rs", rules), ("a.rs", a), b, c], 1);
+    assert!(circles("rule! { \"\" } pub(crate) fn a() {}").is_empty());
+    assert_eq!(circles("rule! { \"\" } pub(crate) fn a() { crate::motion::c::c() }").len(), 1);
+}

@@ -1,5 +1,7 @@
 //! Modules of a crate with the names that they define, import and use, without tests.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -16,6 +18,8 @@ pub(crate) type ModuleId = usize;
 #[derive(Debug, Default)]
 pub(crate) struct Crate {
     pub(crate) modules: Vec<Module>,
+    /// Macros of the crate, each with the items that its calls define under names of its own.
+    pub(crate) macros: BTreeMap<String, BTreeSet<String>>,
 }
 
 #[derive(Debug, Default)]
@@ -26,6 +30,8 @@ pub(crate) struct Module {
     pub(crate) items: BTreeSet<String>,
     /// Identifiers in macros and in macro calls, which may define items.
     pub(crate) macro_idents: BTreeSet<String>,
+    /// Names of the macros that the module calls for its items.
+    pub(crate) macro_calls: BTreeSet<String>,
     pub(crate) imports: Vec<Import>,
     pub(crate) globs: Vec<Segments>,
     pub(crate) paths: BTreeSet<Segments>,
@@ -59,17 +65,29 @@ fn parse(file: &Utf8Path) -> Vec<syn::Item> {
     syn::parse_file(&text).unwrap_or_else(|error| panic!("{file}: {error}")).items
 }
 
+/// Returns the file of the module whose submodules are in `folder`.
+fn file_of(folder: &Utf8Path) -> Option<Utf8PathBuf> {
+    [folder.with_extension("rs"), folder.join("mod.rs")].into_iter().find(|file| file.exists())
+}
+
 impl Crate {
     /// Adds a module of `file`, whose submodules are files of `folder`.
     fn add(&mut self, parent: ModuleId, file: Utf8PathBuf, folder: Utf8PathBuf, items: Vec<syn::Item>) -> ModuleId {
         let id = self.modules.len();
         self.modules.push(Module { parent, file, ..Module::default() });
+        let mut calls = Vec::new();
         for item in items.into_iter().filter(|item| !is_test(attributes(item))) {
             match item {
                 syn::Item::Mod(module) => self.add_child(id, &folder, module),
-                item => self.add_item(id, &item),
+                item => {
+                    self.add_item(id, &item);
+                    if let syn::Item::Macro(call) = item {
+                        calls.push(call.mac.tokens);
+                    }
+                }
             }
         }
+        calls.into_iter().for_each(|tokens| self.add_listed(id, &folder, tokens));
         id
     }
 
@@ -82,8 +100,7 @@ impl Crate {
         let id = match module.content {
             Some((_, items)) => self.add(parent, self.modules[parent].file.clone(), inner, items),
             None => {
-                let file = [inner.with_extension("rs"), inner.join("mod.rs")].into_iter().find(|file| file.exists());
-                let file = file.unwrap_or_else(|| panic!("no file for {inner}"));
+                let file = file_of(&inner).unwrap_or_else(|| panic!("no file for {inner}"));
                 let items = parse(&file);
                 self.add(parent, file, inner, items)
             }
@@ -91,9 +108,35 @@ impl Crate {
         self.modules[parent].children.insert(name, id);
     }
 
+    /// Adds the modules that a macro call lists by names of files in `folder`, or of its folders before brackets with such
+    /// names.
+    fn add_listed(&mut self, parent: ModuleId, folder: &Utf8Path, tokens: TokenStream) {
+        let mut tokens = tokens.into_iter().peekable();
+        while let Some(token) = tokens.next() {
+            let TokenTree::Ident(name) = token else { continue };
+            let inner = folder.join(name.to_string());
+            let is_known = self.modules[parent].children.contains_key(&name.to_string());
+            if let Some(file) = file_of(&inner).filter(|_| !is_known) {
+                let items = parse(&file);
+                let id = self.add(parent, file, inner, items);
+                self.modules[parent].children.insert(name.to_string(), id);
+            } else if inner.is_dir()
+                && let Some(TokenTree::Group(group)) = tokens.peek()
+            {
+                let id = self.add(parent, self.modules[parent].file.clone(), inner.clone(), Vec::new());
+                self.add_listed(id, &inner, group.stream());
+                self.modules[parent].children.insert(name.to_string(), id);
+            }
+        }
+    }
+
     fn add_item(&mut self, id: ModuleId, item: &syn::Item) {
         if let syn::Item::Macro(call) = item {
             add_idents(call.mac.tokens.clone(), &mut self.modules[id].macro_idents);
+            if let Some(name) = &call.ident {
+                add_definitions(call.mac.tokens.clone(), self.macros.entry(name.to_string()).or_default());
+            }
+            self.modules[id].macro_calls.extend(call.mac.path.segments.last().map(|name| name.ident.to_string()));
         }
         if let Some(name) = defined_name(item) {
             self.modules[id].items.insert(name.clone());
@@ -156,6 +199,19 @@ fn defined_name(item: &syn::Item) -> Option<String> {
         _ => return None,
     };
     Some(name.to_string())
+}
+
+/// Adds the names of items that the tokens of a macro's definition define.
+fn add_definitions(tokens: TokenStream, names: &mut BTreeSet<String>) {
+    let mut defines = false;
+    for token in tokens {
+        match &token {
+            TokenTree::Ident(word) if defines => _ = names.insert(word.to_string()),
+            TokenTree::Group(group) => add_definitions(group.stream(), names),
+            _ => {}
+        }
+        defines = matches!(&token, TokenTree::Ident(word) if ["const", "enum", "fn", "static", "struct"].iter().any(|kind| word == kind));
+    }
 }
 
 fn add_idents(tokens: TokenStream, idents: &mut BTreeSet<String>) {

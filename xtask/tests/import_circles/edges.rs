@@ -113,7 +113,9 @@ fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<
         found = globs.flat_map(|glob| lookup_in_glob(krate, id, glob, name, open)).collect();
     }
     if found.is_empty() {
-        found.extend(module.macro_idents.contains(name).then_some(Target::Item(id)));
+        let mut macros = module.macro_calls.iter().filter_map(|name| krate.macros.get(name));
+        let is_defined = module.macro_idents.contains(name) || macros.any(|items| items.contains(name));
+        found.extend(is_defined.then_some(Target::Item(id)));
     }
     open.remove(&key);
     found

@@ -38,10 +38,15 @@ pub(super) fn add_data(
     let names: Vec<String> = names.map(|name| format!("[{name}]")).collect();
     for (key, file) in new {
         if let Some((_, before)) = old.iter().find(|(other, _)| other == key) {
-            let is_known = |change: &EntryChange| {
-                is_of_data(&change.entry, &names) || fields.as_mut().is_some_and(|fields| is_declared(change, fields))
-            };
-            add(file.path.as_str(), [before.bytes, file.bytes], is_known, compared);
+            add(
+                file.path.as_str(),
+                [before.bytes, file.bytes],
+                |change| {
+                    is_of_data(&change.entry, &names)
+                        || fields.as_mut().is_some_and(|fields| is_declared(change, fields))
+                },
+                compared,
+            );
         }
     }
 }
