@@ -9,6 +9,7 @@ use std::fs;
 
 use anyhow::Context;
 use camino::{Utf8Path, Utf8PathBuf};
+use flate2::Compression;
 
 use crate::build::{Arguments, Build};
 use crate::debug_info::Parts;
@@ -48,6 +49,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     fs::remove_dir_all(&scratch).with_context(|| format!("cannot remove {scratch}"))
 }
 
+/// Compression of an archive. Nobody downloads a debug build, which has 250 MB.
+fn compression(build: &Build) -> Compression {
+    if build.is_debug { Compression::fast() } else { Compression::best() }
+}
+
 /// Writes the archive `name` + `suffix`, with the files in a folder called `name`.
 fn pack(
     build: &Build,
@@ -57,7 +63,7 @@ fn pack(
     files: &[PackedFile],
 ) -> anyhow::Result<Utf8PathBuf> {
     // The Explorer of Windows 10 opens no other archives.
-    let form = if build.is_for_windows() { Form::Zip } else { Form::TarGz };
+    let form = if build.is_for_windows() { Form::Zip } else { Form::TarGz(compression(build)) };
     let archive = folder.join(format!("{name}{suffix}.{}", form.ending()));
     archive::write(&archive, form, name, files).with_context(|| format!("cannot write {archive}"))?;
     Ok(archive)

@@ -42,18 +42,37 @@ impl Arm {
 
     /// Returns the shipped file of the arm with this name, spelled as for [`Arm::by_name`].
     pub fn file(name: &str) -> Result<&'static str, UnknownArm> {
-        let found = |wanted: String| FILES.iter().find(|(name, _)| normalized(name) == wanted);
-        let file = found(normalized(name)).or_else(|| found(normalized(without_length(name))));
-        file.map(|(_, text)| *text).ok_or_else(|| UnknownArm { name: name.to_owned() })
+        shipped(name)
+            .or_else(|| {
+                let (arm, length) = divided(name);
+                shipped(arm).filter(|text| stroke(text) == length)
+            })
+            .ok_or_else(|| UnknownArm { name: name.to_owned() })
     }
 
     /// Returns the shipped arm of a cell from the entries `arm` and, for SCARA arms, `lengthAxis3` in `arm.cfx`
     /// (`ts60-S1`, `L400`).
     pub fn by_settings(arm: &str, length_axis3: Option<&str>) -> Result<Self, UnknownArm> {
-        let variant = length_axis3.map(|length| format!("{}-{length}", base(arm)));
-        let variant = variant.and_then(|name| Self::by_name(&name).ok());
-        variant.map_or_else(|| Self::by_name(arm), Ok)
+        let arm = base(arm);
+        let (model, _) = divided(&arm);
+        match length_axis3.filter(|length| is_numbered(length, 'l')) {
+            Some(length) if shipped(model).and_then(stroke).is_some() => Self::by_name(&format!("{model}-{length}")),
+            _ => Self::by_name(&arm),
+        }
     }
+}
+
+/// Returns the shipped file with this name.
+fn shipped(name: &str) -> Option<&'static str> {
+    let wanted = normalized(name);
+    FILES.iter().find(|(name, _)| normalized(name) == wanted).map(|(_, text)| *text)
+}
+
+/// Returns the length of axis 3 of the SCARA arm in a file, in mm.
+fn stroke(text: &str) -> Option<f64> {
+    let arm = Arm::from_toml(text).ok()?;
+    let [_, _, axis3, _] = arm.limits() else { return None };
+    Some(axis3.max - axis3.min)
 }
 
 /// Returns the letters and digits of a name in lower case, without parts that do not change the kinematics.
@@ -76,9 +95,10 @@ fn base(name: &str) -> String {
     kept
 }
 
-/// Removes the length of axis 3: `ts60` for `ts60-L200`.
-fn without_length(name: &str) -> &str {
-    name.rsplit_once(['-', '_']).filter(|(_, end)| is_numbered(end, 'l')).map_or(name, |(start, _)| start)
+/// Divides a name into the arm and the length of axis 3 in mm: `ts60` and 200 for `ts60-L200`.
+fn divided(name: &str) -> (&str, Option<f64>) {
+    let length = name.rsplit_once(['-', '_']).filter(|(_, end)| is_numbered(end, 'l'));
+    length.map_or((name, None), |(arm, length)| (arm, length.get(1..).and_then(|length| length.parse().ok())))
 }
 
 /// Whether a part of a name is this letter with digits: `S1`.

@@ -37,7 +37,7 @@ impl PackedFile {
 /// Format of an archive.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
-    TarGz,
+    TarGz(Compression),
     Zip,
 }
 
@@ -45,7 +45,7 @@ impl Form {
     /// Returns the ending of the file name.
     pub(super) fn ending(self) -> &'static str {
         match self {
-            Self::TarGz => "tar.gz",
+            Self::TarGz(_) => "tar.gz",
             Self::Zip => "zip",
         }
     }
@@ -57,13 +57,13 @@ impl Form {
 /// A file cannot be read, or the archive cannot be written.
 pub(super) fn write(archive: &Utf8Path, form: Form, name: &str, files: &[PackedFile]) -> anyhow::Result<()> {
     match form {
-        Form::TarGz => write_tar(File::create(archive)?, name, files),
+        Form::TarGz(compression) => write_tar(File::create(archive)?, compression, name, files),
         Form::Zip => write_zip(File::create(archive)?, name, files),
     }
 }
 
-fn write_tar(archive: File, name: &str, files: &[PackedFile]) -> anyhow::Result<()> {
-    let mut tar = tar::Builder::new(GzEncoder::new(archive, Compression::best()));
+fn write_tar(archive: File, compression: Compression, name: &str, files: &[PackedFile]) -> anyhow::Result<()> {
+    let mut tar = tar::Builder::new(GzEncoder::new(archive, compression));
     for file in files {
         let bytes = file.bytes()?;
         let mut header = tar::Header::new_gnu();
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn a_tar_holds_one_folder() {
-        let (_scratch, archive) = written(Form::TarGz);
+        let (_scratch, archive) = written(Form::TarGz(Compression::best()));
         let mut tar = tar::Archive::new(GzDecoder::new(File::open(archive).unwrap()));
         let entries = tar.entries().unwrap().map(|entry| {
             let mut entry = entry.unwrap();
@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn the_same_files_give_the_same_bytes() {
-        for form in [Form::TarGz, Form::Zip] {
+        for form in [Form::TarGz(Compression::best()), Form::Zip] {
             let (_one, first) = written(form);
             let (_other, second) = written(form);
             assert!(fs::read(first).unwrap() == fs::read(second).unwrap(), "{}", form.ending());

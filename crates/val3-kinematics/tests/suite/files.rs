@@ -40,7 +40,17 @@ fn an_arm_has_several_spellings() {
     assert_eq!(Arm::by_settings("rs60-S1-D20-L200", None).unwrap().name(), "TS60");
     assert_eq!(Arm::by_settings("ts60-S1-D25-L200", None).unwrap().name(), "TS60");
     assert_eq!(Arm::by_settings("ts60-S1-D25-L400", None).unwrap().limits()[2].max, 400.0);
+    assert_eq!(Arm::by_settings("ts60-S1-D25-L200", Some("L400")).unwrap().name(), "TS60-L400");
     assert_eq!(Arm::by_settings("tx2_40-S3", None).unwrap().name(), "TX2-40");
+    assert_eq!(Arm::by_settings("tx2_40-S3", Some("INVALID")).unwrap().name(), "TX2-40");
+}
+
+#[test]
+fn a_length_that_no_arm_has_is_unknown() {
+    for name in ["TS60-L40", "ts2_40-L400", "TX2-60-L200"] {
+        assert_eq!(Arm::by_name(name).unwrap_err().name, name);
+    }
+    assert_eq!(Arm::by_settings("ts60-S1", Some("L300")).unwrap_err().name, "ts60-L300");
 }
 
 #[test]

@@ -17,7 +17,6 @@ use val3_motion::{MotionPhase, MoveStage, SpeedLimit};
 use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
-
 use super::cycles::CyclesReport;
 use crate::output::file;
 use crate::output::file_kind::OutputFileKind;
