@@ -18,7 +18,7 @@ pub(crate) type ModuleId = usize;
 #[derive(Debug, Default)]
 pub(crate) struct Crate {
     pub(crate) modules: Vec<Module>,
-    /// Macros of the crate, each with the items that its calls define under names of its own.
+    /// Macros of the crate, each with the names of the items that its definition contains.
     pub(crate) macros: BTreeMap<String, BTreeSet<String>>,
 }
 

@@ -31,7 +31,7 @@ pub struct Proximity {
 #[derive(Debug, Clone)]
 pub struct Profile {
     observation: Observation,
-    /// Index of each pair in the scene, and a lower bound of its distance in mm.
+    /// Compared pairs: index in the scene, and lower bound of the distance in mm.
     bounds: Vec<(usize, f64)>,
 }
 

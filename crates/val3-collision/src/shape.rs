@@ -183,7 +183,7 @@ fn reach(points: &[Vector3<f64>]) -> f64 {
     points.iter().map(Vector3::norm).fold(0.0, f64::max)
 }
 
-/// Points are in one line or plane if their width or height is at most this fraction of their extent.
+/// Largest ratio of width or height to extent at which points are in one line or plane.
 const FLAT: f64 = 1e-9;
 
 /// Whether points have a volume.

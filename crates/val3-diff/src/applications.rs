@@ -135,7 +135,8 @@ fn add<'t>(application: &mut Application<'t>, file: SourceFile<'t>) {
     files.insert(key, file);
 }
 
-/// Resolves a reference to a library or user type of the project in `folder`, in lower case. `Disk://` is the folder of applications, which is the root of the tree.
+/// Resolves a reference to a library or user type of the project in `folder`, in lower case. `Disk://` is the folder of
+/// applications, which is the root of the tree.
 pub(crate) fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
     let roots = Roots { disk: Some("/".into()), others: Vec::new() };
     match project(&Utf8Path::new("/").join(folder), &roots, reference) {

@@ -1,4 +1,4 @@
-//! Guards that test the size of an array, and therefore whether one of its elements exists.
+//! Guards that test the size of an array, on which the existence of an element depends.
 
 use std::collections::BTreeSet;
 

@@ -31,8 +31,8 @@ impl SensorState {
 }
 
 impl Handling {
-    /// Evaluates a sensor, and requests due changes of its input. Returns an event if the sensor begins or ceases to
-    /// detect something.
+    /// Evaluates a sensor, and requests the changes of its input that are due. Returns an event if the sensor begins or
+    /// ceases to detect something.
     pub(super) fn sense(&mut self, number: usize, view: &HandlingView<'_>) -> Option<HandlingEvent> {
         let sensor = view.scene.cell().sensors.get(number)?;
         let detected = self.detected(sensor, view);

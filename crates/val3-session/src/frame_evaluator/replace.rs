@@ -253,7 +253,7 @@ pub(super) fn form_of(image: &Image) -> CodeForm {
     }
 }
 
-/// Whether a closing keyword of the program has an operation of its own.
+/// Whether a closing keyword of the program is a separate operation.
 fn has_loop_end(program: &Program) -> bool {
     let mut closings = program.closings.iter().filter_map(|closing| program.code.get(closing.op as usize));
     closings.any(|step| step.op == Op::Line)

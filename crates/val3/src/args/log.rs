@@ -99,7 +99,7 @@ impl FromStr for Since {
     }
 }
 
-/// Seconds in a duration of one unit, for example `30m`. `None` for other texts, and for 2^32 seconds or more.
+/// Converts a duration with one unit, such as `30m`, to seconds. `None` for other texts, and for 2^32 seconds or more.
 fn seconds(duration: &str) -> Option<u32> {
     let (number, unit) = duration.split_at_checked(duration.len().checked_sub(1)?)?;
     let factor = match unit {

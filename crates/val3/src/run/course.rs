@@ -386,8 +386,8 @@ impl<'a> Course<'a> {
         if let Some(session) = guide.session() {
             session.report(&events, &mut self.target());
         }
-        let told = self.report_test(end, guide);
-        self.errors.collect(told);
+        let reported = self.report_test(end, guide);
+        self.errors.collect(reported);
         self.errors.collect(self.observers.notify_end(end, &events));
         if let Some(result) = &mut self.result {
             result.follow(&events);
